@@ -128,6 +128,11 @@ impl IdealCurve {
         Ok(Self { span_s, nodes, jets })
     }
 
+    /// Numbers of the table.
+    pub fn numbers(&self) -> usize {
+        self.jets.iter().map(|jets| 3 * jets.len()).sum()
+    }
+
     /// The value of `output` at `share` in [0, 1] of the recorded part.
     #[inline]
     pub fn value(&self, output: usize, share: f64) -> f64 {

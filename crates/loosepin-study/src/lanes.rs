@@ -2,12 +2,14 @@
 
 use super::extras::{JointExtras, RunExtras};
 use super::ideal_curve::IdealCurve;
+use super::ideal_tables::IdealKey;
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
-    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Step, conduct,
+    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Step, Window, conduct,
 };
+use std::sync::Arc;
 
 impl StudyResponse {
     /// One run, alone.
@@ -47,25 +49,12 @@ impl StudyResponse {
         epistemic: &[f64],
     ) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = Sample::new(mechanism, &values)?;
+        let mut sample = Sample::new(mechanism, &values)?;
         let input = mechanism.model.input(self.span, &values);
         let window = window(&input, self.transient_turns, self.recorded_turns)?;
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
-        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
         let arms = Arms::new(mechanism, &values);
-        let curve = if self.shared.needs_own_ideal {
-            Some(IdealCurve::new(
-                &mut own,
-                &self.shared.plan.outputs,
-                &self.shared.is_used,
-                &arms,
-                window.start_s,
-                window.end_s - window.start_s,
-                self.shared.nominal_curve.nodes.clone(),
-            )?)
-        } else {
-            None
-        };
+        let (own, curve) = self.own_ideal(&mut sample, &arms, &window)?;
         let nominal = if self.needs_nominal_reference {
             let end_s = self.nominal_window.end_s;
             Some(IdealReference::new(&self.ideal, &self.nominal_ideal, end_s, &self.settings)?)
@@ -86,6 +75,32 @@ impl StudyResponse {
             })
             .collect();
         Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, resume: None })
+    }
+
+    /// The ideal motion of a sample: its table where a deviation from it is asked for, and itself where outputs without a table are.
+    fn own_ideal(
+        &self,
+        sample: &mut Sample<f64>,
+        arms: &Arms,
+        window: &Window,
+    ) -> Result<(Option<IdealReference<'_>>, Option<Arc<IdealCurve>>), RunFailure> {
+        // Pieces of a drive are no numbers of a sample, and a motion that forces decide depends on more of them.
+        let is_shared = self.ideal.is_driven() && !sample.drives.has_pieces() && !self.shared.needs_own_reference;
+        let key = is_shared.then(|| IdealKey::new(sample, arms, window));
+        if let Some(known) = key.as_ref().and_then(|key| self.ideal_tables.find(key)) {
+            return Ok((None, known));
+        }
+        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
+        let curve = if self.shared.needs_own_ideal {
+            let (outputs, is_used) = (&self.shared.plan.outputs, &self.shared.is_used);
+            let (span_s, nodes) = (window.end_s - window.start_s, self.shared.nominal_curve.nodes.clone());
+            Some(Arc::new(IdealCurve::new(&mut own, outputs, is_used, arms, window.start_s, span_s, nodes)?))
+        } else {
+            None
+        };
+        let Some(key) = key else { return Ok((Some(own), curve)) };
+        self.ideal_tables.keep(key, curve.clone());
+        Ok((None, curve))
     }
 
     /// The row of a finished run.

@@ -24,6 +24,7 @@ mod foresee;
 mod further_outputs;
 mod goals;
 mod ideal_curve;
+mod ideal_tables;
 mod input_file;
 mod inputs;
 mod iso_286;

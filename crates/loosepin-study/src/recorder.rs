@@ -6,6 +6,7 @@ use super::ideal_curve::IdealCurve;
 use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_simulate::{Arms, IdealReference, Observer, Peak, Reading, Step, Window, maximum_within};
+use std::sync::Arc;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;
@@ -91,6 +92,8 @@ pub struct Shared {
     pub is_used: Vec<bool>,
     /// Whether any column asks for a deviation from the sample's own ideal motion.
     pub needs_own_ideal: bool,
+    /// Whether any of these columns is of an output without a table.
+    pub needs_own_reference: bool,
     /// Used outputs that are positions: they are followed by every run.
     pub readings: Vec<Reading>,
     /// Place of each output among those that are followed.
@@ -107,9 +110,9 @@ pub struct Shared {
 pub struct Recorder<'r> {
     shared: &'r Shared,
     arms: Arms,
-    /// The ideal motion of this sample, and its table where a deviation from it is asked for.
-    reference: IdealReference<'r>,
-    curve: Option<IdealCurve>,
+    /// The ideal motion of this sample where outputs without a table are compared with it, and its table where others are.
+    reference: Option<IdealReference<'r>>,
+    curve: Option<Arc<IdealCurve>>,
     /// The nominal ideal motion at this sample's instants, for outputs without a table.
     nominal: Option<IdealReference<'r>>,
     /// Time of this sample to time of the nominal one, both from the start of the recorded part.
@@ -130,10 +133,10 @@ pub struct Recorder<'r> {
 
 /// The motions that a run is compared with.
 pub struct References<'r> {
-    /// The ideal motion of the sample.
-    pub own: IdealReference<'r>,
+    /// The ideal motion of the sample, where outputs without a table are compared with it.
+    pub own: Option<IdealReference<'r>>,
     /// Its table, where a deviation from it is asked for.
-    pub curve: Option<IdealCurve>,
+    pub curve: Option<Arc<IdealCurve>>,
     /// The nominal ideal motion, where outputs without a table are used.
     pub nominal: Option<IdealReference<'r>>,
     /// The recorded part of the nominal motion.
@@ -209,7 +212,10 @@ impl<'r> Recorder<'r> {
         if let Some(curve) = self.curve.as_ref().filter(|_| reading.is_position()) {
             return curve.value(output, self.share(time_s));
         }
-        read(&mut self.reference, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), time_s)
+        match &mut self.reference {
+            Some(own) => read(own, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), time_s),
+            None => f64::NAN,
+        }
     }
 
     /// Nominal ideal value at the same place of the cycle.

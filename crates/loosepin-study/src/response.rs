@@ -4,6 +4,7 @@ use super::columns::{ColumnPlan, Spot};
 use super::extras::RunExtras;
 use super::file::{Deviation, EpistemicSubject, MOST_POSES, Study, Where};
 use super::ideal_curve::{IdealCurve, IdealNodes};
+use super::ideal_tables::IdealTables;
 use super::recorder::Shared;
 use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
@@ -96,6 +97,7 @@ pub struct StudyResponse {
     pub(super) ideal: Mechanism,
     pub(super) nominal_ideal: Sample<f64>,
     pub(super) nominal_window: Window,
+    pub(super) ideal_tables: IdealTables,
     random: Vec<QuantityId>,
     epistemic: Vec<Epistemic>,
     pub(super) restitutions: Vec<Option<QuantityId>>,
@@ -173,6 +175,7 @@ impl StudyResponse {
             ideal,
             nominal_ideal,
             nominal_window,
+            ideal_tables: IdealTables::default(),
             random: study.random.iter().map(|input| input.quantity).collect(),
             epistemic: study
                 .epistemic
@@ -416,8 +419,10 @@ fn share_nominal(
         nominal_at_pose[index] = reading.value(&arms, dynamics);
     }
     let pose_order = pose_order.into_iter().map(|(_, index)| index).collect();
-    let needs_own_ideal =
-        plan.columns.iter().any(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+    let mut of_own =
+        plan.columns.iter().filter(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+    let needs_own_ideal = of_own.clone().next().is_some();
+    let needs_own_reference = of_own.any(|column| !plan.outputs[column.output].reading.is_position());
     let mut readings = Vec::new();
     let places = plan
         .outputs
@@ -430,5 +435,15 @@ fn share_nominal(
             })
         })
         .collect();
-    Ok(Shared { plan, is_used, needs_own_ideal, readings, places, nominal_curve, nominal_at_pose, pose_order })
+    Ok(Shared {
+        plan,
+        is_used,
+        needs_own_ideal,
+        needs_own_reference,
+        readings,
+        places,
+        nominal_curve,
+        nominal_at_pose,
+        pose_order,
+    })
 }
