@@ -13,7 +13,7 @@ use std::time::Instant;
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
 /// As many where each has an ideal motion that is a run of its own.
-const TIMED_FREE_RUNS: usize = 3;
+const TIMED_FREE_RUNS: usize = 1;
 /// Evaluations of each of them, at most.
 const MOST_EVALUATIONS: f64 = 6000.0;
 /// Multiplications of all timed runs, about a twentieth of a second; and evaluations without which a run shows nothing.

@@ -386,8 +386,8 @@ fn share_nominal(
             (output.reading, if matches!(output.reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 })
         })
         .collect();
-    // A reference of its own: where a search for a position begins decides on its last bits.
-    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    let fresh = || IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings);
+    let mut reference = fresh()?;
     let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
     let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
         let time_s = nominal_window.start_s + share * span_s;
@@ -397,7 +397,10 @@ fn share_nominal(
         positions.iter().map(jet).collect::<Result<Vec<_>, SampleError>>()
     })?;
     let nodes = Arc::new(nodes);
-    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    // Where the search for a position begins decides on its last bits; a motion that forces decide was integrated once and for all.
+    if ideal.is_driven() {
+        reference = fresh()?;
+    }
     let nominal_curve =
         IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, nodes)?;
     let mut pose_order: Vec<(f64, usize)> = plan
@@ -411,7 +414,9 @@ fn share_nominal(
         .collect();
     pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
-    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    if ideal.is_driven() {
+        reference = fresh()?;
+    }
     for &(at, index) in &pose_order {
         let reading = plan.outputs[plan.columns[index].output].reading;
         let time_s = nominal_window.start_s + at * span_s / turns;
