@@ -47,10 +47,17 @@ fn roughened(case: KnownCase) -> KnownCase {
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let seeds = words.first().map_or(12, |word| word.parse::<u64>().expect("a number of seeds"));
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let (seeds, is_rough) = match words[..] {
+        [] => ("12", false),
+        [seeds] => (seeds, false),
+        [seeds, "rough"] => (seeds, true),
+        _ => panic!("slider_crank_bounds SEEDS [rough], not {words:?}"),
+    };
+    let seeds: u64 = seeds.parse().expect("a number of seeds");
     // As the other programs are asked.
     let smooth = slider_crank_with_play(FRAC_PI_3).cut_open();
-    let case = if words.get(1).is_some_and(|word| word == "rough") { roughened(smooth) } else { smooth };
+    let case = if is_rough { roughened(smooth) } else { smooth };
     println!("seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds");
     for seed in 1..=seeds {
         let started = Instant::now();

@@ -9,6 +9,7 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
 /// A step: its start, its end, and value, rate and acceleration of every free coordinate at both;
 /// integral of the error of every control, and the error; deflection of the bristles of every joint with friction, and its rate.
+#[derive(Debug)]
 struct Piece {
     start_s: f64,
     end_s: f64,
@@ -31,6 +32,7 @@ pub struct FreeState {
 }
 
 /// The motion from time zero on, as polynomials of degree five over the steps of the run.
+#[derive(Debug)]
 pub struct FreeMotion {
     pieces: Vec<Piece>,
 }
@@ -49,6 +51,13 @@ impl FreeMotion {
         let mut motion = Self { pieces: Vec::new() };
         run(mechanism, sample, &Window { start_s: 0.0, end_s }, settings, &mut motion)?;
         Ok(motion)
+    }
+
+    /// Numbers that it is kept in.
+    pub fn numbers(&self) -> usize {
+        let of =
+            |piece: &Piece| 2 + 6 * piece.jets.len() + 4 * (piece.error_integrals.len() + piece.joint_bristles.len());
+        self.pieces.iter().map(of).sum()
     }
 
     /// The state at `time_s`.

@@ -51,6 +51,7 @@ pub use engine::{conduct, run};
 pub use execution::Execution;
 pub use failure::RunFailure;
 pub use flight::FlightClock;
+pub use free_motion::FreeMotion;
 pub use history::{BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_until};
 pub use loosepin_mechanics::mechanism::Mechanism;
 pub use loosepin_mechanics::model::Model;

@@ -7,6 +7,7 @@ use super::motion::Motion;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
+use std::sync::Arc;
 
 /// The motion of a mechanism with every clearance at zero, to be asked at any time.
 ///
@@ -21,7 +22,7 @@ pub struct IdealReference<'a> {
 /// Where positions and velocities come from.
 enum Source<'a> {
     Solved(Box<IdealMotion<'a>>),
-    Integrated(FreeMotion),
+    Integrated(Arc<FreeMotion>),
 }
 
 impl<'a> IdealReference<'a> {
@@ -35,12 +36,25 @@ impl<'a> IdealReference<'a> {
         end_s: f64,
         settings: &Settings,
     ) -> Result<Self, RunFailure> {
-        let source = if mechanism.is_driven() {
-            Source::Solved(Box::new(IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?))
-        } else {
-            Source::Integrated(FreeMotion::new(mechanism, sample, end_s, settings)?)
-        };
+        if !mechanism.is_driven() {
+            return Ok(Self::of_motion(
+                mechanism,
+                sample,
+                Arc::new(FreeMotion::new(mechanism, sample, end_s, settings)?),
+            ));
+        }
+        let source = Source::Solved(Box::new(IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?));
         Ok(Self { source, motion: Motion::new(mechanism, sample), held_s: None })
+    }
+
+    /// The same, of a mechanism that its drives do not move alone, whose `motion` has been integrated.
+    pub fn of_motion(mechanism: &'a Mechanism, sample: &Sample<f64>, motion: Arc<FreeMotion>) -> Self {
+        Self { source: Source::Integrated(motion), motion: Motion::new(mechanism, sample), held_s: None }
+    }
+
+    /// The motion of a mechanism that its drives do not move alone.
+    pub fn free_motion(&self) -> Option<Arc<FreeMotion>> {
+        if let Source::Integrated(motion) = &self.source { Some(motion.clone()) } else { None }
     }
 
     /// Uses the pieces that the motions of drives have at `time_s`: see [`IdealMotion::hold_pieces`].

@@ -5,27 +5,32 @@ use super::file::Study;
 use super::plans::planned;
 use super::problem::problem;
 use super::response::StudyResponse;
-use loosepin_bounds::{DoubleLoop, PromisePlan};
+use loosepin_bounds::{DoubleLoop, PromisePlan, RunInputs};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
-/// As many where each has an ideal motion that is a run of its own.
-const TIMED_FREE_RUNS: usize = 1;
-/// Evaluations of each of them, at most.
-const MOST_EVALUATIONS: f64 = 6000.0;
-/// Multiplications of all timed runs, about a twentieth of a second; and evaluations without which a run shows nothing.
-const TIMED_MULTIPLICATIONS: f64 = 5e7;
+/// The mechanisms among them, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
+/// as long as a run.
+const MECHANISMS: usize = 4;
+const FREE_MECHANISMS: usize = 1;
+/// No further run is begun when all but the first preparation have taken so long.
+const MOST_PREPARING: Duration = Duration::from_millis(10);
+/// Multiplications of all timed runs, about a hundredth of a second; and evaluations without which a run shows nothing.
+const TIMED_MULTIPLICATIONS: f64 = 1.2e7;
 const LEAST_EVALUATIONS: f64 = 100.0;
+/// The share of their time that timed runs have to come to, on average, where forces decide the motion: it begins with a settling, which
+/// tells nothing of the rest.
+const LEAST_FREE_SHARE: f64 = 0.1;
 
 /// What a study will come to.
 #[derive(Debug, Clone, Copy)]
 pub struct Foreseen {
     /// As [`super::plan_runs`].
     pub most_runs: usize,
-    /// Processor time of a run on the lanes of one thread, s; none where a run takes too long to be tried.
+    /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
     pub run_s: Option<f64>,
     /// Those of the runs that stand behind a promise, where something is promised.
     pub promise: Option<ForeseenPromise>,
@@ -61,71 +66,134 @@ pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response)?;
     let (most_runs, promise) = (plans.limits.most_runs(), plans.promise.as_ref().map(ForeseenPromise::new));
-    let multiplications = response.mechanism().multiplications();
-    // Where drives do not move everything, a run is prepared by a run of its ideal motion, which no lanes share.
-    let most = if response.mechanism().is_driven() { TIMED_RUNS } else { TIMED_FREE_RUNS };
-    let runs = ((TIMED_MULTIPLICATIONS / (LEAST_EVALUATIONS * multiplications)) as usize).min(most);
-    if runs == 0 {
+    let evaluations = TIMED_MULTIPLICATIONS / (TIMED_RUNS as f64 * response.mechanism().multiplications());
+    if evaluations < LEAST_EVALUATIONS {
         return Ok(Foreseen { most_runs, run_s: None, promise });
     }
-    let evaluations = (TIMED_MULTIPLICATIONS / (runs as f64 * multiplications)).min(MOST_EVALUATIONS);
     response.limit_evaluations(evaluations as u64);
-    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)?, promise })
+    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response)?, promise })
 }
 
-/// Processor time of a whole run, s, from the first `runs` of the plan; none where no run came to its first step.
+/// What is known of the timed runs.
+#[derive(Default)]
+struct Timing {
+    /// Evaluations of each run, and the share of its time that it came to with them.
+    runs: Vec<(f64, f64)>,
+    /// Time in which `prepared` runs were prepared.
+    preparing: Duration,
+    prepared: u32,
+    /// Time in which all runs were stepped through.
+    stepping: Duration,
+    /// Why a run failed.
+    reason: Option<RunFailure>,
+}
+
+impl Timing {
+    /// Processor time of a whole run, s:
+    ///
+    /// ```text
+    /// preparing/prepared + stepping/Σ evaluations · mean(evaluations/share)
+    /// ```
+    ///
+    /// None where the runs came to less than `least_share` of their time, on average.
+    fn run_s(&self, least_share: f64) -> Option<f64> {
+        let count = self.runs.len() as f64;
+        let all: f64 = self.runs.iter().map(|(evaluations, _)| evaluations).sum();
+        let whole = self.runs.iter().map(|(evaluations, share)| evaluations / share).sum::<f64>() / count;
+        let preparing_s = self.preparing.as_secs_f64() / f64::from(self.prepared);
+        let run_s = preparing_s + self.stepping.as_secs_f64() / all * whole;
+        let share = self.runs.iter().map(|(_, share)| share).sum::<f64>() / count;
+        (run_s.is_finite() && share >= least_share).then_some(run_s)
+    }
+}
+
+/// Processor time of a whole run, s, from the first runs of the plan; none where they do not tell.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
-fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {
+fn time_runs_s(study: &Study, response: &StudyResponse) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
+    let (mechanisms, least_share) =
+        if response.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, LEAST_FREE_SHARE) };
     let variants = response.mechanisms.len();
-    let each = runs.div_ceil(variants);
-    let passed = Cell::new(0.0);
-    let (mut prepared, mut preparing_s, mut stepping_s, mut reason) = (0_u32, 0.0, 0.0, None);
-    let end_s = response.nominal_end_s();
+    let count = TIMED_RUNS.div_ceil(variants);
+    let mut timing = Timing::default();
     for variant in 0..variants {
-        let first = plan.first_runs(each, |epistemic| response.variant(epistemic) == variant);
-        let mut waiting = first.iter().map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
-        let (passed_before, mut asked) = (passed.get(), Vec::new());
-        response.run_all(
-            variant,
-            Execution::best(),
-            || {
-                asked.push((Instant::now(), passed.get() == passed_before));
-                waiting.next()
-            },
-            |_, outcome| match outcome {
-                Ok(_) => passed.set(passed.get() + 1.0),
-                Err(RunFailure::TooManyEvaluations { time_s, .. }) => passed.set(passed.get() + time_s / end_s),
-                Err(failure) => reason = Some(failure),
-            },
-        );
-        // The equations are written down between the first question for a run and the second; all lanes are filled before the first step.
-        match (asked.get(1), asked.get(first.len())) {
-            (Some(&(begun, true)), Some(&(filled, true))) => {
-                prepared += first.len() as u32 - 1;
-                preparing_s += (filled - begun).as_secs_f64();
-                stepping_s += filled.elapsed().as_secs_f64();
+        let is_meant = |epistemic: &[f64]| response.variant(epistemic) == variant;
+        // The mechanisms are the same at each value of the epistemic inputs, as in the study: where these do not change an ideal motion,
+        // it is known at all but the first. Where there is but one value, each has a mechanism of its own.
+        let points = plan.first_runs(count, 1, is_meant).len();
+        let each = if points > 1 { mechanisms } else { count };
+        let first = plan.first_runs(count / each, each, is_meant);
+        // Once more where there are fewer, so that all lanes are filled.
+        let inputs: Vec<&RunInputs> = first.iter().cycle().take(count).collect();
+        time_variant(response, variant, &inputs, &mut timing);
+    }
+    match timing.reason.take() {
+        Some(reason) if timing.runs.is_empty() => Err(StudyError::AllFailed { runs: TIMED_RUNS, reason }),
+        _ => Ok(timing.run_s(least_share)),
+    }
+}
+
+/// Adds runs of the mechanism `variant`.
+fn time_variant(response: &StudyResponse, variant: usize, inputs: &[&RunInputs], timing: &mut Timing) {
+    let end_s = response.nominal_end_s();
+    let mut waiting = inputs.iter().map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+    let ended = Cell::new(0_u32);
+    let mut asked: Vec<(Instant, u32)> = Vec::new();
+    let preparations = response.run_all(
+        variant,
+        Execution::best(),
+        || {
+            asked.push((Instant::now(), ended.get()));
+            let is_in_time = asked.get(1).is_none_or(|(second, _)| second.elapsed() < MOST_PREPARING);
+            waiting.next().filter(|_| is_in_time)
+        },
+        |_, outcome| {
+            ended.set(ended.get() + 1);
+            match outcome {
+                Ok(row) => timing.runs.push((response.extras(&row).evaluations, 1.0)),
+                Err(RunFailure::TooManyEvaluations { time_s, limit }) => {
+                    timing.runs.push((limit as f64, time_s / end_s));
+                }
+                Err(failure) => timing.reason = Some(failure),
             }
-            (Some(&(begun, true)), _) => stepping_s += begun.elapsed().as_secs_f64(),
-            // One run after the other.
-            _ => stepping_s += asked.first().map_or(0.0, |(begun, _)| begun.elapsed().as_secs_f64()),
-        }
+        },
+    );
+    let Some(&(begun, _)) = asked.first() else { return };
+    let mut spent = begun.elapsed();
+    // The equations are written down once, behind the first preparation and before the second question for a run.
+    if let (Some(&(second, 0)), Some(&preparation)) = (asked.get(1), preparations.first()) {
+        spent = spent.saturating_sub((second - begun).saturating_sub(preparation));
     }
-    let passed = passed.get();
-    match reason {
-        Some(reason) if passed == 0.0 => Err(StudyError::AllFailed { runs, reason }),
-        _ if passed == 0.0 => Ok(None),
-        _ => Ok(Some(preparing_s / f64::from(prepared.max(1)) + stepping_s / passed)),
-    }
+    timing.stepping += spent.saturating_sub(preparations.iter().sum());
+    let later = &preparations[preparations.len() / 2..];
+    timing.preparing += later.iter().sum::<Duration>();
+    timing.prepared += later.len() as u32;
 }
 
 #[cfg(test)]
 mod tests {
+    use super::Timing;
     use crate::file::Study;
     use crate::response::StudyResponse;
     use loosepin_simulate::{Execution, RunFailure};
     use std::path::Path;
+    use std::time::Duration;
+
+    #[test]
+    fn analytic_a_run_that_is_slow_counts_as_much_as_one_that_is_fast() {
+        // 100 evaluations a millisecond. The first run needs 100 of them, the second 1000: 550 on average, though they came to 1.1 runs.
+        let timing = Timing {
+            runs: vec![(100.0, 1.0), (100.0, 0.1)],
+            preparing: Duration::from_millis(6),
+            prepared: 3,
+            stepping: Duration::from_millis(2),
+            reason: None,
+        };
+        assert!((timing.run_s(0.5).unwrap() - 7.5e-3).abs() < 1e-12);
+        assert_eq!(timing.run_s(0.6), None);
+        assert_eq!(Timing::default().run_s(0.0), None);
+    }
 
     #[test]
     fn a_run_that_is_timed_is_given_up_after_the_evaluations_it_has() {

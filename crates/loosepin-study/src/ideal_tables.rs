@@ -1,13 +1,13 @@
-//! Tables of ideal motions, each made once: mechanisms that differ only in what an ideal joint has not, as play and contacts, share one.
+//! Ideal motions, each found once: mechanisms that differ only in what an ideal joint has not, as play and contacts, share one.
 
 use super::ideal_curve::IdealCurve;
 use loosepin_math::Numbers;
 use loosepin_mechanics::mechanism::Sample;
-use loosepin_simulate::{Arms, Window};
+use loosepin_simulate::{Arms, FreeMotion, Window};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Numbers in all tables together, at most: 64 MiB. Where a study has more mechanisms, those behind are made for each run.
+/// Numbers of all of them together, at most: 64 MiB. Where a study has more mechanisms, those behind are made for each run.
 const MOST_NUMBERS: usize = 8 << 20;
 
 /// All numbers on which an ideal motion depends, bit by bit.
@@ -15,18 +15,42 @@ const MOST_NUMBERS: usize = 8 << 20;
 pub struct IdealKey(Vec<u64>);
 
 impl IdealKey {
-    /// That of the ideal mechanism of `sample`, whose points are `arms`, over `window`; nothing is changed.
-    pub fn new(sample: &mut Sample<f64>, arms: &Arms, window: &Window) -> Self {
-        let mut bits = vec![window.start_s.to_bits(), window.end_s.to_bits()];
+    /// That of `sample`, which has no play and whose points are `arms`, over `window`; nothing is changed. Where drives move everything,
+    /// forces and initial states do not matter.
+    pub fn new(sample: &mut Sample<f64>, is_driven: bool, arms: &Arms, window: &Window) -> Self {
+        let tables = sample.drives.table_points().chain(sample.references.table_points());
+        let given = [window.start_s, window.end_s].into_iter().chain(arms.numbers()).chain(tables);
+        let mut bits: Vec<u64> = given.map(f64::to_bits).collect();
         let mut take = |number: &mut f64| bits.push(number.to_bits());
-        sample.ideal.visit(&mut take);
-        sample.drives.visit(&mut take);
-        arms.numbers().iter_mut().for_each(take);
+        if is_driven {
+            sample.real.visit(&mut take);
+            sample.drives.visit(&mut take);
+        } else {
+            sample.visit(&mut take);
+            sample.initial.visit(&mut take);
+        }
         Self(bits)
     }
 }
 
-/// The tables that are known. A table has the same bits whoever makes it.
+/// What is known of the ideal motion of a mechanism whose loops close.
+#[derive(Debug, Clone, Default)]
+pub struct KnownIdeal {
+    /// Its table, where deviations from it are asked for.
+    pub curve: Option<Arc<IdealCurve>>,
+    /// Itself, where forces decide it and outputs without a table are asked for.
+    pub motion: Option<Arc<FreeMotion>>,
+}
+
+impl KnownIdeal {
+    /// Numbers that it is kept in.
+    fn numbers(&self) -> usize {
+        let of_curve = self.curve.as_ref().map_or(0, |curve| curve.numbers());
+        of_curve + self.motion.as_ref().map_or(0, |motion| motion.numbers())
+    }
+}
+
+/// The ideal motions that are known. Each has the same bits whoever finds it.
 #[derive(Debug, Default)]
 pub struct IdealTables {
     known: Mutex<Known>,
@@ -34,24 +58,23 @@ pub struct IdealTables {
 
 #[derive(Debug, Default)]
 struct Known {
-    /// A mechanism whose loops close, and its table where deviations from it are asked for.
-    tables: HashMap<IdealKey, Option<Arc<IdealCurve>>>,
+    motions: HashMap<IdealKey, KnownIdeal>,
     numbers: usize,
 }
 
 impl IdealTables {
-    /// What is known of a mechanism: that its loops close, and its table.
-    pub fn find(&self, key: &IdealKey) -> Option<Option<Arc<IdealCurve>>> {
-        self.known.lock().unwrap_or_else(PoisonError::into_inner).tables.get(key).cloned()
+    /// What is known of a mechanism.
+    pub fn find(&self, key: &IdealKey) -> Option<KnownIdeal> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner).motions.get(key).cloned()
     }
 
     /// Keeps what has been found, while there is room.
-    pub fn keep(&self, key: IdealKey, table: Option<Arc<IdealCurve>>) {
+    pub fn keep(&self, key: IdealKey, ideal: KnownIdeal) {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let numbers = key.0.len() + table.as_ref().map_or(0, |table| table.numbers());
+        let numbers = key.0.len() + ideal.numbers();
         if known.numbers + numbers <= MOST_NUMBERS {
             known.numbers += numbers;
-            known.tables.insert(key, table);
+            known.motions.insert(key, ideal);
         }
     }
 }
@@ -62,34 +85,46 @@ mod tests {
     use crate::response::StudyResponse;
     use std::path::Path;
 
-    fn worn_pin() -> StudyResponse {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let text = std::fs::read_to_string(&path).unwrap();
-        let study = Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|found| panic!("{found}"));
+    fn response(path: &str) -> StudyResponse {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+        let study = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
         StudyResponse::new(&study).unwrap()
     }
 
     /// The bits of a run's row.
-    fn row(response: &StudyResponse, random: [f64; 2], epistemic: [f64; 2]) -> Vec<u64> {
+    fn row(response: &StudyResponse, random: &[f64], epistemic: &[f64]) -> Vec<u64> {
         let mut row = vec![0.0; response.row_length()];
-        response.run(&random, &epistemic, &mut row).unwrap();
+        response.run(random, epistemic, &mut row).unwrap();
         row.into_iter().map(f64::to_bits).collect()
     }
 
-    #[test]
-    fn identity_a_run_has_the_same_bits_whether_its_table_is_known_or_not() {
-        let response = worn_pin();
-        let known = || response.ideal_tables.known.lock().unwrap().tables.len();
-        let (lengths, others) = ([0.05, 0.12], [0.050_01, 0.12]);
-        for (random, epistemic, tables) in [
-            (lengths, [1e-4, 0.8], 1),
-            (lengths, [4e-4, 0.75], 1),
-            (others, [4e-4, 0.75], 2),
-            (lengths, [1e-4, 0.9], 2),
-        ] {
-            assert_eq!(row(&response, random, epistemic), row(&worn_pin(), random, epistemic));
-            // Neither the play nor the restitution is a number of the ideal mechanism; a length is.
-            assert_eq!(known(), tables);
+    /// Runs of one response after the other have the bits of those of a response each; so many ideal motions are known after each of them.
+    fn same_bits(path: &str, runs: &[(&[f64], &[f64], usize)]) {
+        let shared = response(path);
+        for &(random, epistemic, known) in runs {
+            assert_eq!(row(&shared, random, epistemic), row(&response(path), random, epistemic));
+            assert_eq!(shared.ideal_tables.known.lock().unwrap().motions.len(), known);
         }
+    }
+
+    #[test]
+    fn identity_a_run_has_the_same_bits_whether_its_ideal_motion_is_known_or_not() {
+        let (lengths, others) = ([0.05, 0.12], [0.050_01, 0.12]);
+        // Neither the play nor the restitution is a number of the ideal mechanism; a length is.
+        let runs: [(&[f64], &[f64], usize); 4] = [
+            (&lengths, &[1e-4, 0.8], 1),
+            (&lengths, &[4e-4, 0.75], 1),
+            (&others, &[4e-4, 0.75], 2),
+            (&lengths, &[1e-4, 0.9], 2),
+        ];
+        same_bits("cases/slider_crank_worn_pin/study.toml", &runs);
+    }
+
+    #[test]
+    fn identity_an_ideal_motion_that_forces_decide_is_the_same_for_every_play() {
+        let (lengths, others) = ([0.6, 0.55, 0.25], [0.6, 0.55, 0.250_05]);
+        let runs: [(&[f64], &[f64], usize); 3] =
+            [(&lengths, &[5e-5], 1), (&lengths, &[4e-5], 1), (&others, &[4e-5], 2)];
+        same_bits("crates/loosepin-import/templates/three-link-arm/study.toml", &runs);
     }
 }

@@ -2,14 +2,16 @@
 
 use super::extras::{JointExtras, RunExtras};
 use super::ideal_curve::IdealCurve;
-use super::ideal_tables::IdealKey;
+use super::ideal_tables::{IdealKey, KnownIdeal};
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
-    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Step, Window, conduct,
+    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings, Step, Window,
+    conduct,
 };
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 impl StudyResponse {
     /// One run, alone.
@@ -27,17 +29,20 @@ impl StudyResponse {
     }
 
     /// Runs on the lanes of this thread until `next` gives no more inputs, all of them of the mechanism `variant`; `finished` gets the rows, or the one reason why
-    /// a run failed, under the index that came with the inputs. A row has the same bits whatever the lanes.
+    /// a run failed, under the index that came with the inputs. A row has the same bits whatever the lanes. Returns how long the
+    /// preparation of each run took: its numbers and its ideal motion.
     pub fn run_all<'i>(
         &self,
         variant: usize,
         execution: Execution,
         next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
         finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
-    ) {
+    ) -> Vec<Duration> {
         let mechanism = &self.mechanisms[variant];
-        let mut queue = StudyQueue { response: self, mechanism, next, finished };
-        conduct(mechanism, &self.shared.readings, &self.settings, execution, &mut queue);
+        let mut queue = StudyQueue { response: self, mechanism, next, finished, preparing: Vec::new() };
+        let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
+        conduct(mechanism, &self.shared.readings, &settings, execution, &mut queue);
+        queue.preparing
     }
 
     /// Everything that a run needs.
@@ -49,15 +54,19 @@ impl StudyResponse {
         epistemic: &[f64],
     ) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let mut sample = Sample::new(mechanism, &values)?;
+        let sample = Sample::new(mechanism, &values)?;
         let input = mechanism.model.input(self.span, &values);
         let window = window(&input, self.transient_turns, self.recorded_turns)?;
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
         let arms = Arms::new(mechanism, &values);
-        let (own, curve) = self.own_ideal(&mut sample, &arms, &window)?;
+        let (own, curve) = self.own_ideal(&sample, &arms, &window)?;
         let nominal = if self.needs_nominal_reference {
-            let end_s = self.nominal_window.end_s;
-            Some(IdealReference::new(&self.ideal, &self.nominal_ideal, end_s, &self.settings)?)
+            Some(match &self.shared.nominal_motion {
+                Some(motion) => IdealReference::of_motion(&self.ideal, &self.nominal_ideal, motion.clone()),
+                None => {
+                    IdealReference::new(&self.ideal, &self.nominal_ideal, self.nominal_window.end_s, &self.settings)?
+                }
+            })
         } else {
             None
         };
@@ -80,17 +89,18 @@ impl StudyResponse {
     /// The ideal motion of a sample: its table where a deviation from it is asked for, and itself where outputs without a table are.
     fn own_ideal(
         &self,
-        sample: &mut Sample<f64>,
+        sample: &Sample<f64>,
         arms: &Arms,
         window: &Window,
     ) -> Result<(Option<IdealReference<'_>>, Option<Arc<IdealCurve>>), RunFailure> {
-        // Pieces of a drive are no numbers of a sample, and a motion that forces decide depends on more of them.
-        let is_shared = self.ideal.is_driven() && !sample.drives.has_pieces() && !self.shared.needs_own_reference;
-        let key = is_shared.then(|| IdealKey::new(sample, arms, window));
-        if let Some(known) = key.as_ref().and_then(|key| self.ideal_tables.find(key)) {
-            return Ok((None, known));
+        let (mut sample, needs_own) = (sample.clone().without_play(), self.shared.needs_own_reference);
+        // Where drives move everything, the search for a position begins at the one before, which decides on its last bits.
+        let is_shared = !(needs_own && self.ideal.is_driven());
+        let key = is_shared.then(|| IdealKey::new(&mut sample, self.ideal.is_driven(), arms, window));
+        if let Some(KnownIdeal { curve, motion }) = key.as_ref().and_then(|key| self.ideal_tables.find(key)) {
+            return Ok((motion.map(|motion| IdealReference::of_motion(&self.ideal, &sample, motion)), curve));
         }
-        let mut own = IdealReference::new(&self.ideal, &sample.clone().without_play(), window.end_s, &self.settings)?;
+        let mut own = IdealReference::new(&self.ideal, &sample, window.end_s, &self.settings)?;
         let curve = if self.shared.needs_own_ideal {
             let (outputs, is_used) = (&self.shared.plan.outputs, &self.shared.is_used);
             let (span_s, nodes) = (window.end_s - window.start_s, self.shared.nominal_curve.nodes.clone());
@@ -99,8 +109,9 @@ impl StudyResponse {
             None
         };
         let Some(key) = key else { return Ok((Some(own), curve)) };
-        self.ideal_tables.keep(key, curve.clone());
-        Ok((None, curve))
+        let motion = own.free_motion().filter(|_| needs_own);
+        self.ideal_tables.keep(key, KnownIdeal { curve: curve.clone(), motion });
+        Ok((needs_own.then_some(own), curve))
     }
 
     /// The row of a finished run.
@@ -161,6 +172,8 @@ struct StudyQueue<'s, N, F> {
     mechanism: &'s Mechanism,
     next: N,
     finished: F,
+    /// How long each run was prepared.
+    preparing: Vec<Duration>,
 }
 
 impl<'s, 'i, N, F> Queue for StudyQueue<'s, N, F>
@@ -173,7 +186,10 @@ where
     fn next(&mut self) -> Option<Run<StudyRun<'s>>> {
         loop {
             let (index, random, epistemic) = (self.next)()?;
-            match self.response.prepare(self.mechanism, index, random, epistemic) {
+            let begun = Instant::now();
+            let prepared = self.response.prepare(self.mechanism, index, random, epistemic);
+            self.preparing.push(begun.elapsed());
+            match prepared {
                 Ok(run) => return Some(run),
                 Err(failure) => (self.finished)(index, Err(failure)),
             }

@@ -5,7 +5,7 @@ use super::file::{Deviation, Reduction};
 use super::ideal_curve::IdealCurve;
 use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::SampleError;
-use loosepin_simulate::{Arms, IdealReference, Observer, Peak, Reading, Step, Window, maximum_within};
+use loosepin_simulate::{Arms, FreeMotion, IdealReference, Observer, Peak, Reading, Step, Window, maximum_within};
 use std::sync::Arc;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
@@ -100,6 +100,8 @@ pub struct Shared {
     pub places: Vec<Option<usize>>,
     /// Nominal ideal positions over the recorded part.
     pub nominal_curve: IdealCurve,
+    /// The nominal ideal motion, where forces decide it.
+    pub nominal_motion: Option<Arc<FreeMotion>>,
     /// Nominal ideal value of each column's output at its pose; not a number for reduced columns.
     pub nominal_at_pose: Vec<f64>,
     /// Columns at poses in the order of time.

@@ -105,6 +105,8 @@ pub struct StudyResponse {
     pub(super) recorded_turns: f64,
     pub(super) span: CycleSpan,
     pub(super) settings: Settings,
+    /// Evaluations after which a run is given up; its ideal motion has as many as the settings say.
+    pub(super) largest_evaluations: u64,
     pub(super) needs_nominal_reference: bool,
 }
 
@@ -190,6 +192,7 @@ impl StudyResponse {
             transient_turns: study.cycle.transient_turns,
             recorded_turns: study.cycle.recorded_turns,
             span: study.cycle.span,
+            largest_evaluations: settings.largest_evaluations,
             settings,
             needs_nominal_reference,
             mechanisms,
@@ -232,7 +235,7 @@ impl StudyResponse {
 
     /// Gives every run up after this many evaluations.
     pub fn limit_evaluations(&mut self, largest_evaluations: u64) {
-        self.settings.largest_evaluations = largest_evaluations;
+        self.largest_evaluations = largest_evaluations;
     }
 
     /// Time at the end of the nominal run, s.
@@ -386,8 +389,13 @@ fn share_nominal(
             (output.reading, if matches!(output.reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 })
         })
         .collect();
-    let fresh = || IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings);
-    let mut reference = fresh()?;
+    let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
+    let nominal_motion = reference.free_motion();
+    // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.
+    let fresh = || match &nominal_motion {
+        Some(motion) => Ok(IdealReference::of_motion(ideal, nominal_ideal, motion.clone())),
+        None => IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings),
+    };
     let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
     let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
         let time_s = nominal_window.start_s + share * span_s;
@@ -397,10 +405,7 @@ fn share_nominal(
         positions.iter().map(jet).collect::<Result<Vec<_>, SampleError>>()
     })?;
     let nodes = Arc::new(nodes);
-    // Where the search for a position begins decides on its last bits; a motion that forces decide was integrated once and for all.
-    if ideal.is_driven() {
-        reference = fresh()?;
-    }
+    reference = fresh()?;
     let nominal_curve =
         IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, nodes)?;
     let mut pose_order: Vec<(f64, usize)> = plan
@@ -414,9 +419,7 @@ fn share_nominal(
         .collect();
     pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
-    if ideal.is_driven() {
-        reference = fresh()?;
-    }
+    reference = fresh()?;
     for &(at, index) in &pose_order {
         let reading = plan.outputs[plan.columns[index].output].reading;
         let time_s = nominal_window.start_s + at * span_s / turns;
@@ -448,6 +451,7 @@ fn share_nominal(
         readings,
         places,
         nominal_curve,
+        nominal_motion,
         nominal_at_pose,
         pose_order,
     })

@@ -173,11 +173,12 @@ impl DoubleLoop {
         self.setup.inner_runs()
     }
 
-    /// The first inner runs, `most` at most, at the first outer point whose epistemic inputs are meant; no others are drawn.
-    pub fn first_runs(&self, most: usize, is_meant: impl Fn(&[f64]) -> bool) -> Vec<RunInputs> {
-        let mut points = (0..).zip(self.first_outer.iter().map(|place| self.setup.epistemic_box.values_at(place)));
-        let found = points.find(|(_, epistemic)| is_meant(epistemic));
-        found.map(|(point, at)| self.inner_runs.first(&self.setup, most, point, at)).unwrap_or_default()
+    /// The first inner runs, `each` at most, at each of the first outer points whose epistemic inputs are meant, `points` at most; no
+    /// others are drawn.
+    pub fn first_runs(&self, points: usize, each: usize, is_meant: impl Fn(&[f64]) -> bool) -> Vec<RunInputs> {
+        let all = (0..).zip(self.first_outer.iter().map(|place| self.setup.epistemic_box.values_at(place)));
+        let meant = all.filter(|(_, epistemic)| is_meant(epistemic)).take(points);
+        meant.flat_map(|(point, at)| self.inner_runs.first(&self.setup, each, point, at)).collect()
     }
 
     /// Every inner run at the outer point `point`.

@@ -25,8 +25,8 @@ const FURTHER: f64 = 10.0;
 /// Fall/d² across an edge, over the largest one on this side of it, from which it is one. Around a rounded extreme it does not grow.
 const LEAST_BREAK: f64 = 10.0;
 
-/// A neighbour that falls by less than this share of the fall across an edge lies on this side of it; one beyond the edge falls by less
-/// than that share.
+/// Of the fall across an edge: a neighbour that falls by less than the first share lies on this side of it, one that falls by more, up
+/// to the second, on the other.
 const THIS_SIDE: f64 = 0.5;
 const OTHER_SIDE: f64 = 1.5;
 
@@ -34,13 +34,12 @@ const OTHER_SIDE: f64 = 1.5;
 const FURTHER_ACROSS: f64 = 1.2;
 const SAME_WAY: f64 = 0.7;
 
-/// Reach beyond the extreme, over the largest fall of the nearest points. From a cusp like √d they fall by less than what is beyond them.
+/// Reach beyond the extreme: over the largest fall of the nearest points at a kink (from a cusp like √d they fall by less than what is
+/// beyond them), over the climb at the slope of this side as far as the nearest point beyond an edge.
 const MARGIN: f64 = 2.0;
 
 /// The surroundings of the extreme of a target among some points.
 struct Surroundings {
-    /// The extreme value.
-    value: f64,
     /// Dimensions along which it is free: those of the face on which it lies.
     dimensions: usize,
     /// The others on the same face, the nearest first.
@@ -65,39 +64,28 @@ pub(crate) fn reach_of_break(
     direction: Direction,
     region: &Region,
 ) -> Option<f64> {
-    let surroundings = Surroundings::new(axes, points, values, members, direction, region)?;
+    let inside = || members.iter().copied().filter(|&point| region.holds(&points[point].at));
+    let extreme = extreme_among(values, inside(), direction)?;
+    let centre = &points[extreme].at;
+    let faces = region.faces(axes, centre);
+    let mut beside: Vec<Neighbour> = Vec::new();
+    for point in inside() {
+        let at = &points[point].at;
+        let steps: Vec<f64> = (0..centre.len()).map(|axis| axes.step(axis, centre[axis], at[axis])).collect();
+        let distance = dot(&steps, &steps).sqrt();
+        let on_face = region.faces(axes, at);
+        if distance > 0.0 && faces.iter().all(|axis| on_face.contains(axis)) {
+            let fall = direction.sign() * (values[extreme] - values[point]);
+            beside.push(Neighbour { steps, distance, fall });
+        }
+    }
+    beside.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let surroundings = Surroundings { dimensions: centre.len() - faces.len(), beside };
     let further = [surroundings.beyond_kink(), surroundings.beyond_edge()].into_iter().flatten().reduce(f64::max)?;
-    Some(surroundings.value + direction.sign() * further)
+    Some(values[extreme] + direction.sign() * further)
 }
 
 impl Surroundings {
-    fn new(
-        axes: &Axes,
-        points: &[Place],
-        values: &[f64],
-        members: &[usize],
-        direction: Direction,
-        region: &Region,
-    ) -> Option<Self> {
-        let inside = || members.iter().copied().filter(|&point| region.holds(&points[point].at));
-        let extreme = extreme_among(values, inside(), direction)?;
-        let centre = &points[extreme].at;
-        let faces = region.faces(axes, centre);
-        let mut beside: Vec<Neighbour> = Vec::new();
-        for point in inside() {
-            let at = &points[point].at;
-            let steps: Vec<f64> = (0..centre.len()).map(|axis| axes.step(axis, centre[axis], at[axis])).collect();
-            let distance = dot(&steps, &steps).sqrt();
-            let on_face = region.faces(axes, at);
-            if distance > 0.0 && faces.iter().all(|axis| on_face.contains(axis)) {
-                let fall = direction.sign() * (values[extreme] - values[point]);
-                beside.push(Neighbour { steps, distance, fall });
-            }
-        }
-        beside.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-        Some(Self { value: values[extreme], dimensions: centre.len() - faces.len(), beside })
-    }
-
     /// How far beyond the extreme where slopes meet there.
     fn beyond_kink(&self) -> Option<f64> {
         let (nearest, others) = self.beside.split_at_checked(2 * self.dimensions)?;

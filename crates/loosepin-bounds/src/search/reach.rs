@@ -89,17 +89,14 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
 /// How far the model lets its target go over the whole region: the most that the model allows, located from the best of the places; with
 /// roughness, which may be greatest elsewhere, also from the best with what it adds.
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
-    let coarse = reach(model, direction, region, Allowance::HOPED);
-    let place = locate(axes, model, direction, Allowance::CONCESSION, coarse.optimistic_at, region);
-    let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
-    let most = direction.further(located, coarse.optimistic);
-    if !model.is_rough() {
-        return most;
-    }
-    let conceded = reach(model, direction, region, Allowance::CONCESSION);
-    let place = locate(axes, model, direction, Allowance::CONCESSION, conceded.optimistic_at, region);
-    let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
-    direction.further(most, direction.further(located, conceded.optimistic))
+    let from = |allowance: Allowance| {
+        let coarse = reach(model, direction, region, allowance);
+        let place = locate(axes, model, direction, Allowance::CONCESSION, coarse.optimistic_at, region);
+        let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
+        direction.further(located, coarse.optimistic)
+    };
+    let hoped = from(Allowance::HOPED);
+    if model.is_rough() { direction.further(hoped, from(Allowance::CONCESSION)) } else { hoped }
 }
 
 /// Moves `place` to the nearest local extreme of what an allowance lets it be: pattern search along the axes and the last

@@ -410,6 +410,17 @@ mod tests {
         normal_quantile(((hash(seed, place) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64)
     }
 
+    /// The errors of `points` means with a standard deviation of `noise`, each of 16 replicates, and what the replicates have beside them.
+    fn sampled(seed: u64, points: usize, noise: f64) -> (Vec<f64>, Vec<Vec<f64>>) {
+        const REPLICATES: u64 = 16;
+        let own = |replicate: u64, point: usize| noise * 4.0 * number(seed, replicate * 1000 + point as u64);
+        let mean = |point: usize| (0..REPLICATES).map(|k| own(k, point)).sum::<f64>() / REPLICATES as f64;
+        let errors: Vec<f64> = (0..points).map(mean).collect();
+        let beside = |k: u64| (0..points).map(|i| own(k, i) - errors[i]).collect();
+        let replicates = (0..REPLICATES).map(beside).collect();
+        (errors, replicates)
+    }
+
     #[test]
     fn analytic_what_is_rough_is_conceded_to_the_greatest_of_ten_thousand_cells() {
         const ROUGHNESS: f64 = 0.05;
@@ -450,16 +461,12 @@ mod tests {
     #[test]
     fn analytic_noise_that_replicates_show_is_no_roughness() {
         const NOISE: f64 = 0.2;
-        const REPLICATES: u64 = 16;
         const SEEDS: u64 = 20;
         let (mut found, mut rough) = (0.0, 0);
         for seed in 0..SEEDS {
             let points = first_points(seed, 1, 40).unwrap();
-            let own = |replicate: u64, point: usize| NOISE * 4.0 * number(seed, replicate * 1000 + point as u64);
-            let mean = |point: usize| (0..REPLICATES).map(|k| own(k, point)).sum::<f64>() / REPLICATES as f64;
-            let values: Vec<f64> = points.iter().enumerate().map(|(i, u)| u[0] * u[0] + mean(i)).collect();
-            let replicates =
-                (0..REPLICATES).map(|k| (0..values.len()).map(|i| own(k, i) - mean(i)).collect()).collect();
+            let (errors, replicates) = sampled(seed, points.len(), NOISE);
+            let values: Vec<f64> = points.iter().zip(errors).map(|(u, error)| u[0] * u[0] + error).collect();
             let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
             // Less than there is, so that a model with more is taken for rough if it is taken.
             let noise = Noise { variance: 0.1 * NOISE * NOISE, replicates };
@@ -476,19 +483,15 @@ mod tests {
         // A standard deviation of 0.1 belongs to the response and one of 0.05 to the sample: a share of 0.2.
         const ROUGHNESS: f64 = 0.1;
         const NOISE: f64 = 0.05;
-        const REPLICATES: u64 = 16;
         const SEEDS: u64 = 20;
         // Of a share from 36 degrees of freedom, in the mean of 20.
         const TOLERANCE: f64 = 0.05;
         let (mut share, mut rough) = (0.0, 0);
         for seed in 0..SEEDS {
             let points = first_points(seed, 1, 40).unwrap();
-            let own = |replicate: u64, point: usize| NOISE * 4.0 * number(seed, replicate * 1000 + point as u64);
-            let mean = |point: usize| (0..REPLICATES).map(|k| own(k, point)).sum::<f64>() / REPLICATES as f64;
-            let of = |i: usize, u: &[f64]| u[0] * u[0] + mean(i) + ROUGHNESS * number(seed + 1000, i as u64);
+            let (errors, replicates) = sampled(seed, points.len(), NOISE);
+            let of = |i: usize, u: &[f64]| u[0] * u[0] + errors[i] + ROUGHNESS * number(seed + 1000, i as u64);
             let values: Vec<f64> = points.iter().enumerate().map(|(i, u)| of(i, u)).collect();
-            let replicates =
-                (0..REPLICATES).map(|k| (0..values.len()).map(|i| own(k, i) - mean(i)).collect()).collect();
             let smoother = Smoother::try_new(points, &candidates(1).unwrap(), true, &Axes::open(1)).unwrap();
             let fit = smoother.fit(&values, &Noise { variance: NOISE * NOISE, replicates });
             assert!(fit.is_beside() && fit.noise_variance() <= 2.0 * NOISE * NOISE, "{}", fit.noise_variance());

@@ -211,6 +211,11 @@ impl Drives<f64> {
         !self.schedule.tables.is_empty()
     }
 
+    /// Times and values of all tables: of their pieces only the present one is among the numbers that are shown.
+    pub fn table_points(&self) -> impl Iterator<Item = f64> + '_ {
+        self.schedule.tables.iter().flat_map(|(_, table)| table.points().iter().flatten().copied())
+    }
+
     /// Position, velocity and acceleration of a drive at `time_s`, in the present piece.
     pub fn at(&self, model: &Model, drive: DriveId, time_s: f64) -> [f64; 3] {
         self.law_at(&model.drives[drive.0].law, drive.0, time_s)

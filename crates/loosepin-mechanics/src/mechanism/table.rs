@@ -48,6 +48,11 @@ impl<T: AtTime> TableMotion<T> {
         Self { points, moments, is_periodic }
     }
 
+    /// The points that it passes through.
+    pub fn points(&self) -> &[[T; 2]] {
+        &self.points
+    }
+
     /// Pieces between the points.
     fn count(&self) -> i64 {
         self.points.len() as i64 - 1

@@ -3,6 +3,7 @@
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
+use super::accuracy::is_zero_count;
 use super::bound::{ResponsePoint, Witness};
 use super::deviation::Deviation;
 use super::verdict::Verdict;
@@ -34,19 +35,13 @@ pub struct RequirementOutcome {
     #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
     pub promised: Option<f64>,
     /// Values of the epistemic inputs at which a run failed, so that this promise states nothing.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_zero_count")]
     pub failed_values: u64,
     /// Mechanisms that were counted at the witness; nothing where the share is no count at one value of the epistemic inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub counted: Option<CountedMechanisms>,
     /// The verdict.
     pub verdict: Verdict,
-}
-
-/// Whether there are none: then a file says nothing of them.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it so")]
-fn is_zero(count: &u64) -> bool {
-    *count == 0
 }
 
 /// Mechanisms counted at one value of the epistemic inputs.

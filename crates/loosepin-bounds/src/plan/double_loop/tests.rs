@@ -50,14 +50,14 @@ fn identity_rounds_depend_on_the_results_of_earlier_rounds_alone() {
 fn identity_the_first_runs_are_drawn_without_the_others() {
     let plan = DoubleLoop::try_new(small()).unwrap();
     let round = plan.next_round(&SampleTable::new(1)).unwrap();
-    assert_eq!(plan.first_runs(5, |_| true), round[..5]);
+    assert_eq!(plan.first_runs(1, 5, |_| true), round[..5]);
     // The third outer point begins after two times 32 runs.
     let third = round[64].epistemic.clone();
-    assert_eq!(plan.first_runs(1000, |epistemic| epistemic == third), round[64..96]);
+    assert_eq!(plan.first_runs(2, 1000, |epistemic| epistemic == third), round[64..96]);
     // Samples that no memory holds.
     let mut large = small();
     large.sampling.inner = 1 << 30;
-    assert_eq!(DoubleLoop::try_new(large).unwrap().first_runs(2, |_| true).len(), 2);
+    assert_eq!(DoubleLoop::try_new(large).unwrap().first_runs(1, 2, |_| true).len(), 2);
 }
 
 #[test]

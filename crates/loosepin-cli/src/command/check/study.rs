@@ -56,16 +56,19 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
     if let Some(promise) = promise {
         push_promise(&mut text, study, &promise);
     }
-    let time = match run_s {
-        Some(run_s) => format!("about {}", duration(run_s * most_runs as f64 / threads as f64)),
-        None => "longer than can be foreseen".to_owned(),
-    };
     let before = match study.budget {
         Some(Budget::Time { .. } | Budget::Rounds { .. }) if !study.accuracy.is_empty() => " before its samples grow",
         _ => "",
     };
-    let threads = counted(threads, "thread", "threads");
-    let _ = writeln!(text, "At most {}{before}: {time} on {threads}", counted(most_runs, "run", "runs"));
+    let runs = counted(most_runs, "run", "runs");
+    let _ = match run_s.map(|run_s| run_s * most_runs as f64 / threads as f64) {
+        Some(whole_s) => {
+            let (time, threads) = (duration(whole_s), counted(threads, "thread", "threads"));
+            let about = if whole_s < 1.0 { "" } else { "about " };
+            writeln!(text, "At most {runs}{before}: {about}{time} on {threads}")
+        }
+        None => writeln!(text, "At most {runs}{before}; their first steps do not tell how long they take"),
+    };
     Ok(text)
 }
 
