@@ -33,11 +33,20 @@ pub fn run(options: &Options) {
         let problem = Problem::draw(options.seed, index);
         let class = if problem.is_rough() { "rough" } else { "smooth" };
         let ratios = ratios(&problem, options.repetitions);
-        ratios.into_iter().map(move |(statistic, ratio)| (class, statistic, ratio)).collect::<Vec<_>>()
+        let own: Vec<f64> = ratios.iter().map(|(_, ratio)| *ratio).collect();
+        let line = format!(
+            "{index:5} {class:6} {:9.2}  {}-d {}",
+            quantile(&own, 0.5),
+            problem.dimensions(),
+            problem.kinds().join(", ")
+        );
+        (line, ratios.into_iter().map(|(statistic, ratio)| (class, statistic, ratio)).collect::<Vec<_>>())
     };
-    let all: Vec<(&str, String, f64)> = options.indices.par_iter().flat_map(solve).collect();
+    let all: Vec<(String, Vec<(&str, String, f64)>)> = options.indices.par_iter().map(solve).collect();
+    println!("each problem: median over its ends");
+    all.iter().for_each(|(line, _)| println!("{line}"));
     let mut groups: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    for (class, statistic, ratio) in &all {
+    for (class, statistic, ratio) in all.iter().flat_map(|(_, ratios)| ratios) {
         for name in [format!("{class} {statistic}"), format!("{class} all"), "all".to_owned()] {
             groups.entry(name).or_default().push(*ratio);
         }

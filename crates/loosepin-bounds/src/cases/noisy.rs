@@ -267,3 +267,36 @@ fn analytic_extreme_inside_four_intervals_is_missed_as_rarely_as_stated() {
         },
     );
 }
+
+#[test]
+fn analytic_a_quantile_beyond_which_few_runs_lie_is_rough_and_noisy_at_once() {
+    // 128 runs have no order statistic above the 97.5 % quantile in 99 % of samples: its interval has no upper end.
+    const CELLS: u64 = 60; // along each axis
+    const ROUGHNESS: f64 = 0.07;
+    const NOISE: f64 = 0.03;
+    let offset = |u: &[f64]| {
+        let [row, column] = [u[0], u[1]].map(|x| ((CELLS as f64 * x) as u64).min(CELLS - 1));
+        (row as f64 + 0.5, ROUGHNESS * normal(0, row * CELLS + column))
+    };
+    let all = (0..CELLS * CELLS).map(|i| {
+        let (row, offset) = offset(&[i / CELLS, i % CELLS].map(|k| (k as f64 + 0.5) / CELLS as f64));
+        row / CELLS as f64 + offset
+    });
+    let (least, most) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), at| (f64::min(a, at), f64::max(b, at)));
+    let far = NOISE * 1.959_964;
+    check_misses(
+        40,
+        64,
+        128,
+        &[STANDARD_NORMAL],
+        &[(0.0, 1.0), (0.0, 1.0)],
+        &[
+            expect(Statistic::Quantile(0.025), least - far, most - far, 0.5),
+            expect(Statistic::Quantile(0.975), least + far, most + far, 0.5),
+        ],
+        |x, u| {
+            let (row, offset) = offset(u);
+            row / CELLS as f64 + offset + NOISE * normal(hash(x[0].to_bits(), u[0].to_bits()), u[1].to_bits())
+        },
+    );
+}

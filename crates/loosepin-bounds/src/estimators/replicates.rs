@@ -2,6 +2,7 @@
 //! shows in it.
 
 use super::estimate::{mean_of, variance_of_mean};
+use super::quantile::slope;
 use super::sample::Sample;
 
 /// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
@@ -25,20 +26,28 @@ pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64
     differences
 }
 
-/// [`differences`] in shares at or below `limits`, one for each point, in the unit of an estimate with these `variances`.
-pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], variances: &[f64]) -> Vec<Vec<f64>> {
+/// How much the quantile at `probability` differs by [`differences`] in shares at or below `limits`, one for each point: the share times
+/// the slope of the quantile there (R. R. Bahadur, "A note on quantiles in large samples", Annals of Mathematical Statistics 37 (1966)
+/// 577-580).
+pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], probability: f64) -> Vec<Vec<f64>> {
     let share = |values: &[f64], point: usize| {
         values.iter().filter(|&&value| value <= limits[point]).count() as f64 / values.len() as f64
     };
     let mut differences = differences(samples, share);
-    for point in 0..samples.len() {
-        let own: Vec<f64> = differences.iter().map(|replicate| replicate[point]).collect();
-        let scale = (variances[point] / variance_of_mean(&own)).sqrt();
-        for replicate in &mut differences {
-            replicate[point] *= if scale.is_finite() { -scale } else { 0.0 };
+    let slopes: Vec<f64> = samples.iter().map(|sample| slope(sample, probability)).collect();
+    for replicate in &mut differences {
+        for (difference, slope) in replicate.iter_mut().zip(&slopes) {
+            *difference *= -slope;
         }
     }
     differences
+}
+
+/// The mean variance, over the points, of what `differences` are of; nothing without them.
+pub(crate) fn variance_of_replicates(differences: &[Vec<f64>]) -> Option<f64> {
+    let points = differences.first()?.len();
+    let of = |point: usize| -> Vec<f64> { differences.iter().map(|replicate| replicate[point]).collect() };
+    Some((0..points).map(|point| variance_of_mean(&of(point))).sum::<f64>() / points as f64)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::probability;
 use crate::estimators::quantile::quantile;
-use crate::estimators::replicates::{differences, differences_of_quantiles};
+use crate::estimators::replicates::{differences, differences_of_quantiles, variance_of_replicates};
 use crate::estimators::sample::Sample;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
@@ -115,9 +115,13 @@ impl Measure {
 
     /// Measures the quantile at `probability`.
     pub fn quantile(samples: &[&Sample], probability: f64, confidence: &Confidence) -> Self {
-        let measure = Self::plain(samples.iter().map(|sample| quantile(sample, confidence, probability)), confidence);
-        let variances: Vec<f64> = measure.low.iter().map(|estimate| estimate.variance(confidence)).collect();
-        let replicates = differences_of_quantiles(samples, &measure.target.values, &variances);
+        let mut measure =
+            Self::plain(samples.iter().map(|sample| quantile(sample, confidence, probability)), confidence);
+        // Far out an interval has no end on one side: the noise is that of the replicates, where these are known.
+        let replicates = differences_of_quantiles(samples, &measure.target.values, probability);
+        if let Some(variance) = variance_of_replicates(&replicates) {
+            measure.target.noise.variance = heard(variance, &measure.target.values);
+        }
         measure.with_replicates(replicates)
     }
 
@@ -268,9 +272,7 @@ fn index_target(samples: &[&Sample], event: Event, shares: &[Estimate], confiden
 pub(crate) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target {
     let values: Vec<f64> = estimates.iter().map(|estimate| estimate.value).collect();
     let variances: Vec<f64> = estimates.iter().map(|estimate| estimate.variance(confidence)).collect();
-    let noise_variance = finite_mean(&variances);
-    let is_noisy = noise_variance.sqrt() > NEGLIGIBLE_NOISE * range(&values);
-    let noise_variance = if is_noisy { noise_variance } else { 0.0 };
+    let noise_variance = heard(finite_mean(&variances), &values);
     let least = (SEARCH_RESOLUTION * range(&values)).max(f64::MIN_POSITIVE);
     let resolutions = Direction::BOTH.map(|direction| {
         let error = extreme_point(&values, direction)
@@ -279,6 +281,11 @@ pub(crate) fn target(estimates: &[Estimate], confidence: &Confidence) -> Target 
     });
     let noise = Noise { variance: noise_variance, replicates: Vec::new() };
     Target { values, kind: TargetKind::Plain, noise, resolutions }
+}
+
+/// The variance of noise among `values`, 0 where it is negligible.
+fn heard(noise_variance: f64, values: &[f64]) -> f64 {
+    if noise_variance.sqrt() > NEGLIGIBLE_NOISE * range(values) { noise_variance } else { 0.0 }
 }
 
 /// Distances to both ends of the confidence intervals.
