@@ -158,6 +158,9 @@ impl<'a> Step<'_, 'a> {
 
     /// Which share of the step, in its variable of integration, has passed at `time_s`.
     pub fn share(&self, time_s: f64) -> f64 {
+        if time_s == self.start_s {
+            return 0.0;
+        }
         let [start, end] = &self.time;
         let passed = ((time_s - self.start_s) / (self.end_s - self.start_s)).clamp(0.0, 1.0);
         let (first, last) = (start.jet[1], end.jet[1]);
@@ -184,13 +187,11 @@ impl<'a> Step<'_, 'a> {
         self.time[side].jet
     }
 
-    /// dt over the variable of integration at `share` of the step.
-    pub fn pace(&self, share: f64) -> f64 {
+    /// The time over the step, where it does not pass evenly.
+    pub fn uneven_time(&self) -> Option<Quintic> {
         let [start, end] = &self.time;
-        if start.jet[1] == 1.0 && end.jet[1] == 1.0 {
-            return 1.0;
-        }
-        Quintic::new(start.jet, end.jet, self.length).slope(share) / self.length
+        let is_even = start.jet[1] == 1.0 && end.jet[1] == 1.0;
+        (!is_even).then(|| Quintic::new(start.jet, end.jet, self.length))
     }
 
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {

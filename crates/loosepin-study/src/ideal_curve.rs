@@ -61,6 +61,12 @@ impl IdealNodes {
         };
         self.pieces.iter().enumerate().flat_map(of_interval).chain([self.pieces.len() as f64])
     }
+
+    /// Length of each of the `pieces` of an interval, s, where the recorded part lasts `span_s`.
+    #[inline]
+    fn length_s(&self, span_s: f64, pieces: usize) -> f64 {
+        span_s / self.pieces.len() as f64 / pieces as f64
+    }
 }
 
 /// Whether polynomials over `pieces` pieces of an interval differ from the motion anywhere by more than `largest_error`. `jets` are those at
@@ -97,8 +103,8 @@ pub struct IdealCurve {
     span_s: f64,
     /// Where it has its nodes.
     pub nodes: Arc<IdealNodes>,
-    /// Value, rate and acceleration of each output at each node; empty for outputs that are no positions.
-    jets: Vec<Vec<[f64; 3]>>,
+    /// Each output between the nodes; empty for outputs that are no positions.
+    quintics: Vec<Vec<Quintic>>,
 }
 
 impl IdealCurve {
@@ -125,12 +131,24 @@ impl IdealCurve {
                 }
             }
         }
-        Ok(Self { span_s, nodes, jets })
+        Ok(Self::of_jets(span_s, nodes, &jets))
+    }
+
+    /// From value, rate and acceleration of each output at each node.
+    fn of_jets(span_s: f64, nodes: Arc<IdealNodes>, jets: &[Vec<[f64; 3]>]) -> Self {
+        let lengths_s =
+            || nodes.pieces.iter().flat_map(|&pieces| std::iter::repeat_n(nodes.length_s(span_s, pieces), pieces));
+        let between = |jets: &Vec<[f64; 3]>| {
+            let pairs = jets.windows(2).zip(lengths_s());
+            pairs.map(|(pair, length_s)| Quintic::new(pair[0], pair[1], length_s)).collect()
+        };
+        let quintics = jets.iter().map(between).collect();
+        Self { span_s, nodes, quintics }
     }
 
     /// Numbers of the table.
     pub fn numbers(&self) -> usize {
-        self.jets.iter().map(|jets| 3 * jets.len()).sum()
+        self.quintics.iter().map(|quintics| 6 * quintics.len()).sum()
     }
 
     /// The value of `output` at `share` in [0, 1] of the recorded part.
@@ -148,16 +166,15 @@ impl IdealCurve {
     }
 
     #[inline]
-    fn piece(&self, output: usize, share: f64) -> (Quintic, f64, f64) {
+    fn piece(&self, output: usize, share: f64) -> (&Quintic, f64, f64) {
         let intervals = self.nodes.pieces.len();
         let place = share * intervals as f64;
         let interval = (place as usize).min(intervals - 1);
         let pieces = self.nodes.pieces[interval];
         let within = (place - interval as f64) * pieces as f64;
         let piece = (within as usize).min(pieces - 1);
-        let (jets, node) = (&self.jets[output], self.nodes.first[interval] + piece);
-        let h = self.span_s / intervals as f64 / pieces as f64;
-        (Quintic::new(jets[node], jets[node + 1], h), within - piece as f64, h)
+        let quintic = &self.quintics[output][self.nodes.first[interval] + piece];
+        (quintic, within - piece as f64, self.nodes.length_s(self.span_s, pieces))
     }
 }
 
@@ -185,7 +202,7 @@ mod tests {
             IdealNodes::new(1.0, TURN_S, LARGEST_ERROR_M, |share| Ok::<_, Infallible>(vec![jet(share)])).unwrap();
         let intervals = nodes.pieces.len() as f64;
         let jets = vec![nodes.places().map(|place| jet(place / intervals)).collect()];
-        IdealCurve { span_s: TURN_S, nodes: Arc::new(nodes), jets }
+        IdealCurve::of_jets(TURN_S, Arc::new(nodes), &jets)
     }
 
     /// Largest difference between a table and its motion, m.

@@ -26,6 +26,18 @@ struct Followed {
     /// Integrals over time of the deviation and of its square.
     integral: f64,
     integral_of_square: f64,
+    /// Whether any column asks for them.
+    is_integrated: bool,
+    /// The time up to which it has been followed, and the ideal motions there.
+    seen: Option<(f64, IdealJets)>,
+}
+
+/// Value, rate and acceleration of the nominal ideal motion, at the same place of the cycle, and of the sample's own, over time; not a
+/// number where it is not asked for.
+#[derive(Debug, Clone, Copy)]
+struct IdealJets {
+    nominal: [f64; 3],
+    own: [f64; 3],
 }
 
 impl Followed {
@@ -54,6 +66,9 @@ impl Followed {
         let [low, high] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         if high > self.maximum.value || -low > self.minimum.value {
             self.take_extremes(from, length, &mut f);
+        }
+        if !self.is_integrated {
+            return;
         }
         for (place, weight) in GAUSS {
             let share = from + place * length;
@@ -152,6 +167,10 @@ impl<'r> Recorder<'r> {
         for column in &shared.plan.columns {
             let is_known = followed.iter().any(|f| f.output == column.output && f.deviation == column.deviation);
             if matches!(column.spot, Spot::Reduced(_)) && !is_known {
+                let is_integrated = shared.plan.columns.iter().any(|other| {
+                    let is_same = other.output == column.output && other.deviation == column.deviation;
+                    is_same && matches!(other.spot, Spot::Reduced(Reduction::Mean | Reduction::RootMeanSquare))
+                });
                 followed.push(Followed {
                     output: column.output,
                     deviation: column.deviation,
@@ -159,6 +178,8 @@ impl<'r> Recorder<'r> {
                     minimum: Peak::none(),
                     integral: 0.0,
                     integral_of_square: 0.0,
+                    is_integrated,
+                    seen: None,
                 });
             }
         }
@@ -292,12 +313,13 @@ impl<'r> Recorder<'r> {
             return;
         }
         let shares = [step.share(start_s), step.share(end_s)];
+        let (time, length) = (step.uneven_time(), step.length);
+        let pace = |share: f64| time.as_ref().map_or(1.0, |time| time.slope(share) / length) * length;
         let mut followed = std::mem::take(&mut self.followed);
         for one in &mut followed {
             let (output, deviation) = (one.output, one.deviation);
             if self.shared.places[output].is_some() {
-                let quintic = self.deviation_polynomial(step, output, deviation);
-                let pace = |share: f64| step.pace(share) * step.length;
+                let quintic = self.deviation_polynomial(step, one);
                 one.take(shares, Some(quintic.limits()), pace, |share| quintic.value(share));
             } else {
                 // No polynomial: by time, looking inside the step.
@@ -318,34 +340,54 @@ impl<'r> Recorder<'r> {
     }
 
     /// The deviation of a position over a step, as a polynomial of the share of the step.
-    fn deviation_polynomial(&self, step: &Step<'_, '_>, output: usize, deviation: Deviation) -> Quintic {
-        let [start, end] =
-            [self.deviation_jet(step, 0, output, deviation), self.deviation_jet(step, 1, output, deviation)];
+    fn deviation_polynomial(&self, step: &Step<'_, '_>, followed: &mut Followed) -> Quintic {
+        let [start_s, end_s] = [0, 1].map(|side| step.time(side)[0]);
+        // Most steps begin where the one before ended.
+        let start = match followed.seen {
+            Some((seen_s, jets)) if seen_s == start_s => jets,
+            _ => self.ideal_jets(followed, start_s),
+        };
+        let end = self.ideal_jets(followed, end_s);
+        followed.seen = Some((end_s, end));
+        let [start, end] = [(0, start), (1, end)].map(|(side, ideal)| self.deviation_jet(step, side, followed, ideal));
         Quintic::new(start, end, step.length)
     }
 
-    /// The deviation of a position at an end of a step, with its derivatives over the variable of integration.
+    /// The ideal motions at `time_s`, as far as this deviation asks for them.
     #[inline(always)]
-    fn deviation_jet(&self, step: &Step<'_, '_>, side: usize, output: usize, deviation: Deviation) -> [f64; 3] {
-        let time = step.time(side);
-        let share = self.share(time[0]);
+    fn ideal_jets(&self, followed: &Followed, time_s: f64) -> IdealJets {
+        let (output, share) = (followed.output, self.share(time_s));
         // The nominal motion is read at the same place of the cycle, where its time runs in proportion.
         let nominal = || {
             let [value, rate, acceleration] = self.shared.nominal_curve.jet(output, share);
             [value, rate * self.nominal_per_own, acceleration * self.nominal_per_own * self.nominal_per_own]
         };
         let own = || self.curve.as_ref().map_or([f64::NAN; 3], |curve| curve.jet(output, share));
-        let actual = || self.shared.places[output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
+        let none = [f64::NAN; 3];
+        let (nominal, own) = match followed.deviation {
+            Deviation::Value => (none, none),
+            Deviation::Total => (nominal(), none),
+            Deviation::Clearance => (none, own()),
+            Deviation::Dimensional => (nominal(), own()),
+        };
+        IdealJets { nominal, own }
+    }
+
+    /// The deviation of a position at an end of a step, with its derivatives over the variable of integration.
+    #[inline(always)]
+    fn deviation_jet(&self, step: &Step<'_, '_>, side: usize, followed: &Followed, ideal: IdealJets) -> [f64; 3] {
+        let (time, IdealJets { nominal, own }) = (step.time(side), ideal);
+        let actual = || self.shared.places[followed.output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
         // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
         let over_step = |[value, rate, acceleration]: [f64; 3]| {
             [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]]
         };
         let less = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-        match deviation {
+        match followed.deviation {
             Deviation::Value => actual(),
-            Deviation::Total => less(actual(), over_step(nominal())),
-            Deviation::Clearance => less(actual(), over_step(own())),
-            Deviation::Dimensional => less(over_step(own()), over_step(nominal())),
+            Deviation::Total => less(actual(), over_step(nominal)),
+            Deviation::Clearance => less(actual(), over_step(own)),
+            Deviation::Dimensional => less(over_step(own), over_step(nominal)),
         }
     }
 

@@ -27,6 +27,13 @@ fn ratios(problem: &Problem, repetitions: u64) -> Vec<(String, f64)> {
     ratios
 }
 
+/// The ratios of a problem, by statistic.
+struct Outcome {
+    line: String,
+    class: &'static str,
+    ratios: Vec<(String, f64)>,
+}
+
 /// Prints the ratios by class and statistic.
 pub fn run(options: &Options) {
     let solve = |&index: &u64| {
@@ -40,15 +47,17 @@ pub fn run(options: &Options) {
             problem.dimensions(),
             problem.kinds().join(", ")
         );
-        (line, ratios.into_iter().map(|(statistic, ratio)| (class, statistic, ratio)).collect::<Vec<_>>())
+        Outcome { line, class, ratios }
     };
-    let all: Vec<(String, Vec<(&str, String, f64)>)> = options.indices.par_iter().map(solve).collect();
+    let all: Vec<Outcome> = options.indices.par_iter().map(solve).collect();
     println!("each problem: median over its ends");
-    all.iter().for_each(|(line, _)| println!("{line}"));
+    all.iter().for_each(|outcome| println!("{}", outcome.line));
     let mut groups: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    for (class, statistic, ratio) in all.iter().flat_map(|(_, ratios)| ratios) {
-        for name in [format!("{class} {statistic}"), format!("{class} all"), "all".to_owned()] {
-            groups.entry(name).or_default().push(*ratio);
+    for Outcome { class, ratios, .. } in &all {
+        for (statistic, ratio) in ratios {
+            for name in [format!("{class} {statistic}"), format!("{class} all"), "all".to_owned()] {
+                groups.entry(name).or_default().push(*ratio);
+            }
         }
     }
     println!("stated error over the 99 % quantile of the actual one over {} seeds", options.repetitions);

@@ -6,6 +6,7 @@ pub(crate) mod index;
 pub(crate) mod inner_basis;
 pub(crate) mod mean_error;
 pub(crate) mod moments;
+pub(crate) mod order_statistics;
 pub(crate) mod orthogonal;
 pub(crate) mod pool;
 pub(crate) mod preintegration;

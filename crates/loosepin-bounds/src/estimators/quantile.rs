@@ -2,6 +2,7 @@
 
 use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
 use super::moments::variance;
+use super::order_statistics::OrderStatistics;
 use super::probability::effective_runs;
 use super::sample::Sample;
 
@@ -12,27 +13,40 @@ use super::sample::Sample;
 /// Statistical Association 47 (1952) 635-646) for the number of runs that [`super::probability`] takes for independent ones
 /// ([`fewest_below`]); where the interval needs an order statistic that the sample does not have, it is infinite on that side.
 pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f64) -> EitherWay {
-    let sorted = &sample.sorted()[..];
+    quantile_and_slope(sample, confidence, probability).0
+}
+
+/// [`quantile`], and how fast it rises with the probability, from the order statistics within a standard deviation of the count below it;
+/// 0 without two of them, or where polynomials give the quantile.
+///
+/// ```text
+/// q' = N (y_(h) - y_(l))/√(k (k + 1)),   k = h - l
+/// ```
+///
+/// The spacings of N independent runs are exponential with mean q'/N, so that the square of k of them together is k (k + 1) (q'/N)²
+/// on average: q'² has no bias (H. A. David and H. N. Nagaraja, "Order statistics" (2003), section 2.5).
+pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, probability: f64) -> (EitherWay, f64) {
     if sample.runs() == 0 {
-        return EitherWay::UNDEFINED;
+        return (EitherWay::UNDEFINED, 0.0);
     }
-    if sorted.is_empty() {
+    let finished = sample.values().len() as f64;
+    if finished == 0.0 {
         // Every run failed: it may be anything.
         let [low, high] = [f64::NEG_INFINITY, f64::INFINITY].map(|end| Estimate::symmetric(end, 0.0));
-        return EitherWay { low, high };
+        return (EitherWay { low, high }, 0.0);
     }
     if sample.runs() == 1 {
-        return EitherWay::both(Estimate::symmetric(sorted[0], 0.0));
+        return (EitherWay::both(Estimate::symmetric(sample.values()[0], 0.0)), 0.0);
     }
+    let sorted = &mut OrderStatistics::new(sample, probability);
+    let central = interpolate(sorted, probability * finished);
     if let Some(smooth) = sample.smooth() {
-        let near = interpolate(sorted, probability * sorted.len() as f64);
         let deviation = standard_deviation(variance(sample, confidence)).value;
-        if let Some(at) = smooth.quantile(probability, near, deviation) {
-            return EitherWay::both(at);
+        if let Some(at) = smooth.quantile(probability, central, deviation) {
+            return (EitherWay::both(at), 0.0);
         }
     }
     let (runs, failed) = (sample.runs() as f64, sample.failed() as f64);
-    let central = interpolate(sorted, probability * sorted.len() as f64);
     let hits = sample.count_up_to(central);
     let shares: Vec<f64> = sample
         .replicates()
@@ -41,7 +55,7 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
     let effective = effective_runs(sample, confidence, hits, &shares);
     let [fewest_below, fewest_above] = [probability, 1.0 - probability]
         .map(|share| fewest_below(share, effective, confidence).map(|count| (count * runs / effective).floor()));
-    let at = |below_everything: f64| {
+    let mut at = |below_everything: f64| {
         let value = interpolate(sorted, probability * runs - below_everything);
         let low = fewest_below.map(|count| count + 1.0 - below_everything);
         let high = fewest_above.map(|count| runs - count - below_everything);
@@ -51,7 +65,8 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
         let above = if value.is_finite() { (high - value).max(0.0) } else { 0.0 };
         Estimate { value, below, above }
     };
-    EitherWay { low: at(failed), high: at(0.0) }
+    let either = EitherWay { low: at(failed), high: at(0.0) };
+    (either, slope(sorted, probability))
 }
 
 /// The x with P(at most x of n runs lie below the quantile at p) = Φ(-z), z the normal factor of `confidence`, that of a binomial distribution; nothing where even no run below it
@@ -75,19 +90,10 @@ fn fewest_below(probability: f64, runs: f64, confidence: &Confidence) -> Option<
     (count >= 0.0).then_some(count)
 }
 
-/// How fast the quantile rises at `probability`, from the order statistics within a standard deviation of the count below it; 0 without
-/// two of them.
-///
-/// ```text
-/// q' = N (y_(h) - y_(l))/√(k (k + 1)),   k = h - l
-/// ```
-///
-/// The spacings of N independent runs are exponential with mean q'/N, so that the square of k of them together is k (k + 1) (q'/N)²
-/// on average: q'² has no bias (H. A. David and H. N. Nagaraja, "Order statistics" (2003), section 2.5).
-pub(crate) fn slope(sample: &Sample, probability: f64) -> f64 {
-    let sorted = &sample.sorted()[..];
-    let runs = sorted.len() as f64;
-    if sorted.len() < 2 {
+/// The slope of [`quantile_and_slope`].
+fn slope(sorted: &mut OrderStatistics, probability: f64) -> f64 {
+    let runs = sorted.count() as f64;
+    if sorted.count() < 2 {
         return 0.0;
     }
     let rank = (probability * runs - 0.5).clamp(0.0, runs - 1.0);
@@ -95,12 +101,12 @@ pub(crate) fn slope(sample: &Sample, probability: f64) -> f64 {
     let low = (rank - reach).floor().max(0.0) as usize;
     let high = (rank + reach).ceil().min(runs - 1.0) as usize;
     let spacings = (high - low) as f64;
-    runs * (sorted[high] - sorted[low]) / (spacings * (spacings + 1.0)).sqrt()
+    runs * (sorted.at(high) - sorted.at(low)) / (spacings * (spacings + 1.0)).sqrt()
 }
 
 /// The value at `rank` = N p; infinite where the rank lies among failed runs.
-fn interpolate(sorted: &[f64], rank: f64) -> f64 {
-    let count = sorted.len() as f64;
+fn interpolate(sorted: &mut OrderStatistics, rank: f64) -> f64 {
+    let count = sorted.count() as f64;
     if rank <= 0.0 {
         return f64::NEG_INFINITY;
     }
@@ -110,20 +116,20 @@ fn interpolate(sorted: &[f64], rank: f64) -> f64 {
     let position = (rank - 0.5).clamp(0.0, count - 1.0);
     let index = position as usize;
     let fraction = position - index as f64;
-    let next = sorted[(index + 1).min(sorted.len() - 1)];
-    sorted[index] + fraction * (next - sorted[index])
+    let (own, next) = (sorted.at(index), sorted.at((index + 1).min(sorted.count() - 1)));
+    own + fraction * (next - own)
 }
 
 /// Order statistic `rank`, counted from 1; `beyond` where there is none.
-fn order_statistic(sorted: &[f64], rank: f64, beyond: f64) -> f64 {
-    if rank >= 1.0 && rank <= sorted.len() as f64 { sorted[rank as usize - 1] } else { beyond }
+fn order_statistic(sorted: &mut OrderStatistics, rank: f64, beyond: f64) -> f64 {
+    if rank >= 1.0 && rank <= sorted.count() as f64 { sorted.at(rank as usize - 1) } else { beyond }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::estimate::Confidence;
     use super::super::sample::Sample;
-    use super::{quantile, slope};
+    use super::{quantile, quantile_and_slope};
     use loosepin_uncertainty::{hash, normal_quantile};
 
     #[test]
@@ -134,14 +140,16 @@ mod tests {
             let of = |seed: u64| {
                 let number = |i: u64| normal_quantile(((hash(seed, i) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64);
                 let values: Vec<f64> = (0..RUNS).map(number).collect();
-                slope(&Sample::new(values.chunks(16).map(|own| own.iter().copied())), probability)
+                let sample = Sample::new(values.chunks(16).map(|own| own.iter().copied()));
+                quantile_and_slope(&sample, &Confidence::new(0.99, 16), probability).1
             };
             let squares = (0..SAMPLES).map(|seed| (of(seed) * density).powi(2));
             let mean = squares.sum::<f64>() / SAMPLES as f64;
             // Seven spacings give a square with a deviation of 0.8; the window is wide enough to see that the tail is curved.
             assert!((mean - 1.0).abs() < 0.25, "{probability}: {mean}");
         }
-        assert_eq!(slope(&Sample::new((0..2).map(|_| [3.0].into_iter())), 0.9), 0.0);
+        let one = Sample::new((0..2).map(|_| [3.0].into_iter()));
+        assert_eq!(quantile_and_slope(&one, &Confidence::new(0.99, 2), 0.9).1, 0.0);
     }
 
     fn evenly(count: u32) -> Sample {

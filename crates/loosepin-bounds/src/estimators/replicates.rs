@@ -2,7 +2,6 @@
 //! shows in it.
 
 use super::estimate::{mean_of, variance_of_mean};
-use super::quantile::slope;
 use super::sample::Sample;
 
 /// `of` each replicate less the mean of them, replicate by replicate, at every one of `samples`; nothing where a replicate has no finished
@@ -26,17 +25,16 @@ pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64
     differences
 }
 
-/// How much the quantile at `probability` differs by [`differences`] in shares at or below `limits`, one for each point: the share times
-/// the slope of the quantile there (R. R. Bahadur, "A note on quantiles in large samples", Annals of Mathematical Statistics 37 (1966)
+/// How much quantiles differ by [`differences`] in shares at or below `limits`, one for each point: the share times the slope of the
+/// quantile there (R. R. Bahadur, "A note on quantiles in large samples", Annals of Mathematical Statistics 37 (1966)
 /// 577-580).
-pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], probability: f64) -> Vec<Vec<f64>> {
+pub(crate) fn differences_of_quantiles(samples: &[&Sample], limits: &[f64], slopes: &[f64]) -> Vec<Vec<f64>> {
     let share = |values: &[f64], point: usize| {
         values.iter().filter(|&&value| value <= limits[point]).count() as f64 / values.len() as f64
     };
     let mut differences = differences(samples, share);
-    let slopes: Vec<f64> = samples.iter().map(|sample| slope(sample, probability)).collect();
     for replicate in &mut differences {
-        for (difference, slope) in replicate.iter_mut().zip(&slopes) {
+        for (difference, slope) in replicate.iter_mut().zip(slopes) {
             *difference *= -slope;
         }
     }

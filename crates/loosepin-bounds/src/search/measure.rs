@@ -8,7 +8,7 @@ use crate::estimators::estimate::{Confidence, EitherWay, Estimate, mean_of, stan
 use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::probability;
-use crate::estimators::quantile::quantile;
+use crate::estimators::quantile::quantile_and_slope;
 use crate::estimators::replicates::{differences, differences_of_quantiles, variance_of_replicates};
 use crate::estimators::sample::Sample;
 
@@ -115,10 +115,11 @@ impl Measure {
 
     /// Measures the quantile at `probability`.
     pub fn quantile(samples: &[&Sample], probability: f64, confidence: &Confidence) -> Self {
-        let mut measure =
-            Self::plain(samples.iter().map(|sample| quantile(sample, confidence, probability)), confidence);
+        let found = samples.iter().map(|sample| quantile_and_slope(sample, confidence, probability));
+        let (at, slopes): (Vec<EitherWay>, Vec<f64>) = found.unzip();
+        let mut measure = Self::plain(at.into_iter(), confidence);
         // Far out an interval has no end on one side: the noise is that of the replicates, where these are known.
-        let replicates = differences_of_quantiles(samples, &measure.target.values, probability);
+        let replicates = differences_of_quantiles(samples, &measure.target.values, &slopes);
         if let Some(variance) = variance_of_replicates(&replicates) {
             measure.target.noise.variance = heard(variance, &measure.target.values);
         }

@@ -1,0 +1,76 @@
+//! Order statistics of a sample around a quantile.
+
+use super::sample::Sample;
+
+/// Those within so many standard deviations of the count below a quantile, and so many more, are put in order at once.
+const DEVIATIONS: f64 = 4.0;
+const MORE: f64 = 3.0;
+
+/// The values of a sample, in increasing order where they are asked for: a quantile needs few of them.
+pub(crate) struct OrderStatistics {
+    values: Vec<f64>,
+    /// First of those that are in order, and the one behind the last.
+    first: usize,
+    behind: usize,
+}
+
+impl OrderStatistics {
+    /// Those of the finished runs around the quantile at `probability`.
+    pub fn new(sample: &Sample, probability: f64) -> Self {
+        let mut values = sample.values().to_vec();
+        let (runs, finished) = (sample.runs() as f64, values.len() as f64);
+        let reach = DEVIATIONS * (runs * probability * (1.0 - probability)).sqrt() + MORE;
+        // Failed runs may all lie below.
+        let first = (probability * runs - sample.failed() as f64 - reach).clamp(0.0, finished) as usize;
+        let behind = (probability * runs + reach).clamp(0.0, finished) as usize;
+        if first > 0 && first < values.len() {
+            values.select_nth_unstable_by(first, f64::total_cmp);
+        }
+        if behind < values.len() && behind > first {
+            values[first..].select_nth_unstable_by(behind - first, f64::total_cmp);
+        }
+        values[first..behind].sort_unstable_by(f64::total_cmp);
+        Self { values, first, behind }
+    }
+
+    /// Number of all values.
+    pub fn count(&self) -> usize {
+        self.values.len()
+    }
+
+    /// The value with `index` others below it.
+    pub fn at(&mut self, index: usize) -> f64 {
+        if index < self.first || index >= self.behind {
+            self.values.sort_unstable_by(f64::total_cmp);
+            (self.first, self.behind) = (0, self.values.len());
+        }
+        self.values[index]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample::Sample;
+    use super::OrderStatistics;
+    use loosepin_uncertainty::hash;
+
+    #[test]
+    fn identity_every_value_is_that_of_the_whole_order_whichever_is_asked_first() {
+        for count in [1, 2, 5, 64, 256] {
+            // Every third value comes twice.
+            let values: Vec<f64> = (0..count).map(|i| (hash(7, i - u64::from(i % 3 == 0)) >> 40) as f64).collect();
+            let sample = Sample::new([values.iter().copied()].into_iter());
+            let mut sorted = values.clone();
+            sorted.sort_unstable_by(f64::total_cmp);
+            for probability in [0.0, 0.025, 0.5, 0.975, 1.0] {
+                for first in 0..count as usize {
+                    let mut asked = OrderStatistics::new(&sample, probability);
+                    assert_eq!(asked.count(), values.len());
+                    for index in [first, 0, count as usize - 1] {
+                        assert_eq!(asked.at(index), sorted[index], "{index} of {count} around {probability}");
+                    }
+                }
+            }
+        }
+    }
+}
