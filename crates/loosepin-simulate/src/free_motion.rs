@@ -53,10 +53,10 @@ impl FreeMotion {
         Ok(motion)
     }
 
-    /// Numbers that it is kept in.
+    /// Numbers that it is kept in, those of the three lists of a step among them.
     pub fn numbers(&self) -> usize {
         let of =
-            |piece: &Piece| 2 + 6 * piece.jets.len() + 4 * (piece.error_integrals.len() + piece.joint_bristles.len());
+            |piece: &Piece| 11 + 6 * piece.jets.len() + 4 * (piece.error_integrals.len() + piece.joint_bristles.len());
         self.pieces.iter().map(of).sum()
     }
 

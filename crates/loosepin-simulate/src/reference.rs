@@ -47,7 +47,24 @@ impl<'a> IdealReference<'a> {
         Ok(Self { source, motion: Motion::new(mechanism, sample), held_s: None })
     }
 
-    /// The same, of a mechanism that its drives do not move alone, whose `motion` has been integrated.
+    /// The same where the `motion` of a mechanism that its drives do not move alone may have been integrated before.
+    ///
+    /// # Errors
+    /// As for [`IdealReference::new`].
+    pub fn with_motion(
+        mechanism: &'a Mechanism,
+        sample: &Sample<f64>,
+        motion: Option<&Arc<FreeMotion>>,
+        end_s: f64,
+        settings: &Settings,
+    ) -> Result<Self, RunFailure> {
+        match motion {
+            Some(motion) => Ok(Self::of_motion(mechanism, sample, motion.clone())),
+            None => Self::new(mechanism, sample, end_s, settings),
+        }
+    }
+
+    /// From a motion that has been integrated.
     pub fn of_motion(mechanism: &'a Mechanism, sample: &Sample<f64>, motion: Arc<FreeMotion>) -> Self {
         Self { source: Source::Integrated(motion), motion: Motion::new(mechanism, sample), held_s: None }
     }

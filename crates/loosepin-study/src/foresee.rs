@@ -12,7 +12,9 @@ use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
 const TIMED_RUNS: usize = 32;
-/// The mechanisms among them, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
+/// Of combinations of laws, which are batches of their own, so many are timed.
+const MOST_VARIANTS: usize = 4;
+/// The mechanisms among the runs, each at several values of the epistemic inputs; and where forces decide the ideal motion, which then takes
 /// as long as a run.
 const MECHANISMS: usize = 4;
 const FREE_MECHANISMS: usize = 1;
@@ -57,8 +59,8 @@ impl ForeseenPromise {
     }
 }
 
-/// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some thousand
-/// evaluations and counted in proportion to how far it came. No samples but these are drawn.
+/// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some hundred
+/// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
 ///
 /// # Errors
 /// As for [`super::plan_runs`], or all timed runs failed.
@@ -66,12 +68,15 @@ pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response)?;
     let (most_runs, promise) = (plans.limits.most_runs(), plans.promise.as_ref().map(ForeseenPromise::new));
-    let evaluations = TIMED_MULTIPLICATIONS / (TIMED_RUNS as f64 * response.mechanism().multiplications());
-    if evaluations < LEAST_EVALUATIONS {
+    let variants = response.mechanisms.len().min(MOST_VARIANTS);
+    let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
+    // What has no room for the lanes of a thread runs on its own.
+    let runs = ((all / LEAST_EVALUATIONS) as usize).min(TIMED_RUNS);
+    if runs == 0 {
         return Ok(Foreseen { most_runs, run_s: None, promise });
     }
-    response.limit_evaluations(evaluations as u64);
-    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response)?, promise })
+    response.limit_evaluations((all / runs as f64) as u64);
+    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)?, promise })
 }
 
 /// What is known of the timed runs.
@@ -84,7 +89,8 @@ struct Timing {
     prepared: u32,
     /// Time in which all runs were stepped through.
     stepping: Duration,
-    /// Why a run failed.
+    /// All runs, failed ones too, and why one failed.
+    tried: usize,
     reason: Option<RunFailure>,
 }
 
@@ -110,34 +116,29 @@ impl Timing {
 /// Processor time of a whole run, s, from the first runs of the plan; none where they do not tell.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
-fn time_runs_s(study: &Study, response: &StudyResponse) -> Result<Option<f64>, StudyError> {
+fn time_runs_s(study: &Study, response: &StudyResponse, runs: usize) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
     let (mechanisms, least_share) =
         if response.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, LEAST_FREE_SHARE) };
-    let variants = response.mechanisms.len();
-    let count = TIMED_RUNS.div_ceil(variants);
     let mut timing = Timing::default();
-    for variant in 0..variants {
+    for variant in 0..response.mechanisms.len().min(MOST_VARIANTS) {
         let is_meant = |epistemic: &[f64]| response.variant(epistemic) == variant;
         // The mechanisms are the same at each value of the epistemic inputs, as in the study: where these do not change an ideal motion,
         // it is known at all but the first. Where there is but one value, each has a mechanism of its own.
-        let points = plan.first_runs(count, 1, is_meant).len();
-        let each = if points > 1 { mechanisms } else { count };
-        let first = plan.first_runs(count / each, each, is_meant);
-        // Once more where there are fewer, so that all lanes are filled.
-        let inputs: Vec<&RunInputs> = first.iter().cycle().take(count).collect();
-        time_variant(response, variant, &inputs, &mut timing);
+        let points = plan.first_runs(runs, 1, is_meant).len();
+        let each = if points > 1 { mechanisms.min(runs) } else { runs };
+        time_variant(response, variant, (runs, &plan.first_runs(runs / each, each, is_meant)), &mut timing);
     }
     match timing.reason.take() {
-        Some(reason) if timing.runs.is_empty() => Err(StudyError::AllFailed { runs: TIMED_RUNS, reason }),
+        Some(reason) if timing.runs.is_empty() => Err(StudyError::AllFailed { runs: timing.tried, reason }),
         _ => Ok(timing.run_s(least_share)),
     }
 }
 
-/// Adds runs of the mechanism `variant`.
-fn time_variant(response: &StudyResponse, variant: usize, inputs: &[&RunInputs], timing: &mut Timing) {
-    let end_s = response.nominal_end_s();
-    let mut waiting = inputs.iter().map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+/// Adds `runs` runs of the mechanism `variant`: those of `inputs`, over and over, so that all lanes are filled.
+fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize, &[RunInputs]), timing: &mut Timing) {
+    let (end_s, given) = (response.nominal_end_s(), response.largest_evaluations);
+    let mut waiting = inputs.iter().cycle().take(runs).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
     let ended = Cell::new(0_u32);
     let mut asked: Vec<(Instant, u32)> = Vec::new();
     let preparations = response.run_all(
@@ -151,8 +152,14 @@ fn time_variant(response: &StudyResponse, variant: usize, inputs: &[&RunInputs],
         |_, outcome| {
             ended.set(ended.get() + 1);
             match outcome {
-                Ok(row) => timing.runs.push((response.extras(&row).evaluations, 1.0)),
-                Err(RunFailure::TooManyEvaluations { time_s, limit }) => {
+                Ok(row) => {
+                    let extras = response.extras(&row);
+                    // Where nothing is integrated each step counts as one of the method.
+                    let of_steps = extras.steps * response.settings().method.stages.len() as f64;
+                    let evaluations = if extras.evaluations > 0.0 { extras.evaluations } else { of_steps };
+                    timing.runs.push((evaluations, 1.0));
+                }
+                Err(RunFailure::TooManyEvaluations { time_s, limit }) if limit == given => {
                     timing.runs.push((limit as f64, time_s / end_s));
                 }
                 Err(failure) => timing.reason = Some(failure),
@@ -166,14 +173,17 @@ fn time_variant(response: &StudyResponse, variant: usize, inputs: &[&RunInputs],
         spent = spent.saturating_sub((second - begun).saturating_sub(preparation));
     }
     timing.stepping += spent.saturating_sub(preparations.iter().sum());
-    let later = &preparations[preparations.len() / 2..];
+    timing.tried += preparations.len();
+    // What comes again is known, and the first ones are those of a value of the epistemic inputs at which nothing was known.
+    let fresh = preparations.len().min(inputs.len());
+    let later = &preparations[fresh / 2..fresh];
     timing.preparing += later.iter().sum::<Duration>();
     timing.prepared += later.len() as u32;
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Timing;
+    use super::{Timing, foresee};
     use crate::file::Study;
     use crate::response::StudyResponse;
     use loosepin_simulate::{Execution, RunFailure};
@@ -188,11 +198,32 @@ mod tests {
             preparing: Duration::from_millis(6),
             prepared: 3,
             stepping: Duration::from_millis(2),
-            reason: None,
+            ..Timing::default()
         };
         assert!((timing.run_s(0.5).unwrap() - 7.5e-3).abs() < 1e-12);
         assert_eq!(timing.run_s(0.6), None);
         assert_eq!(Timing::default().run_s(0.0), None);
+    }
+
+    /// Processor time of a run of the worn pin, with texts of its files replaced.
+    fn run_s(replaced: &[(&str, &str)]) -> Option<f64> {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+        let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
+        for (old, new) in replaced {
+            assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
+            texts.study.1 = texts.study.1.replace(old, new);
+            texts.model.1 = texts.model.1.replace(old, new);
+        }
+        foresee(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap().run_s
+    }
+
+    #[test]
+    fn a_run_without_play_and_one_of_many_laws_have_a_time() {
+        let play = "\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n";
+        let without = run_s(&[(play, ""), ("radial_clearance = \"0.3 mm\"", "radial_clearance = \"0 mm\"")]);
+        assert!(without.is_some());
+        let laws = "\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"hunt-crossley\", \"herbert-mcwhannell\", \"lee-wang\"] }\n";
+        assert!(run_s(&[(play, laws)]).is_some());
     }
 
     #[test]

@@ -73,22 +73,36 @@ impl IdealTables {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let numbers = key.0.len() + ideal.numbers();
         if known.numbers + numbers <= MOST_NUMBERS {
-            known.numbers += numbers;
-            known.motions.insert(key, ideal);
+            // Another thread may have found the same.
+            if known.motions.insert(key, ideal).is_none() {
+                known.numbers += numbers;
+            }
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::IdealKey;
     use crate::file::Study;
     use crate::response::StudyResponse;
+    use loosepin_mechanics::mechanism::Sample;
+    use loosepin_simulate::Arms;
     use std::path::Path;
 
-    fn response(path: &str) -> StudyResponse {
+    const WORN_PIN: &str = "cases/slider_crank_worn_pin/study.toml";
+    const ARM: &str = "crates/loosepin-import/templates/three-link-arm/study.toml";
+
+    /// The study at `path`, with texts of its files replaced.
+    fn response(path: &str, replaced: &[(&str, &str)]) -> StudyResponse {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-        let study = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
-        StudyResponse::new(&study).unwrap()
+        let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
+        for (old, new) in replaced {
+            assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
+            texts.study.1 = texts.study.1.replace(old, new);
+            texts.model.1 = texts.model.1.replace(old, new);
+        }
+        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap()
     }
 
     /// The bits of a run's row.
@@ -99,10 +113,10 @@ mod tests {
     }
 
     /// Runs of one response after the other have the bits of those of a response each; so many ideal motions are known after each of them.
-    fn same_bits(path: &str, runs: &[(&[f64], &[f64], usize)]) {
-        let shared = response(path);
+    fn same_bits(response: impl Fn() -> StudyResponse, runs: &[(&[f64], &[f64], usize)]) {
+        let shared = response();
         for &(random, epistemic, known) in runs {
-            assert_eq!(row(&shared, random, epistemic), row(&response(path), random, epistemic));
+            assert_eq!(row(&shared, random, epistemic), row(&response(), random, epistemic));
             assert_eq!(shared.ideal_tables.known.lock().unwrap().motions.len(), known);
         }
     }
@@ -117,7 +131,7 @@ mod tests {
             (&others, &[4e-4, 0.75], 2),
             (&lengths, &[1e-4, 0.9], 2),
         ];
-        same_bits("cases/slider_crank_worn_pin/study.toml", &runs);
+        same_bits(|| response(WORN_PIN, &[]), &runs);
     }
 
     #[test]
@@ -125,6 +139,38 @@ mod tests {
         let (lengths, others) = ([0.6, 0.55, 0.25], [0.6, 0.55, 0.250_05]);
         let runs: [(&[f64], &[f64], usize); 3] =
             [(&lengths, &[5e-5], 1), (&lengths, &[4e-5], 1), (&others, &[4e-5], 2)];
-        same_bits("crates/loosepin-import/templates/three-link-arm/study.toml", &runs);
+        // A position is compared with the table of the run's own ideal motion, an angular rate with this motion itself.
+        let of_own = [
+            ("of = \"total\"\nat", "of = \"clearance\"\nat"),
+            ("output = \"across\"\nof = \"total\"\nreduce", "output = \"turning\"\nof = \"clearance\"\nreduce"),
+            ("0.3 mm", "1 rad/s"),
+            ("[output.torch_angle]", "[output.turning]\nangular_velocity_of = \"torch\"\n\n[output.torch_angle]"),
+        ];
+        same_bits(|| response(ARM, &of_own), &runs);
+    }
+
+    #[test]
+    fn identity_an_ideal_motion_is_known_by_all_that_it_depends_on_and_by_nothing_else() {
+        let key = |path: &str, replaced: &[(&str, &str)]| {
+            let response = response(path, replaced);
+            let (mechanism, values) = (response.mechanism(), &response.nominal);
+            let mut sample = Sample::new(mechanism, values).unwrap().without_play();
+            IdealKey::new(&mut sample, mechanism.is_driven(), &Arms::new(mechanism, values), &response.nominal_window)
+        };
+        let arm = key(ARM, &[]);
+        for (what, old, new) in [
+            ("gravity", "9.81 m/s^2", "9.82 m/s^2"),
+            ("mass", "40 kg", "41 kg"),
+            ("gain", "13200 N m/rad", "13201 N m/rad"),
+            ("last point of a table", "-8.64631 deg", "-8.64630 deg"),
+            ("duration", "duration = \"0.6 s\"", "duration = \"0.5 s\""),
+        ] {
+            assert_ne!(key(ARM, &[(old, new)]), arm, "{what}");
+        }
+        for (what, old, new) in [("play", "0.06 mm", "0.05 mm"), ("law", "restitution = 0.5", "restitution = 0.6")] {
+            assert_eq!(key(ARM, &[(old, new)]), arm, "{what}");
+        }
+        let driven = key(WORN_PIN, &[]);
+        assert_ne!(key(WORN_PIN, &[("5000 rpm", "5001 rpm")]), driven);
     }
 }

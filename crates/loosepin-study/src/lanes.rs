@@ -61,12 +61,8 @@ impl StudyResponse {
         let arms = Arms::new(mechanism, &values);
         let (own, curve) = self.own_ideal(&sample, &arms, &window)?;
         let nominal = if self.needs_nominal_reference {
-            Some(match &self.shared.nominal_motion {
-                Some(motion) => IdealReference::of_motion(&self.ideal, &self.nominal_ideal, motion.clone()),
-                None => {
-                    IdealReference::new(&self.ideal, &self.nominal_ideal, self.nominal_window.end_s, &self.settings)?
-                }
-            })
+            let (motion, end_s) = (self.shared.nominal_motion.as_ref(), self.nominal_window.end_s);
+            Some(IdealReference::with_motion(&self.ideal, &self.nominal_ideal, motion, end_s, &self.settings)?)
         } else {
             None
         };

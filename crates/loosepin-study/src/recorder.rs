@@ -67,7 +67,8 @@ impl Followed {
         if high > self.maximum.value || -low > self.minimum.value {
             self.take_extremes(from, length, &mut f);
         }
-        if !self.is_integrated {
+        // Where a position is searched for afresh, what is looked at decides on the last bits of what is looked at next.
+        if !self.is_integrated && limits.is_some() {
             return;
         }
         for (place, weight) in GAUSS {

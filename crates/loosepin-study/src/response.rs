@@ -392,10 +392,8 @@ fn share_nominal(
     let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_motion = reference.free_motion();
     // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.
-    let fresh = || match &nominal_motion {
-        Some(motion) => Ok(IdealReference::of_motion(ideal, nominal_ideal, motion.clone())),
-        None => IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings),
-    };
+    let fresh =
+        || IdealReference::with_motion(ideal, nominal_ideal, nominal_motion.as_ref(), nominal_window.end_s, settings);
     let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
     let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
         let time_s = nominal_window.start_s + share * span_s;

@@ -52,7 +52,7 @@ pub(crate) fn variance_of_replicates(differences: &[Vec<f64>]) -> Option<f64> {
 mod tests {
     use super::super::estimate::mean_of;
     use super::super::sample::Sample;
-    use super::differences;
+    use super::{differences, differences_of_quantiles, variance_of_replicates};
 
     fn sample(replicates: [[f64; 2]; 3]) -> Sample {
         Sample::new(replicates.into_iter().map(IntoIterator::into_iter))
@@ -63,6 +63,17 @@ mod tests {
         let samples = [sample([[1.0, 3.0], [4.0, 6.0], [7.0, 9.0]]), sample([[0.0, 0.0], [0.0, 0.0], [3.0, 3.0]])];
         let found = differences(&samples.each_ref(), |values, _| mean_of(values));
         assert_eq!(found, [vec![-3.0, -1.0], vec![0.0, -1.0], vec![3.0, 2.0]]);
+    }
+
+    #[test]
+    fn analytic_more_runs_below_a_limit_are_a_lower_quantile() {
+        // Both runs, one and none of each replicate lie at or below 3.5: half of them in the mean.
+        let samples = [sample([[1.0, 3.0], [3.0, 6.0], [7.0, 9.0]])];
+        let found = differences_of_quantiles(&samples.each_ref(), &[3.5], &[4.0]);
+        assert_eq!(found, [[-2.0], [0.0], [2.0]]);
+        // (4 + 0 + 4)/(3 · 2)
+        assert!((variance_of_replicates(&found).unwrap() - 8.0 / 6.0).abs() < 1e-15);
+        assert_eq!(variance_of_replicates(&[]), None);
     }
 
     #[test]

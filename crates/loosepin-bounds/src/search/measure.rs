@@ -120,7 +120,8 @@ impl Measure {
         let mut measure = Self::plain(at.into_iter(), confidence);
         // Far out an interval has no end on one side: the noise is that of the replicates, where these are known.
         let replicates = differences_of_quantiles(samples, &measure.target.values, &slopes);
-        if let Some(variance) = variance_of_replicates(&replicates) {
+        // Stratified samples may have the same share below it in all replicates: that says nothing.
+        if let Some(variance) = variance_of_replicates(&replicates).filter(|variance| *variance > 0.0) {
             measure.target.noise.variance = heard(variance, &measure.target.values);
         }
         measure.with_replicates(replicates)

@@ -67,7 +67,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
             let about = if whole_s < 1.0 { "" } else { "about " };
             writeln!(text, "At most {runs}{before}: {about}{time} on {threads}")
         }
-        None => writeln!(text, "At most {runs}{before}; their first steps do not tell how long they take"),
+        None => writeln!(text, "At most {runs}{before}; a short trial does not tell how long they take"),
     };
     Ok(text)
 }
