@@ -1,7 +1,7 @@
 //! Bounds of the slider-crank with play, seed after seed, as rows for `tools/compare/bounds.py`: this library's part in that
 //! comparison.
 //!
-//! `slider_crank_bounds SEEDS [rough]` prints `seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds`; the mean, the
+//! `slider_crank_bounds SEEDS [smooth | rough]` prints `seed,statistic,lower,upper,lower_widened,upper_widened,evaluations,seconds`; the mean, the
 //! deviation and the quantiles are in mm. The rough problem adds a normal number to each of 60 x 60 cells of the box, and another one to
 //! each evaluation, as `tools/compare/bounds/problem.py` does.
 
@@ -50,9 +50,9 @@ fn main() {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let (seeds, is_rough) = match words[..] {
         [] => ("12", false),
-        [seeds] => (seeds, false),
+        [seeds] | [seeds, "smooth"] => (seeds, false),
         [seeds, "rough"] => (seeds, true),
-        _ => panic!("slider_crank_bounds SEEDS [rough], not {words:?}"),
+        _ => panic!("slider_crank_bounds SEEDS [smooth | rough], not {words:?}"),
     };
     let seeds: u64 = seeds.parse().expect("a number of seeds");
     // As the other programs are asked.
