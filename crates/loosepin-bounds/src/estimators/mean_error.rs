@@ -23,6 +23,7 @@
 //! shown are not much further out than the exponential tail, and a part of probability p shows itself in N >= 5/p runs.
 
 use super::estimate::{Confidence, mean_of, skewness, variance_of_mean};
+use super::order_statistics::in_order;
 use super::sample::Sample;
 
 /// The tail is taken through this many values a replicate, but never more than this share of all.
@@ -42,8 +43,7 @@ pub(crate) fn error_of_mean(sample: &Sample, confidence: &Confidence) -> (f64, f
 
 /// The same for the squares of its distances from `mean`, which have a tail upwards only; the tail is exponential in the distance.
 pub(crate) fn error_of_mean_square(sample: &Sample, mean: f64, confidence: &Confidence) -> (f64, f64) {
-    let mut distances: Vec<f64> = sample.values().iter().map(|value| (value - mean).abs()).collect();
-    distances.sort_unstable_by(f64::total_cmp);
+    let distances = in_order(sample.values().iter().map(|value| (value - mean).abs()));
     let square = |distance: f64| distance * distance;
     let excess = [0.0, excess(&distances, sample.replicates().count(), square)];
     let sorted: Vec<f64> = distances.into_iter().map(square).collect();

@@ -1,5 +1,6 @@
 //! One column at one u: the finished values, replicate by replicate.
 
+use super::order_statistics::in_order;
 use super::smooth::Smooth;
 
 /// The values of one column that belong together, in the order of the plan.
@@ -71,9 +72,7 @@ impl Sample {
     /// Finished values in increasing order. Sorted anew each time: to keep a second copy of every column costs more than it
     /// saves.
     pub fn sorted(&self) -> Vec<f64> {
-        let mut sorted = self.values.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
-        sorted
+        in_order(self.values.iter().copied())
     }
 
     /// The least and the greatest finished value.
