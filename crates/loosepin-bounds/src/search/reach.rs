@@ -87,7 +87,8 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
 }
 
 /// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what is
-/// hoped for, which the search has made sure of, and in what is conceded, which may be furthest elsewhere.
+/// hoped for; with roughness, which may be greatest elsewhere, also from the best in what is conceded. Without roughness that misses no
+/// more, and concedes much where a model is unsure far from any extreme (a kink of an index).
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
     let from = |allowance: Allowance| {
         let coarse = reach(model, direction, region, allowance);
@@ -95,7 +96,8 @@ fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
         let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
         direction.further(located, coarse.optimistic)
     };
-    direction.further(from(Allowance::HOPED), from(Allowance::CONCESSION))
+    let hoped = from(Allowance::HOPED);
+    if model.is_rough() { direction.further(hoped, from(Allowance::CONCESSION)) } else { hoped }
 }
 
 /// Moves `place` to the nearest local extreme of what an allowance lets it be: pattern search along the axes and the last
