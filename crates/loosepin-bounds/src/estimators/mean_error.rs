@@ -23,7 +23,7 @@
 //! shown are not much further out than the exponential tail, and a part of probability p shows itself in N >= 5/p runs.
 
 use super::estimate::{Confidence, mean_of, skewness, variance_of_mean};
-use super::order_statistics::in_order;
+use super::in_order::in_order;
 use super::sample::Sample;
 
 /// The tail is taken through this many values a replicate, but never more than this share of all.

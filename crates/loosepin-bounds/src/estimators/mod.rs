@@ -2,6 +2,7 @@
 
 pub(crate) mod basis;
 pub(crate) mod estimate;
+pub(crate) mod in_order;
 pub(crate) mod index;
 pub(crate) mod inner_basis;
 pub(crate) mod mean_error;

@@ -1,32 +1,11 @@
-//! Values in increasing order: all of them, or those around a quantile.
+//! Order statistics of a sample around a quantile.
 
+use super::in_order::{key, value};
 use super::sample::Sample;
 
 /// Those within so many standard deviations of the count below a quantile, and so many more, are put in order at once.
 const DEVIATIONS: f64 = 4.0;
 const MORE: f64 = 3.0;
-
-/// An integer that is ordered as the bits of a number are by [`f64::total_cmp`]: integers are sorted in half the time.
-fn key(value: f64) -> i64 {
-    flipped(value.to_bits() as i64)
-}
-
-/// The number of a key.
-fn value(key: i64) -> f64 {
-    f64::from_bits(flipped(key) as u64)
-}
-
-/// Of a negative number all bits but the sign; twice is as before.
-fn flipped(bits: i64) -> i64 {
-    bits ^ (((bits >> 63) as u64) >> 1) as i64
-}
-
-/// `values` in increasing order.
-pub(crate) fn in_order(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut keys: Vec<i64> = values.map(key).collect();
-    keys.sort_unstable();
-    keys.into_iter().map(value).collect()
-}
 
 /// The values of a sample, in increasing order where they are asked for: a quantile needs few of them.
 pub(crate) struct OrderStatistics {
@@ -73,17 +52,8 @@ impl OrderStatistics {
 #[cfg(test)]
 mod tests {
     use super::super::sample::Sample;
-    use super::{OrderStatistics, in_order};
+    use super::OrderStatistics;
     use loosepin_uncertainty::hash;
-
-    #[test]
-    fn identity_keys_have_the_order_of_all_numbers() {
-        let numbers = [3.5, -0.0, f64::MIN_POSITIVE, -1e300, 0.0, 5e-324, f64::MAX, -3.5, -5e-324, f64::INFINITY, 2.0];
-        let mut sorted = numbers;
-        sorted.sort_unstable_by(f64::total_cmp);
-        let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-        assert_eq!(bits(&in_order(numbers.into_iter())), bits(&sorted));
-    }
 
     #[test]
     fn identity_every_value_is_that_of_the_whole_order_whichever_is_asked_first() {

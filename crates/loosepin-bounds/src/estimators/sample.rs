@@ -1,6 +1,6 @@
 //! One column at one u: the finished values, replicate by replicate.
 
-use super::order_statistics::in_order;
+use super::in_order::in_order;
 use super::smooth::Smooth;
 
 /// The values of one column that belong together, in the order of the plan.
