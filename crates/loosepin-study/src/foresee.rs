@@ -184,10 +184,9 @@ fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize
 #[cfg(test)]
 mod tests {
     use super::{Timing, foresee};
-    use crate::file::Study;
     use crate::response::StudyResponse;
+    use crate::texts::study_with;
     use loosepin_simulate::{Execution, RunFailure};
-    use std::path::Path;
     use std::time::Duration;
 
     #[test]
@@ -205,21 +204,12 @@ mod tests {
         assert_eq!(Timing::default().run_s(0.0), None);
     }
 
-    /// Processor time of a run of the worn pin, with texts of its files replaced.
-    fn run_s(replaced: &[(&str, &str)]) -> Option<f64> {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
-        for (old, new) in replaced {
-            assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
-            texts.study.1 = texts.study.1.replace(old, new);
-            texts.model.1 = texts.model.1.replace(old, new);
-        }
-        foresee(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap().run_s
-    }
+    const WORN_PIN: &str = "cases/slider_crank_worn_pin/study.toml";
 
     #[test]
     fn a_run_without_play_and_one_of_many_laws_have_a_time() {
         let play = "\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n";
+        let run_s = |replaced: &[(&str, &str)]| foresee(&study_with(WORN_PIN, replaced)).unwrap().run_s;
         let without = run_s(&[(play, ""), ("radial_clearance = \"0.3 mm\"", "radial_clearance = \"0 mm\"")]);
         assert!(without.is_some());
         let laws = "\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"hunt-crossley\", \"herbert-mcwhannell\", \"lee-wang\"] }\n";
@@ -228,9 +218,7 @@ mod tests {
 
     #[test]
     fn a_run_that_is_timed_is_given_up_after_the_evaluations_it_has() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let study = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let mut response = StudyResponse::new(&study).unwrap();
+        let mut response = StudyResponse::new(&study_with(WORN_PIN, &[])).unwrap();
         response.limit_evaluations(50);
         let mut waiting = [(0, &[0.05, 0.12][..], &[0.0005, 0.8][..])].into_iter();
         let mut outcomes = Vec::new();

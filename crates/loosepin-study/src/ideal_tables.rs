@@ -84,25 +84,17 @@ impl IdealTables {
 #[cfg(test)]
 mod tests {
     use super::IdealKey;
-    use crate::file::Study;
     use crate::response::StudyResponse;
+    use crate::texts::study_with;
     use loosepin_mechanics::mechanism::Sample;
     use loosepin_simulate::Arms;
-    use std::path::Path;
 
     const WORN_PIN: &str = "cases/slider_crank_worn_pin/study.toml";
     const ARM: &str = "crates/loosepin-import/templates/three-link-arm/study.toml";
 
     /// The study at `path`, with texts of its files replaced.
     fn response(path: &str, replaced: &[(&str, &str)]) -> StudyResponse {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-        let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
-        for (old, new) in replaced {
-            assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
-            texts.study.1 = texts.study.1.replace(old, new);
-            texts.model.1 = texts.model.1.replace(old, new);
-        }
-        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap()
+        StudyResponse::new(&study_with(path, replaced)).unwrap()
     }
 
     /// The bits of a run's row.

@@ -47,6 +47,19 @@ impl Study {
     }
 }
 
+/// The study at `path` in the repository, with texts of its files replaced; each of them is there.
+#[cfg(test)]
+pub fn study_with(path: &str, replaced: &[(&str, &str)]) -> Study {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+    let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
+    for (old, new) in replaced {
+        assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
+        texts.study.1 = texts.study.1.replace(old, new);
+        texts.model.1 = texts.model.1.replace(old, new);
+    }
+    Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
