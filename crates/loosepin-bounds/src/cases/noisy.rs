@@ -158,7 +158,8 @@ fn analytic_hill_in_three_intervals_is_missed_as_rarely_as_stated() {
         &[STANDARD_NORMAL],
         &[(0.0, 1.0), (0.0, 1.0), (0.0, 1.0)],
         &[
-            expect(Statistic::Mean, libm::sin(4.5) - 0.25, 1.0, 0.03),
+            // Four deviations anywhere in the box; near the expected extreme alone they are 0.03.
+            expect(Statistic::Mean, libm::sin(4.5) - 0.25, 1.0, 0.04),
             expect(Statistic::StandardDeviation, 0.01, 0.06, 0.01),
         ],
         |x, u| {
@@ -243,7 +244,7 @@ fn analytic_jump_is_missed_as_rarely_as_stated() {
         &[(0.0, 1.0), (0.0, 1.0)],
         &[
             // Beside a jump a model of smooth functions allows for most of it: four deviations.
-            expect(Statistic::Mean, 0.0, 2.2, 1.8),
+            expect(Statistic::Mean, 0.0, 2.2, 1.85),
             expect(Statistic::ProbabilityAbove(1.0), normal_cdf(-1.0), normal_cdf(1.2), 0.2),
         ],
         |x, u| x[0] + if u[0] > 0.37 { 2.0 + 0.2 * u[1] } else { 0.0 },

@@ -123,6 +123,9 @@ impl DoubleLoop {
         if has_joint_quantiles {
             targets.extend(Experiment::new(&self.setup, pool, table).joint_quantile_targets());
         }
+        if searched.len() <= MOST_LOCATED_TARGETS {
+            targets.extend(Experiment::new(&self.setup, pool, table).square_targets());
+        }
         let mut readings =
             std::iter::once(self.problem().reading).chain(self.problem().readings_beside.iter().copied());
         if readings.any(|reading| reading == Reading::RandomSet) {

@@ -17,10 +17,12 @@ use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Reading;
+use crate::data::statistic::Statistic;
 use crate::estimators::estimate::{Confidence, Estimate};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
+use crate::search::target::Target;
 
 /// Steps of the searches along c, and the ratio of golden sections.
 const GOLDEN_STEPS: usize = 80;
@@ -37,17 +39,14 @@ impl Experiment<'_> {
     pub fn deviations(&self, column: usize, elements: &[Focal<'_>]) -> [Bound; 2] {
         let samples = self.pool.samples(column);
         let confidence = &self.setup.confidence;
-        let estimates = |of: fn(&Sample, &Confidence) -> Estimate| -> Vec<f64> {
-            samples.iter().map(|sample| of(sample, confidence).value).collect()
-        };
-        let points = Points { means: estimates(mean), variances: estimates(variance) };
+        let points = Points::new(&samples, confidence);
         let Some(members) = points.members(elements) else {
             return Direction::BOTH.map(|direction| self.unknown(direction));
         };
         let (mean, deviation) = (Measure::mean(&samples, confidence), Measure::deviation(&samples, confidence));
         let masses: Vec<f64> = elements.iter().map(|element| element.mass).collect();
         let centre = points.minimax_centre(&members, &masses);
-        let squares: Vec<Sample> = samples.iter().map(|s| s.mapped(|y| (y - centre) * (y - centre))).collect();
+        let squares = squares_about(&samples, centre);
         let squares: Vec<&Sample> = squares.iter().collect();
         let square = Measure::mean(&squares, confidence);
         let search = self.search([&mean, &deviation, &square].into_iter());
@@ -90,6 +89,27 @@ impl Experiment<'_> {
         ]
     }
 
+    /// The squares of the response about the c of the greatest variance, for all deviations that [`Self::deviations`] bounds: their greatest
+    /// means are to be searched.
+    pub fn square_targets(&self) -> Vec<(Target, Vec<Direction>)> {
+        let confidence = &self.setup.confidence;
+        let mut targets = Vec::new();
+        for cut in self.setup.structure.cuts.iter().filter(|cut| self.is_mixed() || cut.elements.len() > 1) {
+            let elements = self.focal_elements(cut);
+            let masses: Vec<f64> = elements.iter().map(|element| element.mass).collect();
+            let requests = self.setup.problem.requests.iter();
+            for request in requests.filter(|request| request.statistic == Statistic::StandardDeviation) {
+                let samples = self.pool.samples(request.column);
+                let points = Points::new(&samples, confidence);
+                let Some(members) = points.members(&elements) else { continue };
+                let squares = squares_about(&samples, points.minimax_centre(&members, &masses));
+                let measure = Measure::mean(&squares.iter().collect::<Vec<_>>(), confidence);
+                targets.extend(measure.into_targets().into_iter().map(|target| (target, vec![Direction::Maximum])));
+            }
+        }
+        targets
+    }
+
     /// A bound of the deviation from an attained and a widened variance.
     fn deviation_bound(&self, attained: f64, widened: f64, sampling: f64, direction: Direction) -> Bound {
         let sign = direction.sign();
@@ -111,6 +131,11 @@ impl Experiment<'_> {
     }
 }
 
+/// (Y - c)² of every run.
+fn squares_about(samples: &[&Sample], centre: f64) -> Vec<Sample> {
+    samples.iter().map(|sample| sample.mapped(|y| (y - centre) * (y - centre))).collect()
+}
+
 /// Mean and variance at every outer point.
 struct Points {
     means: Vec<f64>,
@@ -121,6 +146,13 @@ struct Points {
 type Members = Vec<Vec<usize>>;
 
 impl Points {
+    fn new(samples: &[&Sample], confidence: &Confidence) -> Self {
+        let estimates = |of: fn(&Sample, &Confidence) -> Estimate| -> Vec<f64> {
+            samples.iter().map(|sample| of(sample, confidence).value).collect()
+        };
+        Self { means: estimates(mean), variances: estimates(variance) }
+    }
+
     /// Nothing where an element has none.
     fn members(&self, elements: &[Focal<'_>]) -> Option<Members> {
         let known = |point: &usize| self.means[*point].is_finite() && self.variances[*point].is_finite();

@@ -2,18 +2,22 @@
 
 use super::models::Search;
 use super::parts::Element;
+use super::prediction::Allowance;
 use super::search_box::Place;
 use super::smoother::MOST_POINTS;
 use super::target::Target;
 use crate::data::direction::Direction;
 
 impl Search<'_> {
-    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the surroundings
-    /// of what was attained.
+    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, where most would be
+    /// conceded; where that is nothing, the surroundings of what was attained.
     pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
         let mut places = self.kinks(targets, elements, count, MOST_POINTS);
         if places.len() < count {
-            places.extend(self.next_points(targets, elements, count - places.len(), MOST_POINTS));
+            places.extend(self.next_points(targets, elements, count - places.len(), MOST_POINTS, Allowance::HOPED));
+        }
+        if places.is_empty() {
+            places.extend(self.next_points(targets, elements, count, MOST_POINTS, Allowance::CONCEDED_TREND));
         }
         if places.is_empty() { self.surroundings(targets, elements, count, MOST_POINTS) } else { places }
     }

@@ -48,6 +48,8 @@ impl Allowance {
     pub const ONE: Self = Self { deviations: 1.0, concedes_roughness: false };
     /// What the search hopes for: roughness leads nowhere.
     pub const HOPED: Self = Self { deviations: HOPED, concedes_roughness: false };
+    /// What is conceded of the smooth part.
+    pub const CONCEDED_TREND: Self = Self { deviations: CONCEDED, concedes_roughness: false };
     /// What is conceded.
     pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
 

@@ -14,22 +14,23 @@ use crate::data::direction::{Direction, extreme_among};
 const LOCATED_PER_POINT: usize = 2;
 
 impl Search<'_> {
-    /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first; none
-    /// where no gain, times the mass of its element, exceeds the resolution, and none in a combination that has `most_points`
-    /// already.
+    /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first, by what models
+    /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution, and
+    /// none in a combination that has `most_points` already.
     pub fn next_points(
         &self,
         targets: &[(Target, Vec<Direction>)],
         elements: &[Element],
         count: usize,
         most_points: usize,
+        allowance: Allowance,
     ) -> Vec<Place> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let mut promises: Vec<Promise> = targets
             .par_iter()
             .enumerate()
             .flat_map_iter(|(index, (target, directions))| {
-                self.promises(index, target, directions, (elements, &members), most_points)
+                self.promises(index, target, directions, (elements, &members), most_points, allowance)
             })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
@@ -65,13 +66,14 @@ impl Search<'_> {
         directions: &[Direction],
         (elements, members): (&[Element], &[Vec<usize>]),
         most_points: usize,
+        allowed: Allowance,
     ) -> Vec<Promise> {
         let mut promises = Vec::new();
         for (combination, branch) in self.branches(target).iter().enumerate() {
             let Some(model) = branch.model.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {
-                    let reach = reach(model, direction, &part.region, Allowance::HOPED);
+                    let reach = reach(model, direction, &part.region, allowed);
                     let attained = extreme_among(&target.values, members.iter().copied(), direction)
                         .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
                     let mut promise = |value: f64, allowance: Allowance, at: Vec<f64>| {
@@ -82,7 +84,7 @@ impl Search<'_> {
                             promises.push(Promise { target: index, element, direction, allowance, merit, place });
                         }
                     };
-                    promise(reach.optimistic, Allowance::HOPED, reach.optimistic_at);
+                    promise(reach.optimistic, allowed, reach.optimistic_at);
                     promise(reach.expected, Allowance::NONE, reach.expected_at);
                 }
             }
@@ -121,6 +123,7 @@ mod tests {
     use crate::search::models::Search;
     use crate::search::noise::Noise;
     use crate::search::parts::Element;
+    use crate::search::prediction::Allowance;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};
 
@@ -137,7 +140,7 @@ mod tests {
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
             let targets = [(target, Direction::BOTH.to_vec())];
-            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512);
+            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512, Allowance::HOPED);
             if next.is_empty() {
                 return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
             }

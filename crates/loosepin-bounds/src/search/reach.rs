@@ -86,9 +86,9 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
     }
 }
 
-/// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what is
-/// hoped for; with roughness, which may be greatest elsewhere, also from the best in what is conceded. Without roughness that would
-/// save a few misses (3 of 21 problems of 684), and concede much where a model is unsure far from any extreme (a kink of an index).
+/// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what
+/// is hoped for and from the best in what is conceded, for a model may be unsure far from the extreme that it expects. An index without
+/// roughness is located from the first alone: it has kinks, beside which its model is unsure however far the extreme is.
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
     let from = |allowance: Allowance| {
         let coarse = reach(model, direction, region, allowance);
@@ -97,7 +97,8 @@ fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
         direction.further(located, coarse.optimistic)
     };
     let hoped = from(Allowance::HOPED);
-    if model.is_rough() { direction.further(hoped, from(Allowance::CONCESSION)) } else { hoped }
+    let is_index = !matches!(model, TargetModel::Plain(_));
+    if is_index && !model.is_rough() { hoped } else { direction.further(hoped, from(Allowance::CONCESSION)) }
 }
 
 /// Moves `place` to the nearest local extreme of what an allowance lets it be: pattern search along the axes and the last
