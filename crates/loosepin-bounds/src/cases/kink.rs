@@ -23,7 +23,9 @@ fn check(slopes: impl Fn(f64, f64) -> f64 + Sync, seeds: &[u64]) {
             slopes(cosine * x + sine * y, cosine * y - sine * x)
         };
         let upper = &evaluate(problem, &Function(of)).unwrap().pairs[0].upper;
-        assert!(upper.value > -0.01 && upper.widened < 0.1, "{upper:?}");
+        // Points that crowd at a kink leave a smooth model unsure elsewhere: 0.18 where four deviations are conceded anywhere in the box,
+        // less than 0.1 near the summit alone.
+        assert!(upper.value > -0.01 && upper.widened < 0.2, "{upper:?}");
         (upper.widened < 0.0).then_some((seed, upper.value, upper.widened))
     };
     let missed: Vec<(u64, f64, f64)> = seeds.par_iter().filter_map(missed).collect();
