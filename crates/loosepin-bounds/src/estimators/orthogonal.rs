@@ -102,6 +102,15 @@ impl Axis {
         orthonormal_values(t, degree, |n| (0.0, recurrence[n + 1].0))
     }
 
+    /// p_0' ... p_degree' at `t`.
+    pub fn slopes(self, t: f64, degree: usize) -> Vec<f64> {
+        let of = |order: usize| {
+            let coefficients = (0..=degree).map(|own| if own == order { 1.0 } else { 0.0 }).collect();
+            Univariate { axis: self, coefficients }.at(t).1
+        };
+        (0..=degree).map(of).collect()
+    }
+
     /// The n-point Gauss rule: nodes, and weights that add up to 1.
     pub fn gauss_rule(self, n: usize) -> Vec<(f64, f64)> {
         let last = |t: f64| self.values(t, n)[n];

@@ -36,6 +36,8 @@ pub(crate) struct Rest {
     axis: usize,
     /// Product of the polynomials of the other axes, node by node, term by term.
     products: Vec<f64>,
+    /// Slopes of the polynomials along the axis where extremes are sought, place by place, degree by degree.
+    slopes: Vec<f64>,
     /// Groups of nodes with their weights; each group is a rule of its own.
     groups: Vec<Vec<f64>>,
     /// Whether the first group is better than the second, or all are equally good.
@@ -82,8 +84,16 @@ impl Rest {
             let product = |term: &Vec<usize>| others.iter().zip(&values).map(|(&o, v)| v[term[o]]).product::<f64>();
             products.extend(basis.terms.iter().map(product));
         }
-        Self { axis, products, groups, is_gauss }
+        let slopes =
+            (0..=SCAN_STEPS).flat_map(|step| basis.axes[axis].slopes(scanned(basis.axes[axis], step), basis.degree));
+        Self { axis, products, slopes: slopes.collect(), groups, is_gauss }
     }
+}
+
+/// Where extremes are sought along `axis`.
+fn scanned(axis: Axis, step: usize) -> f64 {
+    let (low, high) = axis.ends();
+    low + (high - low) * step as f64 / SCAN_STEPS as f64
 }
 
 /// F, its density, and the error of F.
@@ -137,19 +147,29 @@ impl Conditional {
                     last_terms.coefficients[term[rest.axis]] += part;
                 }
             }
-            let turns = turns(&value);
+            let turns = turns(&value, &rest.slopes);
             Line { value, last_terms, turns }
         });
         Self { axis, lines: lines.collect(), groups: rest.groups.clone(), is_gauss: rest.is_gauss }
     }
 
+    /// Roots from which [`Self::near`] begins, none known yet.
+    pub fn no_roots(&self) -> Vec<f64> {
+        vec![f64::NAN; self.lines.len()]
+    }
+
     /// F at `y`, where the response differs from the polynomial by its last terms and by `residual`.
     pub fn at(&self, y: f64, residual: f64) -> AtValue {
-        let mut lines = self.lines.iter();
+        self.near(y, residual, &mut self.no_roots())
+    }
+
+    /// [`Self::at`]; `roots` are those of a value near `y`, and become those of `y`.
+    pub fn near(&self, y: f64, residual: f64, roots: &mut [f64]) -> AtValue {
+        let mut lines = self.lines.iter().zip(roots);
         let of_group = |weights: &Vec<f64>| {
             let mut sum = AtValue::default();
-            for (&weight, line) in weights.iter().zip(lines.by_ref()) {
-                let at = line.at(self.axis, y, residual);
+            for (&weight, (line, root)) in weights.iter().zip(lines.by_ref()) {
+                let at = line.at(self.axis, y, residual, root);
                 sum.cdf += weight * at.cdf;
                 sum.density += weight * at.density;
                 sum.error += weight * at.error;
@@ -172,7 +192,8 @@ impl Conditional {
 }
 
 impl Line {
-    fn at(&self, axis: Axis, y: f64, residual: f64) -> AtValue {
+    /// F along the line; `near`: a root of a value near `y`, or not a number, becomes the last one found.
+    fn at(&self, axis: Axis, y: f64, residual: f64, near: &mut f64) -> AtValue {
         let (first, last) = (self.turns[0], self.turns[self.turns.len() - 1]);
         let mut at = AtValue { cdf: if first.value <= y { first.cdf } else { 0.0 }, ..AtValue::default() };
         for piece in self.turns.windows(2) {
@@ -184,7 +205,8 @@ impl Line {
             if starts_below == ends_below {
                 continue;
             }
-            let (root, slope) = self.root(y, low, high);
+            let (root, slope) = self.root(y, low, high, *near);
+            *near = root;
             at.cdf += if starts_below { axis.cdf(root) - low.cdf } else { high.cdf - axis.cdf(root) };
             let density = axis.density(root) / slope.abs().max(f64::MIN_POSITIVE);
             at.density += density;
@@ -196,11 +218,16 @@ impl Line {
         at
     }
 
-    /// Where the polynomial is `y` between two places on either side of it, and its slope there.
-    fn root(&self, y: f64, first: Turn, second: Turn) -> (f64, f64) {
+    /// Where the polynomial is `y` between two places on either side of it, and its slope there; sought from `near` where that lies
+    /// between them.
+    fn root(&self, y: f64, first: Turn, second: Turn, near: f64) -> (f64, f64) {
         let rises = second.value > first.value;
         let (mut low, mut high) = (first.at, second.at);
-        let mut t = low + (high - low) * ((y - first.value) / (second.value - first.value)).clamp(0.0, 1.0);
+        let mut t = if near > low && near < high {
+            near
+        } else {
+            low + (high - low) * ((y - first.value) / (second.value - first.value)).clamp(0.0, 1.0)
+        };
         let mut slope = 0.0;
         for _ in 0..ROOT_STEPS {
             let (value, slope_here) = self.value.at(t);
@@ -225,25 +252,46 @@ impl Line {
     }
 }
 
-/// Ends of the axis and extremes of the polynomial between them.
-fn turns(of: &Univariate) -> Vec<Turn> {
+/// Ends of the axis and extremes of the polynomial between them; `slopes`: those of [`Rest`].
+fn turns(of: &Univariate, slopes: &[f64]) -> Vec<Turn> {
     let turn = |at: f64| Turn { at, value: of.at(at).0, cdf: of.axis.cdf(at) };
     let (low, high) = of.axis.ends();
     let mut turns = vec![turn(low)];
-    let at = |step: usize| low + (high - low) * step as f64 / SCAN_STEPS as f64;
-    let mut before = of.at(low).1;
-    for step in 1..=SCAN_STEPS {
-        let slope = of.at(at(step)).1;
-        if (slope > 0.0) != (before > 0.0) {
-            let (mut left, mut right) = (at(step - 1), at(step));
-            for _ in 0..ROOT_STEPS {
-                let middle = 0.5 * (left + right);
-                if (of.at(middle).1 > 0.0) == (before > 0.0) { left = middle } else { right = middle }
-            }
-            turns.push(turn(left));
+    let mut before = f64::NAN;
+    for (step, slopes) in slopes.chunks(of.coefficients.len()).enumerate() {
+        let slope: f64 = slopes.iter().zip(&of.coefficients).map(|(slope, coefficient)| slope * coefficient).sum();
+        if step > 0 && (slope > 0.0) != (before > 0.0) {
+            let places = [step - 1, step].map(|step| scanned(of.axis, step));
+            turns.push(turn(extreme(of, places, [before, slope])));
         }
         before = slope;
     }
     turns.push(turn(high));
     turns
+}
+
+/// Where the slope vanishes between two places at which it has the values `slopes`, by false position with the Illinois rule (M. Dowell
+/// and P. Jarratt, "A modified regula falsi method for computing the root of an equation", BIT 11 (1971) 168-174). The value is flat
+/// there, so that it is known far better than the place.
+fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut at_right]: [f64; 2]) -> f64 {
+    let (mut found, mut has_moved_left) = (left, None);
+    for _ in 0..ROOT_STEPS {
+        let between = right - at_right * (right - left) / (at_right - at_left);
+        let next = if between > left && between < right { between } else { 0.5 * (left + right) };
+        let slope = of.at(next).1;
+        let is_left = (slope > 0.0) == (at_left > 0.0);
+        if is_left {
+            (left, at_left) = (next, slope);
+            at_right *= if has_moved_left == Some(true) { 0.5 } else { 1.0 };
+        } else {
+            (right, at_right) = (next, slope);
+            at_left *= if has_moved_left == Some(false) { 0.5 } else { 1.0 };
+        }
+        has_moved_left = Some(is_left);
+        if slope == 0.0 || (next - found).abs() < LAST_NEWTON_STEP {
+            return next;
+        }
+        found = next;
+    }
+    found
 }

@@ -81,13 +81,16 @@ impl Smooth {
 
     /// The distribution function at `y`.
     pub fn at(&self, y: f64) -> AtValue {
+        self.conditional().at(y, self.residual())
+    }
+
+    fn conditional(&self) -> &Conditional {
         let coefficients = || {
             let count = self.fit.coefficients.len() as f64;
             let sum = |term: usize| self.fit.coefficients.iter().map(|own| own[term]).sum::<f64>();
             (0..self.design.basis.terms.len()).map(|term| sum(term) / count).collect::<Vec<f64>>()
         };
-        let conditional = self.conditional.get_or_init(|| self.design.conditional(&coefficients()));
-        conditional.at(y, self.residual())
+        self.conditional.get_or_init(|| self.design.conditional(&coefficients()))
     }
 
     fn residual(&self) -> f64 {
@@ -170,9 +173,10 @@ impl Smooth {
             return Some(Estimate::symmetric(near, residual + 8.0 * deviation));
         }
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        let mut y = near;
+        let (conditional, mut y) = (self.conditional(), near);
+        let mut roots = conditional.no_roots();
         for _ in 0..QUANTILE_STEPS {
-            let at = self.at(y);
+            let at = conditional.near(y, residual, &mut roots);
             if at.cdf < probability {
                 low = low.max(y)
             } else {
@@ -189,7 +193,7 @@ impl Smooth {
                 0.5 * (low + high)
             };
             if (next - y).abs() <= resolution || high - low <= resolution {
-                let at = self.at(next);
+                let at = conditional.near(next, residual, &mut roots);
                 let error = at.error / at.density;
                 return error.is_finite().then(|| Estimate::symmetric(next, error));
             }
