@@ -9,16 +9,19 @@ use super::target::Target;
 use crate::data::direction::Direction;
 
 impl Search<'_> {
-    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, where most would be
-    /// conceded; where that is nothing, the surroundings of what was attained.
+    /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the
+    /// surroundings of what was attained and where most would be conceded.
     pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
         let mut places = self.kinks(targets, elements, count, MOST_POINTS);
         if places.len() < count {
             places.extend(self.next_points(targets, elements, count - places.len(), MOST_POINTS, Allowance::HOPED));
         }
-        if places.is_empty() {
-            places.extend(self.next_points(targets, elements, count, MOST_POINTS, Allowance::CONCEDED_TREND));
+        if !places.is_empty() {
+            return places;
         }
-        if places.is_empty() { self.surroundings(targets, elements, count, MOST_POINTS) } else { places }
+        // Half each: points that are all far apart do not show what is rough, and points near an extreme nothing of the rest.
+        let near = self.surroundings(targets, elements, count.div_ceil(2), MOST_POINTS);
+        let conceded = self.next_points(targets, elements, count - near.len(), MOST_POINTS, Allowance::CONCEDED_TREND);
+        self.new_places(near.into_iter().chain(conceded), count)
     }
 }
