@@ -5,7 +5,9 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use loosepin::report::draft_text;
 use loosepin::study::Progress;
+use loosepin::study::result::Draft;
 
 use crate::console::duration;
 
@@ -59,7 +61,7 @@ impl Bar {
             };
         };
         // The template is fixed, so that the plain bar is never needed.
-        let style = ProgressStyle::with_template("[{bar:30}] {pos} of at most {len} runs, {remaining}")
+        let style = ProgressStyle::with_template("[{bar:30}] {pos} of at most {len} runs, {remaining}{msg}")
             .unwrap_or_else(|_| ProgressStyle::default_bar())
             .with_key("remaining", remaining);
         bar.set_style(style.progress_chars("=> "));
@@ -82,6 +84,17 @@ impl Progress for Bar {
         }
         self.bar.set_length(most as u64);
         self.bar.set_position(finished as u64);
+    }
+
+    fn wants_drafts(&self) -> bool {
+        !self.bar.is_hidden()
+    }
+
+    fn draft(&self, draft: &Draft) {
+        let text = draft_text(draft);
+        if !text.is_empty() {
+            self.bar.set_message(format!("\n{text}"));
+        }
     }
 }
 

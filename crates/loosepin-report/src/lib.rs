@@ -25,6 +25,7 @@ mod bound_words;
 mod cases_page;
 mod chart;
 mod contributors_text;
+mod draft_text;
 mod glossary;
 mod history_words;
 mod inverse;
@@ -50,6 +51,7 @@ mod terminal_table;
 mod wording;
 
 pub use cases_page::{cases_page, cases_text};
+pub use draft_text::draft_text;
 pub use mechanism_figure::mechanism_picture;
 pub use motion_page::motion_page;
 pub use simulation_page::simulation_page;

@@ -4,6 +4,7 @@ use super::allow::{allocation, allowances};
 use super::assemble::{Answers, Material, assemble, saved_surrogates};
 use super::contributors::ContributorQuestion;
 use super::double_loop::{Direct, DirectQuestion};
+use super::draft::Drafting;
 use super::elsewhere::RunMaker;
 use super::error::StudyError;
 use super::file::Study;
@@ -18,7 +19,7 @@ use super::rare::{Rare, RareQuestion};
 use super::response::StudyResponse;
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
-use super::sheet::{Progress, Runner, Sheet};
+use super::sheet::{Drafts, Progress, Runner, Sheet};
 use super::simultaneous::curve_bands;
 use loosepin_bounds::{Bounds, PromisedBound, SampleTable, TableError};
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult};
@@ -95,6 +96,10 @@ fn conduct_with(
     let (before, keeping) = (AtomicUsize::new(0), Keeping::new(store));
     let runner = Runner { pool: &pool, progress, stop, before, keeping, part, maker };
     let mut sheet = Sheet::new(&runner, study, &response, plans.table(), plans.limits.most_runs());
+    // A surrogate that stands alone has rounds of its own.
+    let is_told = progress.wants_drafts() && !plans.is_surrogate_alone;
+    let drafting = is_told.then(|| Drafting::new(study, &response, plans.refinement.plan(&sheet.table)));
+    sheet.drafts = drafting.as_ref().map(|drafting| drafting as &dyn Drafts);
     progress.runs(0, sheet.most_runs);
     let direct = direct(&plans, &mut sheet)?;
     let refined = direct.as_ref().map_or_else(|| study.clone(), |direct| grown(study, direct));

@@ -50,6 +50,10 @@ impl Question for DirectQuestion {
         Ok(Next::Answer(Direct { plan, bounds, ended }))
     }
 
+    fn plan_so_far(&mut self, runs: &SampleTable) -> Option<DoubleLoop> {
+        Some(self.refinement.plan(runs).clone())
+    }
+
     fn refuse(&mut self, runs: usize) {
         self.rounds -= 1;
         self.left = Some(runs);

@@ -11,6 +11,7 @@ mod conduct;
 mod contributors;
 mod distribution_words;
 mod double_loop;
+mod draft;
 mod elsewhere;
 mod error;
 mod evaluate;

@@ -3,7 +3,7 @@
 use super::budget::Limits;
 use super::error::StudyError;
 use super::sheet::Sheet;
-use loosepin_bounds::{RunInputs, SampleTable};
+use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
 /// Question of a study. It says which runs it wants next, given all runs so far, and in the end what its answer is.
 ///
@@ -18,6 +18,12 @@ pub(super) trait Question: Send {
     /// # Errors
     /// The question cannot be answered.
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError>;
+
+    /// The plan of bounds that the runs so far allow; nothing where the question has none.
+    fn plan_so_far(&mut self, runs: &SampleTable) -> Option<DoubleLoop> {
+        let _ = runs;
+        None
+    }
 
     /// Hears that the budget does not allow the step of `runs` runs that was asked for last: the answer is due.
     fn refuse(&mut self, runs: usize) {
@@ -74,6 +80,11 @@ pub(super) fn ask<Q: Question>(
         sheet.make(&runs)?;
         if limits.is_some() && !may_fail {
             sheet.refuse_failures()?;
+        }
+        if sheet.drafts.is_some()
+            && let Some(plan) = question.plan_so_far(&sheet.table)
+        {
+            sheet.tell_draft(&plan);
         }
     }
 }

@@ -11,7 +11,8 @@ use super::part::{OpenRound, Part};
 use super::response::StudyResponse;
 use super::runs::RunsTable;
 use super::runs_table::runs_table;
-use loosepin_bounds::{RunInputs, SampleTable};
+use loosepin_bounds::{DoubleLoop, Failure, RunInputs, SampleTable};
+use loosepin_result::study::Draft;
 use loosepin_store::Shard;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -25,7 +26,32 @@ const RUNS_PER_REPORT: usize = 64;
 pub trait Progress: Sync {
     /// `finished` of at most `most` runs are done.
     fn runs(&self, finished: usize, most: usize);
+
+    /// Whether drafts are wanted: they take time.
+    fn wants_drafts(&self) -> bool {
+        false
+    }
+
+    /// Hears what the runs so far say.
+    fn draft(&self, draft: &Draft) {
+        let _ = draft;
+    }
 }
+
+/// Tells what runs say before all are made.
+pub(super) trait Drafts: Sync {
+    /// Whether a run of the first round belongs to the pilot, which is made before the others.
+    fn is_in_pilot(&self, inputs: &RunInputs) -> bool;
+
+    /// What the runs of the pilot say; nothing where they do not suffice.
+    fn of_pilot(&self, runs: &[PilotRun<'_>]) -> Option<Draft>;
+
+    /// What `plan` says of the runs in `table`; nothing where it asks for nothing that a draft tells.
+    fn of(&self, plan: &DoubleLoop, table: &SampleTable) -> Option<Draft>;
+}
+
+/// A finished run of the pilot.
+pub(super) type PilotRun<'r> = (&'r RunInputs, Result<&'r [f64], Failure>);
 
 /// Makes the runs of all sheets of a study.
 pub(super) struct Runner<'s> {
@@ -54,6 +80,8 @@ pub(super) struct Sheet<'s> {
     /// The runs so far.
     pub table: SampleTable,
     list: KeptList<'s>,
+    /// Tells drafts, where they are wanted.
+    pub drafts: Option<&'s dyn Drafts>,
 }
 
 impl<'s> Sheet<'s> {
@@ -65,7 +93,50 @@ impl<'s> Sheet<'s> {
         table: SampleTable,
         most_runs: usize,
     ) -> Self {
-        Self { runner, study, response, loosened: &[], most_runs, table, list: runner.keeping.begin() }
+        Self { runner, study, response, loosened: &[], most_runs, table, list: runner.keeping.begin(), drafts: None }
+    }
+
+    /// Tells what `plan` says of the runs so far.
+    pub fn tell_draft(&self, plan: &DoubleLoop) {
+        let Runner { pool, progress, .. } = self.runner;
+        let draft = self.drafts.and_then(|drafts| pool.install(|| drafts.of(plan, &self.table)));
+        if let Some(draft) = draft {
+            progress.draft(&draft);
+        }
+    }
+
+    /// Makes the runs of the pilot in `round`, the first one, and tells their draft; the rows by their place, nothing for all others.
+    ///
+    /// # Errors
+    /// The store cannot be used.
+    fn make_pilot(&self, round: &[RunInputs]) -> Result<BTreeMap<usize, Row>, StudyError> {
+        let Runner { pool, progress, stop, part, maker, .. } = self.runner;
+        let Some(drafts) = self.drafts.filter(|_| *part == Part::Whole && maker.is_none()) else {
+            return Ok(BTreeMap::new());
+        };
+        let kept = self.list.find(0, round)?;
+        let is_in_pilot: Vec<bool> = round.iter().map(|inputs| drafts.is_in_pilot(inputs)).collect();
+        let is_waiting: Vec<bool> =
+            kept.iter().zip(&is_in_pilot).map(|(kept, &is_own)| kept.is_none() && is_own).collect();
+        let finished = AtomicUsize::new(kept.iter().flatten().count());
+        let note = |place: usize, row: &Row| {
+            self.list.keep(place, &round[place], row);
+            let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
+            if runs.is_multiple_of(RUNS_PER_REPORT) {
+                progress.runs(runs, self.most_runs);
+            }
+        };
+        let is_stopped = || stop.load(Ordering::Relaxed) || self.list.is_broken();
+        let work = Work { batch: round, is_waiting: &is_waiting, response: self.response };
+        let rows = pool.install(|| evaluate(&work, kept, &is_stopped, &note));
+        let own = rows.iter().zip(round).zip(&is_in_pilot).filter(|(_, is_own)| **is_own).map(|(run, _)| run);
+        let finished: Option<Vec<PilotRun<'_>>> =
+            own.map(|(row, inputs)| Some((inputs, row.as_ref()?.as_deref().map_err(|&failure| failure)))).collect();
+        if let Some(draft) = finished.and_then(|runs| pool.install(|| drafts.of_pilot(&runs))) {
+            progress.draft(&draft);
+        }
+        let made = rows.into_iter().zip(is_waiting).enumerate().filter(|(_, (_, is_waiting))| *is_waiting);
+        Ok(made.filter_map(|(place, (row, _))| Some((place, row?))).collect())
     }
 
     /// The runs so far as a table for people.
@@ -102,9 +173,13 @@ impl<'s> Sheet<'s> {
         let before = self.runner.before.load(Ordering::Relaxed) + begin;
         let mut open = OpenRound { runs_before: before, runs: round.len(), made: 0, missing: BTreeMap::new() };
         let mut done = before;
+        let mut pilot = if begin == 0 { self.make_pilot(round)? } else { BTreeMap::new() };
         for (number, batch) in round.chunks(RUNS_PER_BATCH).enumerate() {
             let first = begin + number * RUNS_PER_BATCH;
-            let kept = self.list.find(first, batch)?;
+            let mut kept = self.list.find(first, batch)?;
+            for (index, row) in kept.iter_mut().enumerate() {
+                *row = row.take().or_else(|| pilot.remove(&(number * RUNS_PER_BATCH + index)));
+            }
             let is_waiting: Vec<bool> = (kept.iter().zip(first as u64..))
                 .map(|(kept, place)| kept.is_none() && part.makes(place, round.len()))
                 .collect();

@@ -2,7 +2,7 @@
 
 use super::error::PlanError;
 use super::inner_runs::InnerRuns;
-use crate::data::problem::{Problem, Reading};
+use crate::data::problem::{Problem, Reading, Request, Sampling};
 use crate::data::statistic::Statistic;
 use crate::data::table::{RunInputs, SampleTable};
 use crate::estimators::estimate::Confidence;
@@ -12,6 +12,9 @@ use crate::search::design::{first_points, structural_point_count};
 use crate::search::parts::{Element, Structure};
 use crate::search::search_box::{Place, Region, SearchBox};
 use loosepin_uncertainty::{EpistemicVariable, SobolError};
+
+/// Runs in each replicate of a pilot, at least.
+const LEAST_PILOT_RUNS: usize = 1;
 
 /// The direct double loop, in rounds.
 ///
@@ -106,6 +109,32 @@ impl DoubleLoop {
         self.setup.problem.compared_columns.clear();
         self.setup.problem.requests.retain(|request| request.statistic != Statistic::Cdf);
         self
+    }
+
+    /// This plan for the requests that are `meant`, without distribution functions, compared treatments and other readings: what its
+    /// runs say of them so far, at little cost. Nothing where none are.
+    pub fn draft(&self, is_meant: impl Fn(&Request) -> bool) -> Option<Self> {
+        let mut plan = self.clone().statistics_alone();
+        let problem = &mut plan.setup.problem;
+        problem.requests.retain(is_meant);
+        problem.readings_beside.clear();
+        problem.percentiles.clear();
+        (!problem.requests.is_empty()).then_some(plan)
+    }
+
+    /// A plan whose first round is a part of that of this one: a quarter of the inner runs and `runs` altogether at most, but one in each
+    /// replicate; nothing where this plan has no more.
+    pub fn pilot(&self, runs: usize) -> Option<Self> {
+        let mut problem = self.problem().clone();
+        let Sampling { replicates, inner, .. } = problem.sampling;
+        let each = (runs / (self.first_outer.len() * replicates)).min(inner / replicates / 4).max(LEAST_PILOT_RUNS);
+        // Scrambled points fill the box evenly by powers of two.
+        let each = 1 << each.ilog2();
+        if problem.random.is_empty() || replicates * each >= inner {
+            return None;
+        }
+        problem.sampling.inner = replicates * each;
+        Self::try_new(problem).ok()
     }
 
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.

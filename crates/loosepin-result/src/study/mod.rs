@@ -5,6 +5,7 @@ mod allowances;
 mod bound;
 mod contributors;
 mod deviation;
+mod draft;
 mod figures;
 mod inputs;
 mod promise;
@@ -21,6 +22,7 @@ pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, Allowance
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use deviation::Deviation;
+pub use draft::Draft;
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
     SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,

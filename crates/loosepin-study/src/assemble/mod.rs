@@ -15,6 +15,7 @@ mod summary;
 mod surrogate;
 mod treatments;
 
+pub(super) use bounds::asked_bounds;
 pub(super) use material::Material;
 pub(super) use requirements::requirements;
 pub(super) use surrogate::saved_surrogates;
