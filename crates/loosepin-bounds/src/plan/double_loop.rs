@@ -14,7 +14,7 @@ use crate::search::search_box::{Place, Region, SearchBox};
 use loosepin_uncertainty::{EpistemicVariable, SobolError};
 
 /// Runs in each replicate of a pilot, at least.
-const LEAST_PILOT_RUNS: usize = 1;
+const LEAST_PILOT_RUNS: usize = 2;
 
 /// The direct double loop, in rounds.
 ///
@@ -122,7 +122,7 @@ impl DoubleLoop {
         (!problem.requests.is_empty()).then_some(plan)
     }
 
-    /// A plan whose first round is a part of that of this one: a quarter of the inner runs and `runs` altogether at most, but one in each
+    /// A plan whose first round is a part of that of this one: a quarter of the inner runs and `runs` altogether at most, but two in each
     /// replicate; nothing where this plan has no more.
     pub fn pilot(&self, runs: usize) -> Option<Self> {
         let mut problem = self.problem().clone();

@@ -151,16 +151,19 @@ fn each_broken_rule_is_told_with_its_numbers() {
 
 #[test]
 fn identity_a_pilot_has_the_first_runs_of_its_plan() {
-    let plan = DoubleLoop::try_new(small()).unwrap();
+    let mut problem = small();
+    problem.sampling.inner = 128;
+    let plan = DoubleLoop::try_new(problem).unwrap();
     let all = plan.next_round(&SampleTable::new(1)).unwrap();
     let pilot = plan.draft(|request| request.statistic == Statistic::Mean).unwrap().pilot(all.len() / 4).unwrap();
     let first = pilot.next_round(&SampleTable::new(1)).unwrap();
-    assert!(!first.is_empty() && first.len() <= all.len() / 2, "{} of {}", first.len(), all.len());
+    assert!(!first.is_empty() && first.len() <= all.len() / 4, "{} of {}", first.len(), all.len());
     assert!(first.iter().all(|inputs| all.contains(inputs)));
     let mut table = SampleTable::new(1);
     execute(first, &sum(), &mut table).unwrap();
     assert_eq!(pilot.results(&table).unwrap().pairs.len(), 1);
+    assert_eq!(plan.pilot(usize::MAX).unwrap().inner_runs() * 4, plan.inner_runs());
     // A plan that is no larger needs none; what asks for nothing has no draft.
-    assert!(plan.pilot(usize::MAX / 2).is_none());
+    assert!(pilot.pilot(usize::MAX).is_none());
     assert!(plan.draft(|_| false).is_none());
 }
