@@ -10,7 +10,7 @@ use loosepin_result::study::{Draft, ResponsePoint};
 use loosepin_text::units::DisplayUnits;
 use std::collections::HashSet;
 
-/// Runs of a pilot: so many that two cores make them in a second or two.
+/// Runs of a pilot, unless two in each replicate at every first point are more: two cores make them in a second or two.
 const PILOT_RUNS: usize = 512;
 
 /// Drafts of a study.

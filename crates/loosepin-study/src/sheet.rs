@@ -118,7 +118,8 @@ impl<'s> Sheet<'s> {
         let is_in_pilot: Vec<bool> = round.iter().map(|inputs| drafts.is_in_pilot(inputs)).collect();
         let is_waiting: Vec<bool> =
             kept.iter().zip(&is_in_pilot).map(|(kept, &is_own)| kept.is_none() && is_own).collect();
-        let finished = AtomicUsize::new(kept.iter().flatten().count());
+        let known = kept.iter().zip(&is_in_pilot).filter(|(kept, is_own)| kept.is_some() && **is_own).count();
+        let finished = AtomicUsize::new(known);
         let note = |place: usize, row: &Row| {
             self.list.keep(place, &round[place], row);
             let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
@@ -185,7 +186,8 @@ impl<'s> Sheet<'s> {
                 .collect();
             let known = kept.iter().flatten().count();
             let making = is_waiting.iter().filter(|is_waiting| **is_waiting).count();
-            let finished = AtomicUsize::new(done + known);
+            // What the pilot has made of later batches is finished too.
+            let finished = AtomicUsize::new(done + known + pilot.len());
             let note = |index: usize, row: &Row| {
                 self.list.keep(first + index, &batch[index], row);
                 let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
@@ -223,12 +225,15 @@ impl<'s> Sheet<'s> {
             }
             if made < making {
                 self.list.settle()?;
+                for (place, row) in std::mem::take(&mut pilot) {
+                    self.table.push(round[place].clone(), row.as_deref().map_err(|&failure| failure))?;
+                }
                 let finished = Box::new(self.runs_table());
                 return Err(StudyError::Interrupted { finished, most_runs: self.most_runs });
             }
             open.made += made;
             done += known + made;
-            progress.runs(done, self.most_runs);
+            progress.runs(done + pilot.len(), self.most_runs);
         }
         if open.missing.is_empty() {
             return Ok(());

@@ -275,6 +275,8 @@ fn turns(of: &Univariate, slopes: &[f64]) -> Vec<Turn> {
 /// there, so that it is known far better than the place.
 fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut at_right]: [f64; 2]) -> f64 {
     let (mut found, mut has_moved_left) = (left, None);
+    // Where the slope at an end is next to nothing the first steps are short, and say nothing of how near the extreme is.
+    let mut has_moved = [false; 2];
     for _ in 0..ROOT_STEPS {
         let between = right - at_right * (right - left) / (at_right - at_left);
         let next = if between > left && between < right { between } else { 0.5 * (left + right) };
@@ -288,10 +290,30 @@ fn extreme(of: &Univariate, [mut left, mut right]: [f64; 2], [mut at_left, mut a
             at_left *= if has_moved_left == Some(false) { 0.5 } else { 1.0 };
         }
         has_moved_left = Some(is_left);
-        if slope == 0.0 || (next - found).abs() < LAST_NEWTON_STEP {
+        has_moved[usize::from(is_left)] = true;
+        if slope == 0.0 || (has_moved == [true; 2] && (next - found).abs() < LAST_NEWTON_STEP) {
             return next;
         }
         found = next;
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::extreme;
+    use crate::estimators::orthogonal::{Axis, Univariate};
+
+    #[test]
+    fn analytic_an_extreme_beside_a_slope_of_round_off_is_found() {
+        // p = p_4 - c p_2 with the slope 4 t (t² - r²)/√24 of its extremes at 0 and r, and a slope of -1e-17 at 0.
+        let place: f64 = 0.17;
+        let [fourth, second] = [24.0_f64.sqrt(), 2.0_f64.sqrt()];
+        let coefficients = vec![0.0, -1e-17, (6.0 - 2.0 * place * place) * second / fourth, 0.0, 1.0];
+        let line = Univariate { axis: Axis::Hermite, coefficients };
+        let slopes = [line.at(0.0).1, line.at(0.25).1];
+        assert!(slopes[0] < 0.0 && slopes[0] > -1e-15 && slopes[1] > 0.0, "{slopes:?}");
+        let found = extreme(&line, [0.0, 0.25], slopes);
+        assert!((found - place).abs() < 1e-7, "{found}");
+    }
 }

@@ -21,7 +21,7 @@ const LEAST_PILOT_RUNS: usize = 2;
 /// Round 0 holds the corners, the centre and low-discrepancy points of the epistemic box, with all inner runs at each; the runs of the
 /// probability-only treatment; and the first points of the joint box for the interval-only treatment. Of each box there is one for every
 /// combination of the members of lists. Later rounds add points where a model of some requested statistic promises more than has been
-/// attained, until none does or the budget is spent. The inner points are the same at every u (common random numbers).
+/// attained, then where most is conceded, until nothing is or the budget is spent. The inner points are the same at every u (common random numbers).
 #[derive(Debug, Clone)]
 pub struct DoubleLoop {
     pub(crate) setup: Setup,
@@ -134,7 +134,9 @@ impl DoubleLoop {
             return None;
         }
         problem.sampling.inner = replicates * each;
-        Self::try_new(problem).ok()
+        let mut pilot = Self::try_new(problem).ok()?;
+        pilot.setup.confidence = self.setup.confidence;
+        Some(pilot)
     }
 
     /// Outer index of the centre of the epistemic box, discrete inputs at their first members.

@@ -3,7 +3,8 @@
 use super::{BoundRecord, RequirementOutcome, Verdict};
 use loosepin_text::units::DisplayUnits;
 
-/// Bounds from the runs so far. They are as true as those of the finished study, and wider: the same errors are stated with them.
+/// Bounds from the runs so far. Each has the stated confidence by itself, and is mostly wider than that of the
+/// finished study.
 #[derive(Debug, Clone)]
 pub struct Draft {
     /// Runs that these bounds come from.

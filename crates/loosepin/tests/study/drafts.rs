@@ -12,10 +12,14 @@ use loosepin::study::{Conducted, Means, Progress, Study, conduct, plan_runs};
 struct Listener {
     wants_drafts: bool,
     drafts: Mutex<Vec<Draft>>,
+    /// Finished runs as they were told.
+    finished: Mutex<Vec<usize>>,
 }
 
 impl Progress for Listener {
-    fn runs(&self, _: usize, _: usize) {}
+    fn runs(&self, finished: usize, _: usize) {
+        self.finished.lock().expect("no panic").push(finished);
+    }
 
     fn wants_drafts(&self) -> bool {
         self.wants_drafts
@@ -42,9 +46,12 @@ fn study() -> Study {
 }
 
 fn run(study: &Study, wants_drafts: bool, threads: usize) -> (Conducted, Vec<Draft>) {
-    let listener = Listener { wants_drafts, drafts: Mutex::default() };
+    let listener = Listener { wants_drafts, drafts: Mutex::default(), finished: Mutex::default() };
     let means = Means { threads, progress: &listener, stop: &AtomicBool::new(false), store: None };
     let conducted = conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}"));
+    // Threads tell of their runs in any order, each of 64.
+    let finished = listener.finished.into_inner().expect("no panic");
+    assert!(finished.windows(2).all(|pair| pair[1] + 64 * threads >= pair[0]), "{finished:?}");
     (conducted, listener.drafts.into_inner().expect("no panic"))
 }
 
