@@ -36,7 +36,7 @@ pub(super) struct Answer {
 pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let conditions = conditions(result, writer);
     let curve = main_curve(result);
-    let headline = match (main_bound(result), curve) {
+    let headline = match (main_bound(&result.bounds), curve) {
         (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
         (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
         (None, None) => match result.bounds.iter().find(|bound| bound.treatment == Treatment::Mixed) {
@@ -115,8 +115,9 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
     format!(" This holds for {for_what}.")
 }
 
-fn main_bound(result: &StudyResult) -> Option<(&BoundRecord, f64)> {
-    result.bounds.iter().find_map(|bound| {
+/// The quantile of the largest deviation, the first of these bounds that are asked for, with its probability.
+pub(super) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> {
+    bounds.iter().find_map(|bound| {
         let is_main = bound.treatment == Treatment::Mixed
             && bound.of == Deviation::Total
             && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
@@ -324,7 +325,7 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 
 fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
-    let error_text = match (main_bound(result), main_curve(result)) {
+    let error_text = match (main_bound(&result.bounds), main_curve(result)) {
         (Some((bound, _)), _) => Some(writer.error(bound.upper.error.total_si(), &bound.unit)),
         (None, Some(curve)) => Some(writer.error(curve.numerical_error_si, &curve.unit)),
         (None, None) => None,
@@ -335,7 +336,7 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
-        let is_answer = main_bound(result).is_some_and(|(bound, _)| bound.guarantee == Guarantee::Inner);
+        let is_answer = main_bound(&result.bounds).is_some_and(|(bound, _)| bound.guarantee == Guarantee::Inner);
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "This answer".to_owned(),
             (true, all) => format!("{inner} of {all} bounds, this answer included,"),

@@ -50,7 +50,7 @@ impl Question for DirectQuestion {
         Ok(Next::Answer(Direct { plan, bounds, ended }))
     }
 
-    fn plan_so_far(&mut self, runs: &SampleTable) -> Option<DoubleLoop> {
+    fn plan_so_far(&self, runs: &SampleTable) -> Option<DoubleLoop> {
         Some(self.refinement.plan(runs).clone())
     }
 

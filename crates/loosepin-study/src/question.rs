@@ -20,7 +20,7 @@ pub(super) trait Question: Send {
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError>;
 
     /// The plan of bounds that the runs so far allow; nothing where the question has none.
-    fn plan_so_far(&mut self, runs: &SampleTable) -> Option<DoubleLoop> {
+    fn plan_so_far(&self, runs: &SampleTable) -> Option<DoubleLoop> {
         let _ = runs;
         None
     }

@@ -110,26 +110,22 @@ impl<'s> Sheet<'s> {
     /// # Errors
     /// The store cannot be used.
     fn make_pilot(&self, round: &[RunInputs]) -> Result<BTreeMap<usize, Row>, StudyError> {
-        let Runner { pool, progress, stop, part, maker, .. } = self.runner;
+        let Runner { pool, progress, part, maker, .. } = self.runner;
         let Some(drafts) = self.drafts.filter(|_| *part == Part::Whole && maker.is_none()) else {
             return Ok(BTreeMap::new());
         };
-        let kept = self.list.find(0, round)?;
         let is_in_pilot: Vec<bool> = round.iter().map(|inputs| drafts.is_in_pilot(inputs)).collect();
+        if !is_in_pilot.contains(&true) {
+            return Ok(BTreeMap::new());
+        }
+        let kept = self.list.find(0, round)?;
         let is_waiting: Vec<bool> =
             kept.iter().zip(&is_in_pilot).map(|(kept, &is_own)| kept.is_none() && is_own).collect();
         let known = kept.iter().zip(&is_in_pilot).filter(|(kept, is_own)| kept.is_some() && **is_own).count();
         let finished = AtomicUsize::new(known);
-        let note = |place: usize, row: &Row| {
-            self.list.keep(place, &round[place], row);
-            let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
-            if runs.is_multiple_of(RUNS_PER_REPORT) {
-                progress.runs(runs, self.most_runs);
-            }
-        };
-        let is_stopped = || stop.load(Ordering::Relaxed) || self.list.is_broken();
+        let note = |place: usize, row: &Row| self.note(place, &round[place], row, &finished);
         let work = Work { batch: round, is_waiting: &is_waiting, response: self.response };
-        let rows = pool.install(|| evaluate(&work, kept, &is_stopped, &note));
+        let rows = pool.install(|| evaluate(&work, kept, &|| self.is_stopped(), &note));
         let own = rows.iter().zip(round).zip(&is_in_pilot).filter(|(_, is_own)| **is_own).map(|(run, _)| run);
         let finished: Option<Vec<PilotRun<'_>>> =
             own.map(|(row, inputs)| Some((inputs, row.as_ref()?.as_deref().map_err(|&failure| failure)))).collect();
@@ -138,6 +134,20 @@ impl<'s> Sheet<'s> {
         }
         let made = rows.into_iter().zip(is_waiting).enumerate().filter(|(_, (_, is_waiting))| *is_waiting);
         Ok(made.filter_map(|(place, (row, _))| Some((place, row?))).collect())
+    }
+
+    /// Keeps the row of a run that is finished and counts it.
+    fn note(&self, place: usize, inputs: &RunInputs, row: &Row, finished: &AtomicUsize) {
+        self.list.keep(place, inputs, row);
+        let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
+        if runs.is_multiple_of(RUNS_PER_REPORT) {
+            self.runner.progress.runs(runs, self.most_runs);
+        }
+    }
+
+    /// Whether no further run is to begin.
+    fn is_stopped(&self) -> bool {
+        self.runner.stop.load(Ordering::Relaxed) || self.list.is_broken()
     }
 
     /// The runs so far as a table for people.
@@ -169,7 +179,7 @@ impl<'s> Sheet<'s> {
     /// # Errors
     /// The study was interrupted, the store cannot be used, or runs are missing that are made elsewhere.
     pub fn make(&mut self, round: &[RunInputs]) -> Result<(), StudyError> {
-        let Runner { pool, progress, stop, part, maker, .. } = self.runner;
+        let Runner { pool, progress, part, maker, .. } = self.runner;
         let begin = self.table.len();
         let before = self.runner.before.load(Ordering::Relaxed) + begin;
         let mut open = OpenRound { runs_before: before, runs: round.len(), made: 0, missing: BTreeMap::new() };
@@ -188,14 +198,8 @@ impl<'s> Sheet<'s> {
             let making = is_waiting.iter().filter(|is_waiting| **is_waiting).count();
             // What the pilot has made of later batches is finished too.
             let finished = AtomicUsize::new(done + known + pilot.len());
-            let note = |index: usize, row: &Row| {
-                self.list.keep(first + index, &batch[index], row);
-                let runs = finished.fetch_add(1, Ordering::Relaxed) + 1;
-                if runs.is_multiple_of(RUNS_PER_REPORT) {
-                    progress.runs(runs, self.most_runs);
-                }
-            };
-            let is_stopped = || stop.load(Ordering::Relaxed) || self.list.is_broken();
+            let note = |index: usize, row: &Row| self.note(first + index, &batch[index], row, &finished);
+            let is_stopped = || self.is_stopped();
             let work = Work { batch, is_waiting: &is_waiting, response: self.response };
             let outcomes = match maker {
                 None => pool.install(|| evaluate(&work, kept, &is_stopped, &note)),

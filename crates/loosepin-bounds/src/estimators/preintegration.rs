@@ -165,6 +165,7 @@ impl Conditional {
 
     /// [`Self::at`]; `roots` are those of a value near `y`, and become those of `y`.
     pub fn near(&self, y: f64, residual: f64, roots: &mut [f64]) -> AtValue {
+        debug_assert_eq!(roots.len(), self.lines.len(), "a root for each line");
         let mut lines = self.lines.iter().zip(roots);
         let of_group = |weights: &Vec<f64>| {
             let mut sum = AtValue::default();

@@ -123,10 +123,12 @@ impl DoubleLoop {
         if has_joint_quantiles {
             targets.extend(Experiment::new(&self.setup, pool, table).joint_quantile_targets());
         }
-        let squares = Experiment::new(&self.setup, pool, table).square_targets();
-        // So many that the others would be taken for a curve are left out.
-        if targets.len() + squares.len() <= MOST_LOCATED_TARGETS {
-            targets.extend(squares);
+        if targets.len() < MOST_LOCATED_TARGETS {
+            let squares = Experiment::new(&self.setup, pool, table).square_targets();
+            // So many that the others would be taken for a curve are left out.
+            if targets.len() + squares.len() <= MOST_LOCATED_TARGETS {
+                targets.extend(squares);
+            }
         }
         let mut readings =
             std::iter::once(self.problem().reading).chain(self.problem().readings_beside.iter().copied());

@@ -101,6 +101,7 @@ impl Experiment<'_> {
             for request in requests.filter(|request| request.statistic == Statistic::StandardDeviation) {
                 let samples = self.pool.samples(request.column);
                 let points = Points::new(&samples, confidence);
+                // An element without a finished run has no bound, wherever one looks.
                 let Some(members) = points.members(&elements) else { continue };
                 let squares = squares_about(&samples, points.minimax_centre(&members, &masses));
                 let measure = Measure::mean(&squares.iter().collect::<Vec<_>>(), confidence);
