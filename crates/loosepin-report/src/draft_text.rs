@@ -30,5 +30,6 @@ fn bound_words(draft: &Draft, writer: &NumberWriter) -> Option<String> {
 /// The upper end of `bound` and its numerical error.
 fn ends(bound: &BoundRecord, writer: &NumberWriter) -> [String; 2] {
     let error_si = bound.upper.error.total_si();
-    [bound.upper.widened_si, error_si].map(|value_si| writer.for_sentence(value_si, error_si, &bound.unit, Rounding::Up))
+    [bound.upper.widened_si, error_si]
+        .map(|value_si| writer.for_sentence(value_si, error_si, &bound.unit, Rounding::Up))
 }

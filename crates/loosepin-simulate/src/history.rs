@@ -307,9 +307,8 @@ impl<'a> Recorder<'a> {
     }
 
     fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
-        let start_s = step.start_s.max(self.window.start_s);
-        let end_s = step.end_s.min(self.window.end_s);
-        if !(end_s > start_s) || self.columns.is_empty() {
+        let (start_s, end_s) = (step.start_s, step.end_s);
+        if self.columns.is_empty() {
             return;
         }
         let time = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
@@ -330,7 +329,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// The largest forces of a whole step, also where the recorded part begins within it.
+    /// The largest forces of a step.
     fn note_peak_forces(&mut self, step: &mut Step<'_, '_>) {
         for contact in 0..self.open_impacts.len() {
             if !step.is_in_contact(contact) {

@@ -82,7 +82,7 @@ pub struct LaneRun {
     pub after_event: [f64; 2],
     /// Where its points are in their bodies.
     pub arms: Arms,
-    /// Steps end here at the latest, s: the end of the window, or where the pieces of a drive's motion meet.
+    /// Steps end here at the latest, s: at the start and at the end of the window, and where the pieces of a drive's motion meet.
     pub stop_s: f64,
     /// Whether the step at hand ends there.
     pub reaches_stop: bool,

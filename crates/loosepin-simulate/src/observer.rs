@@ -35,7 +35,7 @@ pub struct Separation {
 
 /// Sees every accepted step and every event of a run.
 pub trait Observer {
-    /// After a step. Steps that end before the recorded window are not shown; one that straddles its start is.
+    /// After a step of the recorded part, which begins and ends with one.
     fn step(&mut self, step: &mut Step<'_, '_>);
     /// A contact begins.
     fn contact_begins(&mut self, _onset: &Onset) {}

@@ -34,9 +34,9 @@ pub struct PlaySummary {
     pub floored_contacts: u64,
     /// Impacts faster than the law is meant for.
     pub impacts_beyond_validity: u64,
-    /// Largest penetration, m. The step in which the recorded part begins counts as a whole, also what lies before it.
+    /// Largest penetration, m.
     pub largest_penetration_m: f64,
-    /// Largest normal force, N, over the same steps, looked for at a few points of each: it may be a few thousandths too small.
+    /// Largest normal force, N, looked for at a few points of each step: it may be a few thousandths too small.
     pub peak_force_n: f64,
 }
 

@@ -431,3 +431,38 @@ fn read<'a>(
 fn poses(dynamics: &loosepin_mechanics::dynamics::Dynamics<'_, f64>) -> Vec<[f64; 3]> {
     dynamics.kinematics.poses.iter().map(|p| [p.position_m.x, p.position_m.y, p.angle_rad]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::columns::Spot;
+    use crate::file::Reduction;
+    use crate::response::StudyResponse;
+    use crate::texts::study_with;
+
+    /// The largest deviation of the slider in a turn that begins `transient` turns after the start, and the largest at its poses, m.
+    fn largest_m(transient: &str) -> [f64; 2] {
+        let path = "cases/slider_crank_worn_pin/study.toml";
+        let transient = format!("transient_turns = {transient}\n");
+        let response = StudyResponse::new(&study_with(path, &[("transient_turns = 2\n", &transient)])).unwrap();
+        let mut row = vec![0.0; response.row_length()];
+        response.run(&[0.05, 0.12], &[2e-5, 0.8], &mut row).unwrap();
+        let plan = &response.shared.plan;
+        let of = |is_meant: &dyn Fn(&Spot) -> bool| {
+            let columns = plan.columns.iter().zip(&row);
+            let total = columns
+                .filter(|(column, _)| column.deviation == crate::file::Deviation::Total && is_meant(&column.spot));
+            total.fold(0.0_f64, |most, (_, value)| most.max(value.abs()))
+        };
+        [of(&|spot| *spot == Spot::Reduced(Reduction::MaximumAbsolute)), of(&|spot| matches!(spot, Spot::Pose { .. }))]
+    }
+
+    #[test]
+    fn identity_a_turn_that_begins_while_the_slider_moves_has_no_larger_deviation_than_its_poses_show() {
+        // At a quarter turn the slider moves by 1 mm in a seventh of the longest step: fifty times its play.
+        for transient in ["2", "1.23", "0.75"] {
+            let [largest_m, at_poses_m] = largest_m(transient);
+            // 180 poses may miss a part of a peak.
+            assert!((1.0..1.25).contains(&(largest_m / at_poses_m)), "{transient}: {largest_m} m, {at_poses_m} m");
+        }
+    }
+}

@@ -25,9 +25,9 @@ use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
 use crate::report::{Counters, PlaySummary, RunReport, smallest_exchange_j};
-use crate::settings::Settings;
+use crate::settings::{Settings, Window};
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{GapMeasure, Mechanism};
+use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.
@@ -154,7 +154,7 @@ impl<'a> Batch<'a> {
         }
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
-        let stop_s = sample.next_break_s(start_s).min(window.end_s);
+        let stop_s = next_stop_s(&sample, start_s, &window);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
@@ -358,8 +358,7 @@ impl<'a> Batch<'a> {
         Ok(())
     }
 
-    /// Takes in the largest penetration and force of a step that may hold a record: of the whole step, also where the recorded part
-    /// begins within it.
+    /// Takes in the largest penetration and force of a step that may hold a record.
     fn note_penetrations(&mut self, lane: usize) {
         let time = self.times(lane);
         for contact in 0..self.mechanism.contacts.len() {
@@ -479,6 +478,13 @@ impl<'a> Batch<'a> {
             self.is_root[contact] = is_root;
         }
     }
+}
+
+/// Where a run that is at `time_s` stops next: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no
+/// step lies in it with a part alone.
+fn next_stop_s(sample: &Sample<f64>, time_s: f64, window: &Window) -> f64 {
+    let end_s = if time_s < window.start_s { window.start_s } else { window.end_s };
+    sample.next_break_s(time_s).min(end_s)
 }
 
 /// Dense output of one lane.

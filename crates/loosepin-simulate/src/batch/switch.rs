@@ -1,7 +1,7 @@
 //! Contacts that begin and end, and roots of penetrations that come and go with them.
 
-use super::Batch;
 use super::seats::Seated;
+use super::{Batch, next_stop_s};
 use crate::gap::Crossing;
 use crate::lane::{Event, Phase};
 use crate::observer::{Onset, Separation};
@@ -56,7 +56,7 @@ impl Batch<'_> {
             return self.succeed(lane, queue);
         }
         run.phase = Phase::Stepping;
-        run.stop_s = run.sample.next_break_s(time_s).min(run.window.end_s);
+        run.stop_s = next_stop_s(&run.sample, time_s, &run.window);
         let place = self.core.pass.layout.time();
         self.core.set_state(lane, place, time_s);
         if run.sample.take_pieces_at(time_s) {
