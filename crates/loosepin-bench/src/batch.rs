@@ -5,8 +5,8 @@ use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, columns,
-    conduct,
+    Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
+    Step, Window, columns, conduct,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -88,6 +88,7 @@ impl Case {
                 rows: rows + 1,
                 readings: Vec::with_capacity(rows + 1),
             },
+            followed: FollowedRun::default(),
             resume: None,
         }
     }
@@ -114,7 +115,7 @@ impl Case {
 
     fn conduct_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
         let mut waiting = Waiting { case: self, plan, next, finished: Vec::new() };
-        conduct(&self.mechanism, &[self.reading], &plan.settings, execution, &mut waiting);
+        conduct(&self.mechanism, &Follow::readings(&[self.reading]), &plan.settings, execution, &mut waiting);
         waiting.finished
     }
 }

@@ -7,7 +7,7 @@ use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
 use loosepin::math::{Numbers, Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
 use loosepin::native::{Program, Slot};
-use loosepin::simulate::{Arms, Block, LaneLayout, PassPrograms, Settings};
+use loosepin::simulate::{Arms, Block, Follow, LaneLayout, PassPrograms, Settings};
 use loosepin::trace::{Traced, record};
 
 /// Programs and what they compute together.
@@ -85,7 +85,8 @@ pub fn parts(case: &Case) -> Vec<Part> {
             Part { name, programs: vec![Program::new(&graph, &outputs).expect("each output has its own slot")] }
         })
         .collect();
-    let whole = PassPrograms::new(mechanism, &sample, &arms, &[case.reading], &Settings::for_study());
+    let whole =
+        PassPrograms::new(mechanism, &sample, &arms, &Follow::readings(&[case.reading]), &Settings::for_study());
     let mut push = |name, programs| parts.push(Part { name, programs });
     push("energy account, pace of the time", vec![whole.slope]);
     push("reading at the end of a step", vec![whole.end]);

@@ -5,7 +5,8 @@ use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, PointId, QuantityId};
 use loosepin::simulate::{
-    Arms, Counters, Execution, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings, Step, Window, conduct,
+    Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
+    Step, Window, conduct,
 };
 
 /// A folder of `cases/` and what is watched in it.
@@ -98,7 +99,7 @@ impl Samples {
     /// Runs all samples over the first half turn, on the widest lanes of this processor, which does not show in the numbers.
     pub fn run(&self, settings: &Settings) -> Vec<Outcome> {
         let mut waiting = Waiting { samples: self, next: 0, outcomes: self.samples.iter().map(|_| None).collect() };
-        conduct(&self.mechanism, &self.readings, settings, Execution::best(), &mut waiting);
+        conduct(&self.mechanism, &Follow::readings(&self.readings), settings, Execution::best(), &mut waiting);
         waiting.outcomes.into_iter().map(|outcome| outcome.expect("every run comes back")).collect()
     }
 
@@ -183,7 +184,14 @@ impl<'s> Queue for Waiting<'s> {
         let observer =
             Watch { index: self.next, times_s: &self.samples.times_s, positions_m: Vec::with_capacity(2 * TIMES) };
         self.next += 1;
-        Some(Run { sample: sample.clone(), arms: arms.clone(), window: self.samples.window, observer, resume: None })
+        Some(Run {
+            sample: sample.clone(),
+            arms: arms.clone(),
+            window: self.samples.window,
+            observer,
+            followed: FollowedRun::default(),
+            resume: None,
+        })
     }
     fn finished(&mut self, observer: Watch<'s>, outcome: Result<RunReport, RunFailure>) {
         self.outcomes[observer.index] = Some(outcome.map(|report| (observer.positions_m, report.counters)));

@@ -1,62 +1,71 @@
 //! The polynomial of degree five through values, slopes and curvatures at both ends of an interval.
 
+use crate::Real;
+
 /// p(τ) = Σ coefficient_k τᵏ on τ in [0, 1], matching value, first and second derivative at both ends.
 ///
 /// For a smooth function on an interval of length h its error is at most h⁶/46080 times the sixth derivative.
 #[derive(Debug, Clone, Copy)]
-pub struct Quintic {
-    coefficients: [f64; 6],
+pub struct Quintic<T = f64> {
+    /// That of τᵏ.
+    pub coefficients: [T; 6],
 }
 
-impl Quintic {
+impl<T: Real> Quintic<T> {
     /// From `[value, slope, curvature]` at the start and at the end of an interval of length `h`.
-    pub fn new(start: [f64; 3], end: [f64; 3], h: f64) -> Self {
+    #[inline]
+    pub fn new(start: [T; 3], end: [T; 3], h: T) -> Self {
+        let [half, three, four, six, seven, ten, fifteen] = [0.5, 3.0, 4.0, 6.0, 7.0, 10.0, 15.0].map(T::from_f64);
         let [p0, v0, a0] = [start[0], start[1] * h, start[2] * h * h];
         let [p1, v1, a1] = [end[0], end[1] * h, end[2] * h * h];
-        let d = p1 - p0 - v0 - 0.5 * a0;
+        let d = p1 - p0 - v0 - half * a0;
         let dv = v1 - v0 - a0;
         let da = a1 - a0;
         Self {
             coefficients: [
                 p0,
                 v0,
-                0.5 * a0,
-                10.0 * d - 4.0 * dv + 0.5 * da,
-                -15.0 * d + 7.0 * dv - da,
-                6.0 * d - 3.0 * dv + 0.5 * da,
+                half * a0,
+                ten * d - four * dv + half * da,
+                seven * dv - fifteen * d - da,
+                six * d - three * dv + half * da,
             ],
         }
     }
     /// p(τ).
     #[inline]
-    pub fn value(&self, tau: f64) -> f64 {
+    pub fn value(&self, tau: T) -> T {
         let c = &self.coefficients;
         c[0] + tau * (c[1] + tau * (c[2] + tau * (c[3] + tau * (c[4] + tau * c[5]))))
     }
+    /// dp/dτ.
+    #[inline]
+    pub fn slope(&self, tau: T) -> T {
+        let [two, three, four, five] = [2.0, 3.0, 4.0, 5.0].map(T::from_f64);
+        let c = &self.coefficients;
+        c[1] + tau * (two * c[2] + tau * (three * c[3] + tau * (four * c[4] + tau * (five * c[5]))))
+    }
     /// d²p/dτ².
     #[inline]
-    pub fn curvature(&self, tau: f64) -> f64 {
+    pub fn curvature(&self, tau: T) -> T {
+        let [two, six, twelve, twenty] = [2.0, 6.0, 12.0, 20.0].map(T::from_f64);
         let c = &self.coefficients;
-        2.0 * c[2] + tau * (6.0 * c[3] + tau * (12.0 * c[4] + tau * 20.0 * c[5]))
+        two * c[2] + tau * (six * c[3] + tau * (twelve * c[4] + tau * (twenty * c[5])))
     }
-    /// The largest and the smallest Bernstein coefficient: the polynomial stays between them on [0, 1].
+    /// The smallest and the largest Bernstein coefficient: the polynomial stays between them on [0, 1].
     #[inline]
-    pub fn limits(&self) -> [f64; 2] {
+    pub fn limits(&self) -> [T; 2] {
+        let [tenth, fifth, three_tenths, two_fifths, three_fifths, four_fifths] =
+            [0.1, 0.2, 0.3, 0.4, 0.6, 0.8].map(T::from_f64);
         let c = &self.coefficients;
         // b_i = Σ_k binomial(i, k) / binomial(5, k) c_k.
-        let b1 = c[0] + 0.2 * c[1];
-        let b2 = c[0] + 0.4 * c[1] + 0.1 * c[2];
-        let b3 = c[0] + 0.6 * c[1] + 0.3 * c[2] + 0.1 * c[3];
-        let b4 = c[0] + 0.8 * c[1] + 0.6 * c[2] + 0.4 * c[3] + 0.2 * c[4];
+        let b1 = c[0] + fifth * c[1];
+        let b2 = c[0] + two_fifths * c[1] + tenth * c[2];
+        let b3 = c[0] + three_fifths * c[1] + three_tenths * c[2] + tenth * c[3];
+        let b4 = c[0] + four_fifths * c[1] + three_fifths * c[2] + two_fifths * c[3] + fifth * c[4];
         let b5 = c[0] + c[1] + c[2] + c[3] + c[4] + c[5];
         let (low, high) = (c[0].min(b1).min(b2), c[0].max(b1).max(b2));
         [low.min(b3).min(b4).min(b5), high.max(b3).max(b4).max(b5)]
-    }
-    /// dp/dτ.
-    #[inline]
-    pub fn slope(&self, tau: f64) -> f64 {
-        let c = &self.coefficients;
-        c[1] + tau * (2.0 * c[2] + tau * (3.0 * c[3] + tau * (4.0 * c[4] + tau * 5.0 * c[5])))
     }
 }
 

@@ -1,7 +1,8 @@
 //! A pass over all lanes: try a step, look at its end, take it over; and the numbers of all lanes.
 
-use super::column::{Arms, Reading};
+use super::column::Arms;
 use super::execution::Execution;
+use super::follow::Follow;
 use super::gap::GapJet;
 use super::memory::{Block, LaneLayout, Memory, Named};
 use super::motion::{Watched, tolerances};
@@ -45,25 +46,24 @@ pub struct Core<'a> {
 }
 
 impl<'a> Core<'a> {
-    /// Room for `mechanism` with the laws of `sample`. `readings` are followed: their values and derivatives at the ends of every
-    /// step.
+    /// Room for `mechanism` with the laws of `sample`, and for what is followed.
     pub fn new(
         mechanism: &'a Mechanism,
         sample: &Sample<f64>,
         arms: &Arms,
-        readings: &[Reading],
+        follow: &Follow,
         settings: &Settings,
         execution: Execution,
     ) -> Self {
-        let pass = Pass::new(mechanism, sample, readings.len(), settings);
+        let pass = Pass::new(mechanism, sample, follow, settings);
         let lanes = execution.lanes();
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
         let way = match execution {
-            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, readings))),
+            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, &follow.readings))),
             Execution::Interpreted | Execution::MachineCode(_) => {
                 let recorded =
-                    Recorded::new(mechanism, sample, arms, readings, &pass, lengths, (execution.level(), lanes));
+                    Recorded::new(mechanism, sample, arms, follow, &pass, lengths, (execution.level(), lanes));
                 Way::Recorded(Box::new(recorded))
             }
         };
@@ -242,6 +242,37 @@ impl<'a> Core<'a> {
             }
             Way::Recorded(recorded) => recorded.accept(memory),
         }
+    }
+
+    /// Follows the step at hand in the flagged lanes.
+    pub fn follow(&mut self, lanes: u32) {
+        self.choose(lanes);
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.follow(&mut Named::new(memory.blocks())),
+            Way::Recorded(recorded) => recorded.follow(memory),
+        }
+    }
+
+    /// Reads at the instant of each lane within the step at hand.
+    pub fn look(&mut self) {
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
+            Way::Recorded(recorded) => recorded.look(memory),
+        }
+    }
+
+    /// A number of what is followed in a lane: [`super::follow::FollowLayout`].
+    #[inline]
+    pub fn followed(&self, lane: usize, place: usize) -> f64 {
+        self.memory.get(Block::Lane, self.pass.lane.followed().start + place, lane)
+    }
+
+    /// Replaces a number of what is followed in a lane.
+    #[inline]
+    pub fn set_followed(&mut self, lane: usize, place: usize, value: f64) {
+        self.memory.set(Block::Lane, self.pass.lane.followed().start + place, lane, value);
     }
 
     /// Begins the energy account of a lane that was loaded and evaluated, with the smallest exchange that is told from round-off.

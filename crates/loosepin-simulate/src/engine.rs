@@ -1,9 +1,10 @@
 //! Runs from the start to the end of their windows.
 
 use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run, Seats};
-use super::column::{Arms, Reading};
+use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
+use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds};
 use super::gap::GapJet;
 use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
@@ -12,6 +13,7 @@ use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
+use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
@@ -44,29 +46,37 @@ pub(super) fn run_from(
     resume: Option<MotionState>,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
-    let run = Run { sample: sample.clone(), arms: Arms::none(), window: *window, observer, resume };
+    let run = Run {
+        sample: sample.clone(),
+        arms: Arms::none(),
+        window: *window,
+        observer,
+        followed: FollowedRun::default(),
+        resume,
+    };
     let mut queue = One { run: Some(run), outcome: None };
-    conduct(mechanism, &[], settings, Execution::Scalar, &mut queue);
+    conduct(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))
 }
 
-/// Runs everything in `queue` on this thread, following `readings`. Each run has the same bits whatever the execution.
+/// Runs everything in `queue` on this thread, following what `follow` says. Each run has the same bits whatever the execution.
 pub fn conduct<O: Observer>(
     mechanism: &Mechanism,
-    readings: &[Reading],
+    follow: &Follow,
     settings: &Settings,
     execution: Execution,
     queue: &mut dyn Queue<Observer = O>,
 ) {
     if mechanism.is_ideal() {
         while let Some(run) = queue.next() {
-            let Run { sample, arms, window, mut observer, .. } = run;
-            let outcome = run_kinematics(mechanism, (&sample, &arms), readings, (&window, settings), &mut observer);
+            let Run { sample, arms, window, mut observer, followed, .. } = run;
+            let outcome =
+                run_kinematics(mechanism, (&sample, &arms), (follow, followed), (&window, settings), &mut observer);
             queue.finished(observer, outcome);
         }
         return;
     }
-    Batch::conduct(mechanism, readings, settings, execution_of(mechanism, execution), &mut Seats::new(queue));
+    Batch::conduct(mechanism, follow, settings, execution_of(mechanism, execution), &mut Seats::new(queue));
 }
 
 /// How the runs of `mechanism` are made where `execution` is at hand.
@@ -95,6 +105,9 @@ impl Observer for &mut dyn Observer {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         (**self).step(step);
     }
+    fn awaits_s(&self) -> f64 {
+        (**self).awaits_s()
+    }
     fn contact_begins(&mut self, onset: &Onset) {
         (**self).contact_begins(onset);
     }
@@ -109,7 +122,7 @@ impl Observer for &mut dyn Observer {
 fn run_kinematics(
     mechanism: &Mechanism,
     (sample, arms): (&Sample<f64>, &Arms),
-    readings: &[Reading],
+    (follow, followed): (&Follow, FollowedRun),
     (window, settings): (&Window, &Settings),
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
@@ -120,9 +133,10 @@ fn run_kinematics(
     ideal.move_to(window.start_s)?;
     let mut account = KinematicAccount::is_needed(&motion).then(|| KinematicAccount::new(&mut motion, &ideal));
     let mut failure = None;
-    let mut outputs = vec![[[0.0; 3]; 2]; readings.len()];
+    let mut outputs = vec![[[0.0; 3]; 2]; follow.readings.len()];
     let (mut start_s, has_pieces) = (window.start_s, sample.drives.has_pieces());
     let mut steps = 0_u64;
+    let mut follower = Follower::new(follow, followed, *window);
     for end_s in ends_s {
         if has_pieces {
             let middle_s = 0.5 * (start_s + end_s);
@@ -130,7 +144,7 @@ fn run_kinematics(
             motion.dynamics.sample_mut().drives.take_pieces_at(middle_s);
         }
         for (side, time_s) in [(0, start_s), (1, end_s)] {
-            if readings.is_empty() || (side == 0 && steps > 0 && !has_pieces) {
+            if follow.readings.is_empty() || (side == 0 && steps > 0 && !has_pieces) {
                 outputs.iter_mut().for_each(|jets| jets[0] = jets[1]);
                 continue;
             }
@@ -138,7 +152,7 @@ fn run_kinematics(
             let (coordinates, rates) = ideal.real_state();
             let n = motion.freedoms();
             motion.dynamics.evaluate(time_s, &coordinates[..n], &rates[..n], &motion.states);
-            for (jets, reading) in outputs.iter_mut().zip(readings) {
+            for (jets, reading) in outputs.iter_mut().zip(&follow.readings) {
                 jets[side] = reading.jet(arms, &motion.dynamics);
             }
         }
@@ -149,7 +163,10 @@ fn run_kinematics(
             account: account.as_ref(),
         };
         let time = [start_s, end_s].map(|time_s| GapJet { jet: [time_s, 1.0, 0.0] });
-        observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
+        if end_s >= observer.awaits_s() {
+            observer.step(&mut Step { source, start_s, end_s, length: end_s - start_s, time, outputs: &outputs });
+        }
+        follower.step([start_s, end_s], &outputs, end_s == window.end_s);
         if let Some(error) = failure {
             return Err(error.into());
         }
@@ -180,7 +197,53 @@ fn run_kinematics(
     }
     let energy = account.map(|account| account.total());
     let counters = Counters { steps, ..Counters::default() };
-    Ok(RunReport { counters, plays: Vec::new(), energy, friction_losses: Vec::new() })
+    Ok(RunReport { counters, plays: Vec::new(), energy, friction_losses: Vec::new(), findings: follower.findings() })
+}
+
+/// Follows a run whose steps are equal parts of time.
+struct Follower {
+    layout: FollowLayout,
+    lane: LaneFollow,
+    numbers: Vec<f64>,
+}
+
+impl Follower {
+    fn new(follow: &Follow, run: FollowedRun, window: Window) -> Self {
+        let layout = FollowLayout::new(follow);
+        let mut numbers = vec![0.0; layout.length()];
+        let mut lane = LaneFollow::new(&layout, run, window);
+        lane.begin(&layout, window.start_s, |place, number| numbers[place] = number);
+        Self { layout, lane, numbers }
+    }
+
+    /// Follows a step, over which the readings are `outputs`.
+    fn step(&mut self, [start_s, end_s]: [f64; 2], outputs: &[[[f64; 3]; 2]], is_last: bool) {
+        let Self { layout, lane, numbers } = self;
+        let reading = |reading: usize, side: usize| outputs[reading][side];
+        let time = [start_s, end_s].map(|time_s| [time_s, 1.0, 0.0]);
+        let step = StepEnds { length: end_s - start_s, time, reading };
+        if layout.deviations() > 0 {
+            lane.take_piece(layout, end_s, |place, number| numbers[place] = number);
+            layout.follow(numbers, &step, true);
+            if numbers[FollowLayout::IS_EXTREME] > 0.5 {
+                for deviation in 0..layout.deviations() {
+                    let own = &mut numbers[layout.deviation(deviation)..];
+                    let polynomial = std::array::from_fn(|k| own[FollowLayout::POLYNOMIAL + k]);
+                    let [largest, smallest] = lane.take_extremes(deviation, &Quintic { coefficients: polynomial });
+                    (own[FollowLayout::LARGEST], own[FollowLayout::SMALLEST]) = (largest, smallest);
+                }
+            }
+        }
+        while let Some(instant_s) = lane.instant_s(end_s, is_last) {
+            numbers[FollowLayout::INSTANT] = instant_s;
+            layout.look(numbers, &step);
+            lane.take_instant(numbers[FollowLayout::VALUES..][..layout.readings()].iter().copied());
+        }
+    }
+
+    fn findings(mut self) -> Findings {
+        self.lane.findings(&self.layout, |place| self.numbers[place])
+    }
 }
 
 /// The longest step of a run, s.

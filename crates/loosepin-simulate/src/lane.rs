@@ -2,6 +2,7 @@
 
 use super::batch::{DepthLimit, Seat};
 use super::column::Arms;
+use super::follow::LaneFollow;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::report::{Counters, PlaySummary};
 use super::settings::Window;
@@ -66,6 +67,12 @@ pub struct LaneRun {
     pub window: Window,
     /// Who looks at it.
     pub observer: Seat,
+    /// Steps that end before this time need not be shown to the observer, s.
+    pub awaited_s: f64,
+    /// What is followed in it.
+    pub follow: LaneFollow,
+    /// Whether the step at hand lies in the recorded part.
+    pub is_recorded: bool,
     /// Longest step in time, s.
     pub longest_s: f64,
     /// Smallest step in time apart from steps onto events, s.

@@ -31,6 +31,7 @@ pub enum Block {
 pub struct LaneLayout {
     contacts: usize,
     tolerances: usize,
+    followed: usize,
 }
 
 impl LaneLayout {
@@ -62,9 +63,9 @@ impl LaneLayout {
     /// Within the numbers of a contact: its largest normal force so far, N.
     pub const STRONGEST: usize = 5;
 
-    /// For so many contacts and so many tolerances.
-    pub fn new(contacts: usize, tolerances: usize) -> Self {
-        Self { contacts, tolerances }
+    /// For so many contacts, so many tolerances and so many numbers of what is followed.
+    pub fn new(contacts: usize, tolerances: usize, followed: usize) -> Self {
+        Self { contacts, tolerances, followed }
     }
 
     /// Where the numbers of a contact begin.
@@ -78,9 +79,15 @@ impl LaneLayout {
         first..first + self.tolerances
     }
 
+    /// Where the numbers of what is followed are: `FollowLayout`.
+    pub fn followed(&self) -> std::ops::Range<usize> {
+        let first = self.tolerances().end;
+        first..first + self.followed
+    }
+
     /// Length of the block.
     pub fn length(&self) -> usize {
-        self.tolerances().end
+        self.followed().end
     }
 }
 

@@ -37,6 +37,10 @@ pub struct Separation {
 pub trait Observer {
     /// After a step of the recorded part, which begins and ends with one.
     fn step(&mut self, step: &mut Step<'_, '_>);
+    /// Steps that end before this time need not be shown, s. Asked at the start and after every step that was shown.
+    fn awaits_s(&self) -> f64 {
+        f64::NEG_INFINITY
+    }
     /// A contact begins.
     fn contact_begins(&mut self, _onset: &Onset) {}
     /// A contact ends.
@@ -185,13 +189,6 @@ impl<'a> Step<'_, 'a> {
     /// The time and its first two derivatives over the variable of integration at the start (0) or at the end (1).
     pub fn time(&self, side: usize) -> [f64; 3] {
         self.time[side].jet
-    }
-
-    /// The time over the step, where it does not pass evenly.
-    pub fn uneven_time(&self) -> Option<Quintic> {
-        let [start, end] = &self.time;
-        let is_even = start.jet[1] == 1.0 && end.jet[1] == 1.0;
-        (!is_even).then(|| Quintic::new(start.jet, end.jet, self.length))
     }
 
     fn look(&mut self, time_s: f64, with_forces: bool) -> &Dynamics<'a, f64> {

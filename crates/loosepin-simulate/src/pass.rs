@@ -1,6 +1,7 @@
 //! The arithmetic of a pass over one lane: try a step, look at its end, take it over. Written once over [`Real`]: done as it
 //! stands for one run, written down for many ([`super::recorded`]).
 
+use super::follow::{Follow, FollowLayout, StepEnds};
 use super::memory::{BLOCKS, LaneLayout, Named};
 use super::motion::{Layout, Motion, tolerances};
 use super::projection::Projection;
@@ -24,6 +25,8 @@ pub struct Pass {
     pub reads: ReadLayout,
     /// Where everything is among the numbers of a lane.
     pub lane: LaneLayout,
+    /// Where everything is among the numbers of what is followed.
+    pub follow: FollowLayout,
     /// The integrator.
     pub stepper: Stepper,
     /// Local error allowed in lengths, m.
@@ -31,13 +34,14 @@ pub struct Pass {
 }
 
 impl Pass {
-    /// For `mechanism` with the contacts of `sample` and so many followed outputs.
-    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>, outputs: usize, settings: &Settings) -> Self {
-        let layout = Layout::new(mechanism, sample);
+    /// For `mechanism` with the contacts of `sample` and what is followed.
+    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>, follow: &Follow, settings: &Settings) -> Self {
+        let (layout, follow) = (Layout::new(mechanism, sample), FollowLayout::new(follow));
         let tolerances = tolerances(mechanism, &layout, sample, 1.0, 1.0, 1.0).len();
         Self {
-            reads: ReadLayout::new(mechanism, outputs),
-            lane: LaneLayout::new(mechanism.contacts.len(), tolerances),
+            reads: ReadLayout::new(mechanism, follow.readings()),
+            lane: LaneLayout::new(mechanism.contacts.len(), tolerances, follow.length()),
+            follow,
             stepper: Stepper::new(settings.method, layout.dimension, layout.integrals()),
             local_m: settings.tolerance_m * STEP_SHARE,
             layout,
@@ -113,6 +117,33 @@ impl Pass {
             let largest = blocks.lane[place];
             blocks.lane[place] = T::select(is_chosen, largest.max(value), largest);
         }
+    }
+
+    /// Follows the step at hand in the chosen lanes: [`FollowLayout::follow`].
+    pub fn follow<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
+        let (own, step) = self.followed(blocks);
+        self.follow.follow(own, &step, is_chosen);
+    }
+
+    /// Reads at an instant within the step at hand: [`FollowLayout::look`].
+    pub fn look<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let (own, step) = self.followed(blocks);
+        self.follow.look(own, &step);
+    }
+
+    /// The numbers of what is followed, and the ends of the step at hand.
+    fn followed<'b, T: Real>(
+        &self,
+        blocks: &'b mut Named<'_, T>,
+    ) -> (&'b mut [T], StepEnds<T, impl Fn(usize, usize) -> [T; 3] + 'b>) {
+        let (reads, length) = (self.reads, blocks.lane[LaneLayout::STEP]);
+        let sides = [&*blocks.start_reads, &*blocks.end_reads];
+        let three =
+            move |side: usize, place: usize| [sides[side][place], sides[side][place + 1], sides[side][place + 2]];
+        let time = [0, 1].map(|side| three(side, ReadLayout::TIME));
+        let reading = move |reading: usize, side: usize| three(side, reads.output(reading));
+        (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, reading })
     }
 
     /// Computes what looks inside of the step at hand need.

@@ -1,7 +1,8 @@
 //! The programs of a pass: the equations of a mechanism and the arithmetic of a step, evaluated once on
 //! [`Traced`] numbers.
 
-use super::column::{Arms, Reading};
+use super::column::Arms;
+use super::follow::Follow;
 use super::memory::{BLOCKS, Block, LaneLayout, Named};
 use super::motion::Motion;
 use super::pass::{Pass, play_state};
@@ -37,22 +38,20 @@ pub struct PassPrograms<P = Program> {
     pub hold_loops: Option<P>,
     /// The energy account of a step.
     pub account: P,
+    /// What is followed through a step, where anything is.
+    pub follow: Option<P>,
+    /// Readings at an instant within a step, where there are any.
+    pub look: Option<P>,
 }
 
 impl PassPrograms {
     /// Writes down what a batch does for runs of `mechanism` with the laws of `sample`. Numbers that are 0 or ±1 are taken into the
     /// programs.
-    pub fn new(
-        mechanism: &Mechanism,
-        sample: &Sample<f64>,
-        arms: &Arms,
-        readings: &[Reading],
-        settings: &Settings,
-    ) -> Self {
-        let pass = Pass::new(mechanism, sample, readings.len(), settings);
+    pub fn new(mechanism: &Mechanism, sample: &Sample<f64>, arms: &Arms, follow: &Follow, settings: &Settings) -> Self {
+        let pass = Pass::new(mechanism, sample, follow, settings);
         let fixed = fixed(sample, arms);
         let lengths = pass.block_lengths(fixed.len());
-        Tracing { mechanism, sample, arms, readings, fixed: &fixed, pass: &pass, lengths }.programs()
+        Tracing { mechanism, sample, arms, follow, fixed: &fixed, pass: &pass, lengths }.programs()
     }
 
     /// What `make` makes of each program, those of a step first.
@@ -66,6 +65,8 @@ impl PassPrograms {
             hold_loops: self.hold_loops.map(&mut make),
             take_evaluation: make(self.take_evaluation),
             account: make(self.account),
+            follow: self.follow.map(&mut make),
+            look: self.look.map(&mut make),
             dense_points: self.dense_points.into_iter().map(&mut make).collect(),
             dense: make(self.dense),
         }
@@ -92,8 +93,8 @@ pub struct Tracing<'t> {
     pub sample: &'t Sample<f64>,
     /// Where the points of bodies are.
     pub arms: &'t Arms,
-    /// The numbers read at the ends of steps.
-    pub readings: &'t [Reading],
+    /// What is read at the ends of steps, and followed.
+    pub follow: &'t Follow,
     /// By number of [`Block::Numbers`]: its value where the programs are to know it.
     pub fixed: &'t [Option<f64>],
     /// The arithmetic.
@@ -125,6 +126,8 @@ impl Tracing<'_> {
             accept: self.written(|blocks| self.pass.accept(blocks)),
             hold_loops,
             account: self.written(|blocks| self.pass.close_account(blocks)),
+            follow: (!self.follow.deviations.is_empty()).then(|| self.written(|blocks| self.pass.follow(blocks))),
+            look: (!self.follow.readings.is_empty()).then(|| self.written(|blocks| self.pass.look(blocks))),
         }
     }
 
@@ -138,7 +141,7 @@ impl Tracing<'_> {
             motion.derivative(point, slope);
             let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
             if with_reads {
-                motion.read(self.readings, &arms, reads);
+                motion.read(&self.follow.readings, &arms, reads);
                 outputs.extend(self::outputs(Block::EndReads, reads));
             }
             outputs

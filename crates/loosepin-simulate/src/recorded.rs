@@ -1,6 +1,7 @@
 //! A pass over many lanes at once: its programs as machine code, or interpreted where there is none; the bits are the same.
 
-use super::column::{Arms, Reading};
+use super::column::Arms;
+use super::follow::Follow;
 use super::memory::{BLOCKS, Block, Memory};
 use super::pass::Pass;
 use super::programs::{PassPrograms, Tracing, fixed, numbers};
@@ -14,6 +15,8 @@ struct Sequences {
     accept: Sequence,
     close_account: Sequence,
     prepare_dense: Sequence,
+    follow: Sequence,
+    look: Sequence,
 }
 
 impl Sequences {
@@ -64,6 +67,8 @@ impl Sequences {
             accept: sequence(&accept),
             close_account: sequence(&[as_written(programs.account)]),
             prepare_dense: sequence(&dense),
+            follow: sequence(&programs.follow.map(as_written).into_iter().collect::<Vec<_>>()),
+            look: sequence(&programs.look.map(as_written).into_iter().collect::<Vec<_>>()),
         }
     }
 }
@@ -74,7 +79,7 @@ impl Sequences {
 /// same. A sample in which such a number differs has the programs written again without it.
 pub struct Recorded<'a> {
     mechanism: &'a Mechanism,
-    readings: Vec<Reading>,
+    follow: Follow,
     level: Option<Level>,
     lanes: usize,
     lengths: [usize; BLOCKS],
@@ -90,16 +95,16 @@ impl<'a> Recorded<'a> {
         mechanism: &'a Mechanism,
         sample: &Sample<f64>,
         arms: &Arms,
-        readings: &[Reading],
+        follow: &Follow,
         pass: &Pass,
         lengths: [usize; BLOCKS],
         (level, lanes): (Option<Level>, usize),
     ) -> Self {
         let fixed = fixed(sample, arms);
-        let programs = Tracing { mechanism, sample, arms, readings, fixed: &fixed, pass, lengths }.programs();
+        let programs = Tracing { mechanism, sample, arms, follow, fixed: &fixed, pass, lengths }.programs();
         Self {
             mechanism,
-            readings: readings.to_vec(),
+            follow: follow.clone(),
             level,
             lanes,
             lengths,
@@ -117,8 +122,8 @@ impl<'a> Recorded<'a> {
             for (fixed, value) in self.fixed.iter_mut().zip(&values) {
                 *fixed = fixed.filter(|fixed| fixed == value);
             }
-            let (mechanism, readings, fixed, lengths) = (self.mechanism, &self.readings, &self.fixed, self.lengths);
-            let programs = Tracing { mechanism, sample, arms, readings, fixed, pass, lengths }.programs();
+            let (mechanism, follow, fixed, lengths) = (self.mechanism, &self.follow, &self.fixed, self.lengths);
+            let programs = Tracing { mechanism, sample, arms, follow, fixed, pass, lengths }.programs();
             self.sequences = Sequences::new(programs, pass, self.level, self.lanes);
         }
         for (index, value) in values.into_iter().enumerate() {
@@ -144,6 +149,16 @@ impl<'a> Recorded<'a> {
     /// Takes the start of the step into the energy account, in the chosen lanes.
     pub fn close_account(&mut self, memory: &mut Memory) {
         run(&self.sequences.close_account, memory, &mut self.scratch);
+    }
+
+    /// Follows the step at hand, in the chosen lanes.
+    pub fn follow(&mut self, memory: &mut Memory) {
+        run(&self.sequences.follow, memory, &mut self.scratch);
+    }
+
+    /// Reads at an instant of each lane within the step at hand.
+    pub fn look(&mut self, memory: &mut Memory) {
+        run(&self.sequences.look, memory, &mut self.scratch);
     }
 
     /// Computes what looks inside of the step at hand need.

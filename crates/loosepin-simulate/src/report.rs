@@ -1,5 +1,6 @@
 //! Report of a finished run.
 
+use super::follow::Findings;
 use loosepin_mechanics::dynamics::MechanicalEnergy;
 use loosepin_mechanics::model::JointId;
 
@@ -100,4 +101,6 @@ pub struct RunReport {
     pub energy: Option<EnergyAccount>,
     /// Of the joints whose friction may give more than it takes: with a memory, or by the literal sliding velocity.
     pub friction_losses: Vec<FrictionLoss>,
+    /// Of what was followed.
+    pub findings: Findings,
 }

@@ -92,6 +92,11 @@ impl StudyColumn {
 }
 
 impl ColumnPlan {
+    /// Whether any column is of an output.
+    pub fn is_used(&self, output: usize) -> bool {
+        self.columns.iter().any(|column| column.output == output)
+    }
+
     /// Lays out what `study` asks for.
     pub fn new(study: &Study, mechanism: &Mechanism, drive_start_rad: f64, drive_sign: f64) -> Self {
         let mut plan = Self {

@@ -1,9 +1,8 @@
 //! Ideal motions, each found once: mechanisms that differ only in what an ideal joint has not, as play and contacts, share one.
 
-use super::ideal_curve::IdealCurve;
 use loosepin_math::Numbers;
 use loosepin_mechanics::mechanism::Sample;
-use loosepin_simulate::{Arms, FreeMotion, Window};
+use loosepin_simulate::{Arms, FreeMotion, IdealCurve, Window};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 

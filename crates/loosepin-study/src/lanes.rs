@@ -1,14 +1,13 @@
 //! The runs of a study on the lanes of a thread: from inputs to rows.
 
 use super::extras::{JointExtras, RunExtras};
-use super::ideal_curve::IdealCurve;
 use super::ideal_tables::{IdealKey, KnownIdeal};
 use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
-    Arms, Execution, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings, Step, Window,
-    conduct,
+    Arms, Execution, IdealCurve, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings,
+    Step, Window, conduct,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -41,7 +40,7 @@ impl StudyResponse {
         let mechanism = &self.mechanisms[variant];
         let mut queue = StudyQueue { response: self, mechanism, next, finished, preparing: Vec::new() };
         let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
-        conduct(mechanism, &self.shared.readings, &settings, execution, &mut queue);
+        conduct(mechanism, &self.shared.follow, &settings, execution, &mut queue);
         queue.preparing
     }
 
@@ -60,12 +59,13 @@ impl StudyResponse {
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
         let arms = Arms::new(mechanism, &values);
         let (own, curve) = self.own_ideal(&sample, &arms, &window)?;
-        let nominal = if self.needs_nominal_reference {
+        let nominal = if self.shared.needs_nominal_reference() {
             let (motion, end_s) = (self.shared.nominal_motion.as_ref(), self.nominal_window.end_s);
             Some(IdealReference::with_motion(&self.ideal, &self.nominal_ideal, motion, end_s, &self.settings)?)
         } else {
             None
         };
+        let followed = self.shared.followed(curve.clone(), &window, turn_s);
         let references = References { own, curve, nominal, nominal_window: self.nominal_window };
         let recorder = Recorder::new(&self.shared, arms.clone(), references, &window, turn_s);
         let contacts = sample
@@ -79,7 +79,7 @@ impl StudyResponse {
                 clearance_m: play.clearance_m,
             })
             .collect();
-        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, resume: None })
+        Ok(Run { sample, arms, window, observer: StudyRun { index, recorder, contacts }, followed, resume: None })
     }
 
     /// The ideal motion of a sample: its table where a deviation from it is asked for, and itself where outputs without a table are.
@@ -98,9 +98,9 @@ impl StudyResponse {
         }
         let mut own = IdealReference::new(&self.ideal, &sample, window.end_s, &self.settings)?;
         let curve = if self.shared.needs_own_ideal {
-            let (outputs, is_used) = (&self.shared.plan.outputs, &self.shared.is_used);
+            let (readings, start_s) = (&self.shared.follow.readings, window.start_s);
             let (span_s, nodes) = (window.end_s - window.start_s, self.shared.nominal_curve.nodes.clone());
-            Some(Arc::new(IdealCurve::new(&mut own, outputs, is_used, arms, window.start_s, span_s, nodes)?))
+            Some(Arc::new(IdealCurve::new(&mut own, readings, arms, start_s, span_s, nodes)?))
         } else {
             None
         };
@@ -113,7 +113,7 @@ impl StudyResponse {
     /// The row of a finished run.
     fn row(&self, mut run: StudyRun<'_>, report: &RunReport) -> Result<Vec<f64>, RunFailure> {
         report.check_energy(&self.mechanism().model)?;
-        run.recorder.finish();
+        run.recorder.finish(&report.findings);
         if let Some(failure) = run.recorder.failure.take() {
             return Err(failure.into());
         }
@@ -159,6 +159,10 @@ struct StudyRun<'s> {
 impl Observer for StudyRun<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         self.recorder.step(step);
+    }
+
+    fn awaits_s(&self) -> f64 {
+        self.recorder.awaits_s()
     }
 }
 

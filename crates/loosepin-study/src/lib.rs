@@ -24,7 +24,6 @@ mod folder;
 mod foresee;
 mod further_outputs;
 mod goals;
-mod ideal_curve;
 mod ideal_tables;
 mod input_file;
 mod inputs;

@@ -1,11 +1,15 @@
 //! What a study keeps of one run: values at poses, and the recorded part reduced to single numbers.
+//!
+//! Positions are followed on the lanes ([`loosepin_simulate::Follow`]); everything else is read by looking inside the steps.
 
 use super::columns::{ColumnPlan, Spot};
 use super::file::{Deviation, Reduction};
-use super::ideal_curve::IdealCurve;
-use loosepin_math::Quintic;
+use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
-use loosepin_simulate::{Arms, FreeMotion, IdealReference, Observer, Peak, Reading, Step, Window, maximum_within};
+use loosepin_simulate::{
+    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, FreeMotion, IdealCurve, IdealReference,
+    Observer, Reading, Step, Window, maximum_within,
+};
 use std::sync::Arc;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
@@ -15,88 +19,17 @@ const POINTS_PER_STEP: usize = 5;
 const GAUSS: [(f64, f64); 3] =
     [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
-/// A deviation that is followed through the whole recorded part.
-#[derive(Debug, Clone)]
-struct Followed {
-    output: usize,
-    deviation: Deviation,
-    maximum: Peak,
-    /// Of the negative.
-    minimum: Peak,
-    /// Integrals over time of the deviation and of its square.
-    integral: f64,
-    integral_of_square: f64,
-    /// Whether any column asks for them.
-    is_integrated: bool,
-    /// The time up to which it has been followed, and the ideal motions there.
-    seen: Option<(f64, IdealJets)>,
-}
-
-/// Value, rate and acceleration of the nominal ideal motion, at the same place of the cycle, and of the sample's own, over time; not a
-/// number where it is not asked for.
-#[derive(Debug, Clone, Copy)]
-struct IdealJets {
-    nominal: [f64; 3],
-    own: [f64; 3],
-}
-
-impl Followed {
-    fn reduced(&self, reduction: Reduction, span_s: f64) -> f64 {
-        let (maximum, minimum) = (self.maximum.value, -self.minimum.value);
-        match reduction {
-            Reduction::Maximum => maximum,
-            Reduction::Minimum => minimum,
-            Reduction::MaximumAbsolute => maximum.max(-minimum),
-            Reduction::Range => maximum - minimum,
-            Reduction::Mean => self.integral / span_s,
-            Reduction::RootMeanSquare => (self.integral_of_square / span_s).max(0.0).sqrt(),
-        }
-    }
-
-    /// Takes in the part of a step from share `from` to share `to` on which the deviation is `f`, a function of the share;
-    /// `pace` is dt over the share. Extremes are looked for where `limits` allow a new one.
-    fn take(
-        &mut self,
-        [from, to]: [f64; 2],
-        limits: Option<[f64; 2]>,
-        pace: impl Fn(f64) -> f64,
-        mut f: impl FnMut(f64) -> f64,
-    ) {
-        let length = to - from;
-        let [low, high] = limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-        if high > self.maximum.value || -low > self.minimum.value {
-            self.take_extremes(from, length, &mut f);
-        }
-        // Where a position is searched for afresh, what is looked at decides on the last bits of what is looked at next.
-        if !self.is_integrated && limits.is_some() {
-            return;
-        }
-        for (place, weight) in GAUSS {
-            let share = from + place * length;
-            let (value, weight_s) = (f(share), weight * length * pace(share));
-            self.integral += weight_s * value;
-            self.integral_of_square += weight_s * value * value;
-        }
-    }
-
-    fn take_extremes(&mut self, from: f64, length: f64, f: &mut impl FnMut(f64) -> f64) {
-        let mut points = [(0.0, 0.0); POINTS_PER_STEP];
-        for (k, point) in points.iter_mut().enumerate() {
-            let share = from + length * k as f64 / (POINTS_PER_STEP - 1) as f64;
-            *point = (share, f(share));
-        }
-        for sign in [1.0, -1.0] {
-            let signed = points.map(|(share, value)| (share, sign * value));
-            let (low, high) =
-                signed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
-            let peak = if sign > 0.0 { &mut self.maximum } else { &mut self.minimum };
-            // Between the points the value can rise above them by a part of their range only.
-            if high + 0.25 * (high - low) > peak.value {
-                let found = maximum_within(&signed, |share| sign * f(share));
-                peak.raise(found.value, found.time_s);
-            }
-        }
-    }
+/// Where the value of a column comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Origin {
+    /// A reading at an instant: its index in [`Follow::readings`], and that of the instant.
+    Instant { reading: usize, instant: usize },
+    /// A deviation that is followed on the lanes: its index in [`Follow::deviations`].
+    Followed { deviation: usize, reduction: Reduction },
+    /// A look inside a step at a pose.
+    Look,
+    /// A deviation that is followed by looks inside the steps: its index in [`Recorder::looked`].
+    Looked { deviation: usize, reduction: Reduction },
 }
 
 /// What every run of a study shares: the columns, and the nominal ideal motion.
@@ -104,42 +37,144 @@ impl Followed {
 pub struct Shared {
     /// The columns.
     pub plan: ColumnPlan,
-    /// Which outputs any column uses.
-    pub is_used: Vec<bool>,
+    /// What is followed on the lanes: all outputs that are used and are positions.
+    pub follow: Follow,
+    /// Turns since the start of the recorded part at which these are read.
+    instants_turns: Vec<f64>,
+    /// Of each column.
+    origins: Vec<Origin>,
+    /// Outputs and deviations that are followed by looks inside the steps.
+    looked: Vec<(usize, Deviation)>,
+    /// Columns at poses that need a look inside a step, in the order of time.
+    looks: Vec<usize>,
     /// Whether any column asks for a deviation from the sample's own ideal motion.
     pub needs_own_ideal: bool,
     /// Whether any of these columns is of an output without a table.
     pub needs_own_reference: bool,
-    /// Used outputs that are positions: they are followed by every run.
-    pub readings: Vec<Reading>,
-    /// Place of each output among those that are followed.
-    pub places: Vec<Option<usize>>,
-    /// Nominal ideal positions over the recorded part.
-    pub nominal_curve: IdealCurve,
+    /// Nominal ideal positions over the recorded part, by reading.
+    pub nominal_curve: Arc<IdealCurve>,
     /// The nominal ideal motion, where forces decide it.
     pub nominal_motion: Option<Arc<FreeMotion>>,
     /// Nominal ideal value of each column's output at its pose; not a number for reduced columns.
     pub nominal_at_pose: Vec<f64>,
-    /// Columns at poses in the order of time.
-    pub pose_order: Vec<usize>,
+}
+
+/// The outputs of `plan` that are positions, those that any column uses, in order.
+pub fn positions(plan: &ColumnPlan) -> Vec<Reading> {
+    let used = plan.outputs.iter().enumerate().filter(|(output, _)| plan.is_used(*output));
+    used.map(|(_, output)| output.reading).filter(Reading::is_position).collect()
+}
+
+impl Shared {
+    /// The columns of `plan`, compared with the nominal ideal motion.
+    pub fn new(
+        plan: ColumnPlan,
+        nominal_curve: IdealCurve,
+        nominal_motion: Option<Arc<FreeMotion>>,
+        nominal_at_pose: Vec<f64>,
+    ) -> Self {
+        let mut follow = Follow::readings(&positions(&plan));
+        let (mut looked, mut looks, mut instants_turns) = (Vec::new(), Vec::new(), Vec::new());
+        for column in &plan.columns {
+            if let Spot::Pose { turns, .. } = column.spot {
+                instants_turns.push(turns);
+            }
+        }
+        instants_turns.sort_by(f64::total_cmp);
+        instants_turns.dedup();
+        let mut origins = Vec::with_capacity(plan.columns.len());
+        for (index, column) in plan.columns.iter().enumerate() {
+            let own = plan.outputs[column.output].reading;
+            let reading = follow.readings.iter().position(|reading| *reading == own);
+            origins.push(match (column.spot, reading) {
+                (Spot::Pose { turns, .. }, Some(reading)) => {
+                    Origin::Instant { reading, instant: instants_turns.partition_point(|&instant| instant < turns) }
+                }
+                (Spot::Pose { .. }, None) => {
+                    looks.push(index);
+                    Origin::Look
+                }
+                (Spot::Reduced(reduction), Some(reading)) => {
+                    let deviation = place_of(&mut follow.deviations, (reading, column.deviation));
+                    let is_integral = matches!(reduction, Reduction::Mean | Reduction::RootMeanSquare);
+                    follow.deviations[deviation].is_integrated |= is_integral;
+                    Origin::Followed { deviation, reduction }
+                }
+                (Spot::Reduced(reduction), None) => {
+                    let own = (column.output, column.deviation);
+                    let deviation = looked.iter().position(|known| *known == own).unwrap_or_else(|| {
+                        looked.push(own);
+                        looked.len() - 1
+                    });
+                    Origin::Looked { deviation, reduction }
+                }
+            });
+        }
+        looks.sort_by(|&a, &b| pose_turns(&plan, a).total_cmp(&pose_turns(&plan, b)).then(a.cmp(&b)));
+        let mut of_own = plan
+            .columns
+            .iter()
+            .filter(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+        let needs_own_ideal = of_own.clone().next().is_some();
+        let needs_own_reference = of_own.any(|column| !plan.outputs[column.output].reading.is_position());
+        Self {
+            follow,
+            instants_turns,
+            origins,
+            looked,
+            looks,
+            needs_own_ideal,
+            needs_own_reference,
+            nominal_curve: Arc::new(nominal_curve),
+            nominal_motion,
+            nominal_at_pose,
+            plan,
+        }
+    }
+
+    /// Whether a deviation from the nominal motion is followed by looks inside the steps.
+    pub fn needs_nominal_reference(&self) -> bool {
+        self.looked.iter().any(|(_, of)| matches!(of, Deviation::Total | Deviation::Dimensional))
+    }
+
+    /// What is followed in a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
+    pub fn followed(&self, own: Option<Arc<IdealCurve>>, window: &Window, turn_s: f64) -> FollowedRun {
+        let is_read = self.origins.iter().any(|origin| matches!(origin, Origin::Instant { .. }));
+        let instants = self.instants_turns.iter().filter(|_| is_read);
+        let instants_s = instants.map(|turns| window.start_s + turns * turn_s).collect();
+        FollowedRun { instants_s, nominal: Some(self.nominal_curve.clone()), own }
+    }
+}
+
+/// The place of a deviation among those that are followed, which it joins.
+fn place_of(known: &mut Vec<FollowedDeviation>, (reading, deviation): (usize, Deviation)) -> usize {
+    let found = known.iter().position(|one| one.reading == reading && one.deviation == deviation);
+    found.unwrap_or_else(|| {
+        known.push(FollowedDeviation { reading, deviation, is_integrated: false });
+        known.len() - 1
+    })
+}
+
+/// Turns of the pose of a column; not a number of a reduced one.
+fn pose_turns(plan: &ColumnPlan, column: usize) -> f64 {
+    match plan.columns[column].spot {
+        Spot::Pose { turns, .. } => turns,
+        Spot::Reduced(_) => f64::NAN,
+    }
 }
 
 /// Follows one run. It owns what belongs to the run alone, since many runs go on side by side.
 pub struct Recorder<'r> {
     shared: &'r Shared,
     arms: Arms,
-    /// The ideal motion of this sample where outputs without a table are compared with it, and its table where others are.
-    reference: Option<IdealReference<'r>>,
-    curve: Option<Arc<IdealCurve>>,
-    /// The nominal ideal motion at this sample's instants, for outputs without a table.
-    nominal: Option<IdealReference<'r>>,
+    references: References<'r>,
     /// Time of this sample to time of the nominal one, both from the start of the recorded part.
     nominal_per_own: f64,
-    nominal_start_s: f64,
     window: Window,
     turn_s: f64,
-    next_pose: usize,
-    followed: Vec<Followed>,
+    /// Of [`Shared::looks`].
+    next_look: usize,
+    looked: Vec<DeviationRange>,
     /// Poses one turn before the end, and at the end: x, y, angle by slot.
     turn_before: Option<Vec<[f64; 3]>>,
     at_end: Option<Vec<[f64; 3]>>,
@@ -164,39 +199,16 @@ pub struct References<'r> {
 impl<'r> Recorder<'r> {
     /// Ready for a run over `window` whose turns last `turn_s`.
     pub fn new(shared: &'r Shared, arms: Arms, references: References<'r>, window: &Window, turn_s: f64) -> Self {
-        let mut followed: Vec<Followed> = Vec::new();
-        for column in &shared.plan.columns {
-            let is_known = followed.iter().any(|f| f.output == column.output && f.deviation == column.deviation);
-            if matches!(column.spot, Spot::Reduced(_)) && !is_known {
-                let is_integrated = shared.plan.columns.iter().any(|other| {
-                    let is_same = other.output == column.output && other.deviation == column.deviation;
-                    is_same && matches!(other.spot, Spot::Reduced(Reduction::Mean | Reduction::RootMeanSquare))
-                });
-                followed.push(Followed {
-                    output: column.output,
-                    deviation: column.deviation,
-                    maximum: Peak::none(),
-                    minimum: Peak::none(),
-                    integral: 0.0,
-                    integral_of_square: 0.0,
-                    is_integrated,
-                    seen: None,
-                });
-            }
-        }
-        let nominal_window = references.nominal_window;
+        let Window { start_s, end_s } = references.nominal_window;
         Self {
             shared,
             arms,
-            reference: references.own,
-            curve: references.curve,
-            nominal: references.nominal,
-            nominal_per_own: (nominal_window.end_s - nominal_window.start_s) / (window.end_s - window.start_s),
-            nominal_start_s: nominal_window.start_s,
+            references,
+            nominal_per_own: (end_s - start_s) / (window.end_s - window.start_s),
             window: *window,
             turn_s,
-            next_pose: 0,
-            followed,
+            next_look: 0,
+            looked: vec![DeviationRange::NONE; shared.looked.len()],
             turn_before: None,
             at_end: None,
             values: vec![f64::NAN; shared.plan.columns.len()],
@@ -204,14 +216,25 @@ impl<'r> Recorder<'r> {
         }
     }
 
-    /// Fills the reduced columns once the run is over.
-    pub fn finish(&mut self) {
+    /// Fills the columns that were followed on the lanes, and all that are reduced, once the run is over.
+    pub fn finish(&mut self, findings: &Findings) {
+        let (shared, readings) = (self.shared, self.shared.follow.readings.len());
         let span_s = self.window.end_s - self.window.start_s;
-        for (value, column) in self.values.iter_mut().zip(&self.shared.plan.columns) {
-            if let Spot::Reduced(reduction) = column.spot {
-                let found = self.followed.iter().find(|f| f.output == column.output && f.deviation == column.deviation);
-                *value = found.map_or(f64::NAN, |followed| followed.reduced(reduction, span_s));
-            }
+        let turns = span_s / self.turn_s;
+        for (index, (column, origin)) in shared.plan.columns.iter().zip(&shared.origins).enumerate() {
+            self.values[index] = match *origin {
+                Origin::Instant { reading, instant } => {
+                    let share = (shared.instants_turns[instant] / turns).min(1.0);
+                    let actual = || findings.at_instants.get(instant * readings + reading).copied().unwrap_or(f64::NAN);
+                    let own = || self.references.curve.as_ref().map_or(f64::NAN, |curve| curve.value(reading, share));
+                    deviation(column.deviation, actual, own, || shared.nominal_at_pose[index])
+                }
+                Origin::Followed { deviation, reduction } => {
+                    reduced(&findings.deviations[deviation], reduction, span_s)
+                }
+                Origin::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
+                Origin::Look => self.values[index],
+            };
         }
     }
 
@@ -226,176 +249,104 @@ impl<'r> Recorder<'r> {
         Some(differences.fold(0.0, f64::max))
     }
 
-    fn share(&self, time_s: f64) -> f64 {
-        ((time_s - self.window.start_s) / (self.window.end_s - self.window.start_s)).clamp(0.0, 1.0)
-    }
-
-    /// Ideal value of this sample.
-    fn own_ideal(&mut self, output: usize, time_s: f64) -> f64 {
-        let reading = self.shared.plan.outputs[output].reading;
-        if let Some(curve) = self.curve.as_ref().filter(|_| reading.is_position()) {
-            return curve.value(output, self.share(time_s));
-        }
-        match &mut self.reference {
-            Some(own) => read(own, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), time_s),
+    /// The deviation of an output without a table, given the value of the real mechanism; at a pose the nominal value is known.
+    fn looked_deviation(
+        &mut self,
+        (output, of): (usize, Deviation),
+        (actual, time_s): (f64, f64),
+        nominal: Option<f64>,
+    ) -> f64 {
+        let Self { shared, arms, references, failure, .. } = self;
+        let reading = shared.plan.outputs[output].reading;
+        let mut ideal = |reference: &mut Option<IdealReference<'r>>, time_s: f64| match reference {
+            Some(reference) => read(reference, failure, |dynamics| reading.value(arms, dynamics), time_s),
             None => f64::NAN,
-        }
-    }
-
-    /// Nominal ideal value at the same place of the cycle.
-    fn nominal_ideal(&mut self, output: usize, time_s: f64) -> f64 {
-        let reading = self.shared.plan.outputs[output].reading;
-        if reading.is_position() {
-            return self.shared.nominal_curve.value(output, self.share(time_s));
-        }
-        let nominal_s = self.nominal_start_s + self.nominal_per_own * (time_s - self.window.start_s);
-        match &mut self.nominal {
-            Some(nominal) => {
-                read(nominal, &mut self.failure, |dynamics| reading.value(&self.arms, dynamics), nominal_s)
-            }
+        };
+        let nominal_s = references.nominal_window.start_s + self.nominal_per_own * (time_s - self.window.start_s);
+        let needs_own = matches!(of, Deviation::Clearance | Deviation::Dimensional);
+        let own = if needs_own { ideal(&mut references.own, time_s) } else { f64::NAN };
+        let needs_nominal = matches!(of, Deviation::Total | Deviation::Dimensional);
+        let nominal = match nominal {
+            Some(nominal) => nominal,
+            None if needs_nominal => ideal(&mut references.nominal, nominal_s),
             None => f64::NAN,
-        }
+        };
+        deviation(of, || actual, || own, || nominal)
     }
 
-    /// The deviation, given the value of the real mechanism.
-    fn deviation(&mut self, output: usize, deviation: Deviation, actual: f64, time_s: f64) -> f64 {
-        match deviation {
-            Deviation::Value => actual,
-            Deviation::Total => actual - self.nominal_ideal(output, time_s),
-            Deviation::Clearance => actual - self.own_ideal(output, time_s),
-            Deviation::Dimensional => self.own_ideal(output, time_s) - self.nominal_ideal(output, time_s),
-        }
-    }
-
-    fn record_poses(&mut self, step: &mut Step<'_, '_>) {
-        while let Some(&first) = self.shared.pose_order.get(self.next_pose) {
-            let Spot::Pose { turns, .. } = self.shared.plan.columns[first].spot else { return };
-            let time_s = self.window.start_s + turns * self.turn_s;
+    /// Columns at poses that need a look inside the step.
+    fn look_at_poses(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(&column) = self.shared.looks.get(self.next_look) {
+            let time_s = self.look_s(column);
             // A pose at the very end may lie behind the last step by round-off.
             if time_s > step.end_s && step.end_s < self.window.end_s {
                 return;
             }
-            // All columns of this pose from one look at the step.
-            let shared = self.shared;
-            let at =
-                |column: usize| matches!(shared.plan.columns[column].spot, Spot::Pose { turns: t, .. } if t == turns);
-            let count = shared.pose_order[self.next_pose..].iter().take_while(|&&c| at(c)).count();
-            let columns = &shared.pose_order[self.next_pose..self.next_pose + count];
-            self.next_pose += count;
-            let share = step.share(time_s);
-            for &column in columns {
-                let planned = shared.plan.columns[column];
-                let actual = self.actual(step, planned.output, time_s, share);
-                let nominal = shared.nominal_at_pose[column];
-                self.values[column] = match planned.deviation {
-                    Deviation::Value => actual,
-                    Deviation::Total => actual - nominal,
-                    Deviation::Clearance => actual - self.own_ideal(planned.output, time_s),
-                    Deviation::Dimensional => self.own_ideal(planned.output, time_s) - nominal,
-                };
-            }
+            self.next_look += 1;
+            let planned = self.shared.plan.columns[column];
+            let actual = self.actual(step, planned.output, time_s);
+            let nominal = Some(self.shared.nominal_at_pose[column]);
+            self.values[column] = self.looked_deviation((planned.output, planned.deviation), (actual, time_s), nominal);
         }
     }
 
-    /// Value of the real mechanism within a step: positions from their polynomial, anything else from a look inside.
-    fn actual(&self, step: &mut Step<'_, '_>, output: usize, time_s: f64, share: f64) -> f64 {
+    /// When the pose of a column is passed.
+    fn look_s(&self, column: usize) -> f64 {
+        self.window.start_s + pose_turns(&self.shared.plan, column) * self.turn_s
+    }
+
+    /// Value of an output without a polynomial, by a look inside a step.
+    fn actual(&self, step: &mut Step<'_, '_>, output: usize, time_s: f64) -> f64 {
         let reading = self.shared.plan.outputs[output].reading;
-        if let Some(place) = self.shared.places[output] {
-            let [start, end] = step.outputs[place];
-            return Quintic::new(start, end, step.length).value(share);
-        }
         let dynamics = if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
         reading.value(&self.arms, dynamics)
     }
 
-    fn follow(&mut self, step: &mut Step<'_, '_>) {
-        let (start_s, end_s) = (step.start_s.max(self.window.start_s), step.end_s.min(self.window.end_s));
-        if self.followed.is_empty() || !(end_s > start_s) {
-            return;
-        }
-        let shares = [step.share(start_s), step.share(end_s)];
-        let (time, length) = (step.uneven_time(), step.length);
-        let pace = |share: f64| time.as_ref().map_or(1.0, |time| time.slope(share) / length) * length;
-        let mut followed = std::mem::take(&mut self.followed);
-        for one in &mut followed {
-            let (output, deviation) = (one.output, one.deviation);
-            if self.shared.places[output].is_some() {
-                let quintic = self.deviation_polynomial(step, one);
-                one.take(shares, Some(quintic.limits()), pace, |share| quintic.value(share));
-            } else {
-                // No polynomial: by time, looking inside the step.
-                let span_s = end_s - start_s;
-                one.take(
-                    [0.0, 1.0],
-                    None,
-                    |_| span_s,
-                    |share| {
-                        let time_s = start_s + share * span_s;
-                        let actual = self.actual(step, output, time_s, 0.0);
-                        self.deviation(output, deviation, actual, time_s)
-                    },
-                );
+    /// Takes a step into the deviations that are followed by looks.
+    fn look_through(&mut self, step: &mut Step<'_, '_>) {
+        let (start_s, span_s) = (step.start_s, step.end_s - step.start_s);
+        for index in 0..self.looked.len() {
+            let of = self.shared.looked[index];
+            let DeviationRange { mut largest, mut smallest, mut integral, mut integral_of_square } = self.looked[index];
+            let mut at = |share: f64| {
+                let time_s = start_s + share * span_s;
+                let actual = self.actual(step, of.0, time_s);
+                self.looked_deviation(of, (actual, time_s), None)
+            };
+            let points: [(f64, f64); POINTS_PER_STEP] = std::array::from_fn(|k| {
+                let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
+                (share, at(share))
+            });
+            let (low, high) =
+                points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+            // Between the points the value can rise above them by a part of their range only.
+            let room = 0.25 * (high - low);
+            if high + room > largest {
+                largest = largest.max(maximum_within(&points, &mut at).value);
             }
+            if low - room < smallest {
+                let turned = points.map(|(share, value)| (share, -value));
+                smallest = smallest.min(-maximum_within(&turned, |share| -at(share)).value);
+            }
+            for (place, weight) in GAUSS {
+                let (value, weight_s) = (at(place), weight * span_s);
+                integral += weight_s * value;
+                integral_of_square += weight_s * value * value;
+            }
+            self.looked[index] = DeviationRange { largest, smallest, integral, integral_of_square };
         }
-        self.followed = followed;
     }
 
-    /// The deviation of a position over a step, as a polynomial of the share of the step.
-    fn deviation_polynomial(&self, step: &Step<'_, '_>, followed: &mut Followed) -> Quintic {
-        let [start_s, end_s] = [0, 1].map(|side| step.time(side)[0]);
-        // Most steps begin where the one before ended.
-        let start = match followed.seen {
-            Some((seen_s, jets)) if seen_s == start_s => jets,
-            _ => self.ideal_jets(followed, start_s),
-        };
-        let end = self.ideal_jets(followed, end_s);
-        followed.seen = Some((end_s, end));
-        let [start, end] = [(0, start), (1, end)].map(|(side, ideal)| self.deviation_jet(step, side, followed, ideal));
-        Quintic::new(start, end, step.length)
-    }
-
-    /// The ideal motions at `time_s`, as far as this deviation asks for them.
-    #[inline(always)]
-    fn ideal_jets(&self, followed: &Followed, time_s: f64) -> IdealJets {
-        let (output, share) = (followed.output, self.share(time_s));
-        // The nominal motion is read at the same place of the cycle, where its time runs in proportion.
-        let nominal = || {
-            let [value, rate, acceleration] = self.shared.nominal_curve.jet(output, share);
-            [value, rate * self.nominal_per_own, acceleration * self.nominal_per_own * self.nominal_per_own]
-        };
-        let own = || self.curve.as_ref().map_or([f64::NAN; 3], |curve| curve.jet(output, share));
-        let none = [f64::NAN; 3];
-        let (nominal, own) = match followed.deviation {
-            Deviation::Value => (none, none),
-            Deviation::Total => (nominal(), none),
-            Deviation::Clearance => (none, own()),
-            Deviation::Dimensional => (nominal(), own()),
-        };
-        IdealJets { nominal, own }
-    }
-
-    /// The deviation of a position at an end of a step, with its derivatives over the variable of integration.
-    #[inline(always)]
-    fn deviation_jet(&self, step: &Step<'_, '_>, side: usize, followed: &Followed, ideal: IdealJets) -> [f64; 3] {
-        let (time, IdealJets { nominal, own }) = (step.time(side), ideal);
-        let actual = || self.shared.places[followed.output].map_or([f64::NAN; 3], |place| step.outputs[place][side]);
-        // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
-        let over_step = |[value, rate, acceleration]: [f64; 3]| {
-            [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]]
-        };
-        let less = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-        match followed.deviation {
-            Deviation::Value => actual(),
-            Deviation::Total => less(actual(), over_step(nominal)),
-            Deviation::Clearance => less(actual(), over_step(own)),
-            Deviation::Dimensional => less(over_step(own), over_step(nominal)),
-        }
+    /// One turn before the end, where that lies in the recorded part.
+    fn turn_before_s(&self) -> Option<f64> {
+        let before_s = self.window.end_s - self.turn_s;
+        (before_s >= self.window.start_s - 1e-9 * self.turn_s).then_some(before_s)
     }
 
     fn note_turn(&mut self, step: &mut Step<'_, '_>) {
-        let before_s = self.window.end_s - self.turn_s;
-        let slack_s = 1e-9 * self.turn_s;
-        if self.turn_before.is_none() && before_s >= self.window.start_s - slack_s && before_s <= step.end_s {
+        if let Some(before_s) =
+            self.turn_before_s().filter(|before_s| self.turn_before.is_none() && *before_s <= step.end_s)
+        {
             self.turn_before = Some(poses(step.set_state(before_s.max(step.start_s))));
         }
         if step.end_s >= self.window.end_s {
@@ -406,9 +357,46 @@ impl<'r> Recorder<'r> {
 
 impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
-        self.follow(step);
-        self.record_poses(step);
+        self.look_through(step);
+        self.look_at_poses(step);
         self.note_turn(step);
+    }
+
+    fn awaits_s(&self) -> f64 {
+        if !self.looked.is_empty() {
+            return f64::NEG_INFINITY;
+        }
+        let look = self.shared.looks.get(self.next_look).map(|&column| self.look_s(column));
+        let turn = self.turn_before_s().filter(|_| self.turn_before.is_none());
+        look.into_iter().chain(turn).fold(self.window.end_s, f64::min)
+    }
+}
+
+/// A deviation from the value of the real mechanism, of its own ideal motion and of the nominal one.
+fn deviation(
+    of: Deviation,
+    actual: impl FnOnce() -> f64,
+    own: impl FnOnce() -> f64,
+    nominal: impl FnOnce() -> f64,
+) -> f64 {
+    match of {
+        Deviation::Value => actual(),
+        Deviation::Total => actual() - nominal(),
+        Deviation::Clearance => actual() - own(),
+        Deviation::Dimensional => own() - nominal(),
+    }
+}
+
+/// A deviation over a recorded part of `span_s` as one number.
+fn reduced(range: &DeviationRange, reduction: Reduction, span_s: f64) -> f64 {
+    let DeviationRange { largest, smallest, integral, integral_of_square } = *range;
+    match reduction {
+        Reduction::Maximum => largest,
+        Reduction::Minimum => smallest,
+        Reduction::MaximumAbsolute => largest.max(-smallest),
+        Reduction::Range => largest - smallest,
+        Reduction::Mean => integral / span_s,
+        Reduction::RootMeanSquare => (integral_of_square / span_s).max(0.0).sqrt(),
     }
 }
 
@@ -416,7 +404,7 @@ impl Observer for Recorder<'_> {
 fn read<'a>(
     reference: &mut IdealReference<'a>,
     failure: &mut Option<SampleError>,
-    value: impl Fn(&loosepin_mechanics::dynamics::Dynamics<'a, f64>) -> f64,
+    value: impl Fn(&Dynamics<'a, f64>) -> f64,
     time_s: f64,
 ) -> f64 {
     match reference.at(time_s, true) {
@@ -428,7 +416,7 @@ fn read<'a>(
     }
 }
 
-fn poses(dynamics: &loosepin_mechanics::dynamics::Dynamics<'_, f64>) -> Vec<[f64; 3]> {
+fn poses(dynamics: &Dynamics<'_, f64>) -> Vec<[f64; 3]> {
     dynamics.kinematics.poses.iter().map(|p| [p.position_m.x, p.position_m.y, p.angle_rad]).collect()
 }
 
@@ -464,5 +452,12 @@ mod tests {
             // 180 poses may miss a part of a peak.
             assert!((1.0..1.25).contains(&(largest_m / at_poses_m)), "{transient}: {largest_m} m, {at_poses_m} m");
         }
+    }
+
+    #[test]
+    fn identity_the_slider_crank_keeps_its_96_nodes() {
+        let response = StudyResponse::new(&study_with("cases/slider_crank_worn_pin/study.toml", &[])).unwrap();
+        let nodes = &response.shared.nominal_curve.nodes;
+        assert_eq!(nodes.pieces(), [1; 96]);
     }
 }

@@ -2,17 +2,16 @@
 
 use super::columns::{ColumnPlan, Spot};
 use super::extras::RunExtras;
-use super::file::{Deviation, EpistemicSubject, MOST_POSES, Study, Where};
-use super::ideal_curve::{IdealCurve, IdealNodes};
+use super::file::{EpistemicSubject, MOST_POSES, Study, Where};
 use super::ideal_tables::IdealTables;
-use super::recorder::Shared;
+use super::recorder::{Shared, positions};
 use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
 };
-use loosepin_simulate::{Arms, IdealReference, Reading, RunFailure, Settings, Window};
+use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
@@ -107,7 +106,6 @@ pub struct StudyResponse {
     pub(super) settings: Settings,
     /// Evaluations after which a run is given up; its ideal motion has as many as the settings say.
     pub(super) largest_evaluations: u64,
-    pub(super) needs_nominal_reference: bool,
 }
 
 /// Where the value of an epistemic input goes.
@@ -158,12 +156,9 @@ impl StudyResponse {
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
         let nominal_ideal = Sample::new(mechanism, &nominal).map_err(RunFailure::from)?.without_play();
-        let mut is_used = vec![false; plan.outputs.len()];
-        for column in &plan.columns {
-            is_used[column.output] = true;
-        }
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
-        let shared = share_nominal(plan, is_used, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, study)?;
+        let turns = study.cycle.recorded_turns;
+        let shared = share_nominal(plan, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, turns)?;
         let joint_name = |joint: &loosepin_mechanics::model::JointId| study.model.joints[joint.0].name.clone();
         let restitutions = mechanism
             .plays
@@ -171,7 +166,6 @@ impl StudyResponse {
             .map(|joint| study.model.joints[joint.0].kind.play())
             .map(|play| play.and_then(|(_, contact)| study.model.contacts[contact.0].restitution))
             .collect();
-        let needs_nominal_reference = shared.plan.outputs.iter().any(|output| !output.reading.is_position());
         Ok(Self {
             joints: mechanism.plays.iter().map(joint_name).collect(),
             ideal,
@@ -194,7 +188,6 @@ impl StudyResponse {
             span: study.cycle.span,
             largest_evaluations: settings.largest_evaluations,
             settings,
-            needs_nominal_reference,
             mechanisms,
             shared,
             nominal,
@@ -365,30 +358,20 @@ pub(super) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f
     Ok(Window { start_s, end_s: start_s + recorded_turns * turn_s })
 }
 
-#[allow(clippy::too_many_arguments, reason = "all of it is made once, in one place")]
 /// The nominal ideal motion: a table over the recorded part, and its exact values at the poses.
 fn share_nominal(
     plan: ColumnPlan,
-    is_used: Vec<bool>,
     ideal: &Mechanism,
     nominal: &Values,
     nominal_ideal: &Sample<f64>,
     nominal_window: &Window,
     settings: &Settings,
-    study: &Study,
+    turns: f64,
 ) -> Result<Shared, RunFailure> {
     let arms = Arms::new(ideal, nominal);
     let span_s = nominal_window.end_s - nominal_window.start_s;
-    let turns = study.cycle.recorded_turns;
-    let positions: Vec<(Reading, f64)> = plan
-        .outputs
-        .iter()
-        .zip(&is_used)
-        .filter(|(output, is_used)| **is_used && output.reading.is_position())
-        .map(|(output, _)| {
-            (output.reading, if matches!(output.reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 })
-        })
-        .collect();
+    let positions = positions(&plan);
+    let arm_m = |reading: &Reading| if matches!(reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 };
     let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_motion = reference.free_motion();
     // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.
@@ -397,15 +380,14 @@ fn share_nominal(
     let largest_error_m = (SHARE_OF_TOLERANCE * settings.tolerance_m).max(ROUND_OFF_OF_LOOPS * ideal.size_m);
     let nodes = IdealNodes::new(turns, span_s, largest_error_m, |share| {
         let time_s = nominal_window.start_s + share * span_s;
-        let jet = |(reading, arm_m): &(Reading, f64)| {
-            Ok(reference.jet(reading, &arms, time_s)?.map(|derivative| derivative * arm_m))
+        let jet = |reading: &Reading| {
+            Ok(reference.jet(reading, &arms, time_s)?.map(|derivative| derivative * arm_m(reading)))
         };
         positions.iter().map(jet).collect::<Result<Vec<_>, SampleError>>()
     })?;
-    let nodes = Arc::new(nodes);
     reference = fresh()?;
-    let nominal_curve =
-        IdealCurve::new(&mut reference, &plan.outputs, &is_used, &arms, nominal_window.start_s, span_s, nodes)?;
+    let (start_s, nodes) = (nominal_window.start_s, Arc::new(nodes));
+    let nominal_curve = IdealCurve::new(&mut reference, &positions, &arms, start_s, span_s, nodes)?;
     let mut pose_order: Vec<(f64, usize)> = plan
         .columns
         .iter()
@@ -418,39 +400,11 @@ fn share_nominal(
     pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
     reference = fresh()?;
-    for &(at, index) in &pose_order {
+    for (at, index) in pose_order {
         let reading = plan.outputs[plan.columns[index].output].reading;
         let time_s = nominal_window.start_s + at * span_s / turns;
         let dynamics = reference.at(time_s, true)?;
         nominal_at_pose[index] = reading.value(&arms, dynamics);
     }
-    let pose_order = pose_order.into_iter().map(|(_, index)| index).collect();
-    let mut of_own =
-        plan.columns.iter().filter(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
-    let needs_own_ideal = of_own.clone().next().is_some();
-    let needs_own_reference = of_own.any(|column| !plan.outputs[column.output].reading.is_position());
-    let mut readings = Vec::new();
-    let places = plan
-        .outputs
-        .iter()
-        .zip(&is_used)
-        .map(|(output, is_used)| {
-            (*is_used && output.reading.is_position()).then(|| {
-                readings.push(output.reading);
-                readings.len() - 1
-            })
-        })
-        .collect();
-    Ok(Shared {
-        plan,
-        is_used,
-        needs_own_ideal,
-        needs_own_reference,
-        readings,
-        places,
-        nominal_curve,
-        nominal_motion,
-        nominal_at_pose,
-        pose_order,
-    })
+    Ok(Shared::new(plan, nominal_curve, nominal_motion, nominal_at_pose))
 }

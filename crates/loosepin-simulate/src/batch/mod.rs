@@ -5,6 +5,7 @@
 
 mod depth;
 mod depth_limit;
+mod follow;
 mod queue;
 mod seats;
 mod switch;
@@ -13,10 +14,10 @@ pub use depth_limit::{DepthLimit, LARGEST_RESIDUAL};
 pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
-use crate::column::Reading;
 use crate::core::{Attempt, Core};
 use crate::execution::Execution;
 use crate::failure::RunFailure;
+use crate::follow::{Follow, FollowLayout, LaneFollow};
 use crate::gap::{ContactStep, GapJet};
 use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
 use crate::motion::Motion;
@@ -56,6 +57,8 @@ pub(super) struct Batch<'a> {
     started: u64,
     output_jets: Vec<[[f64; 3]; 2]>,
     settings: Settings,
+    /// Where everything is among the numbers of what is followed.
+    follow: FollowLayout,
     /// Lanes whose derivative is to be evaluated again before the next step.
     restarts: u32,
     gaps: Vec<[GapJet; 2]>,
@@ -68,7 +71,7 @@ impl<'a> Batch<'a> {
     /// Runs everything in `queue`.
     pub fn conduct(
         mechanism: &'a Mechanism,
-        readings: &[Reading],
+        follow: &Follow,
         settings: &Settings,
         execution: Execution,
         queue: &mut dyn Seated,
@@ -78,15 +81,16 @@ impl<'a> Batch<'a> {
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
-            core: Core::new(mechanism, &first.sample, &first.arms, readings, settings, execution),
+            core: Core::new(mechanism, &first.sample, &first.arms, follow, settings, execution),
             runs: (0..execution.lanes()).map(|_| None).collect(),
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
             view_state: vec![0.0; view.layout.length()],
             view,
             viewed: 0,
             started: 0,
-            output_jets: vec![[[0.0; 3]; 2]; readings.len()],
+            output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
             settings: *settings,
+            follow: FollowLayout::new(follow),
             restarts: 0,
             gaps: vec![[GapJet::default(); 2]; contacts],
             slidings_m_s: vec![[0.0; 2]; contacts],
@@ -113,7 +117,7 @@ impl<'a> Batch<'a> {
 
     /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
     fn start(&mut self, lane: usize, run: Run<Seat>, queue: &mut dyn Seated) {
-        let Run { mut sample, arms, window, observer, resume } = run;
+        let Run { mut sample, arms, window, observer, followed, resume } = run;
         let n = self.mechanism.real.free;
         let state = &mut self.view_state;
         let mut start_s = 0.0;
@@ -155,12 +159,16 @@ impl<'a> Batch<'a> {
         let turn_s = std::f64::consts::TAU / rate_1_s;
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         let stop_s = next_stop_s(&sample, start_s, &window);
+        let awaited_s = queue.observer(observer).map_or(f64::INFINITY, |observer| observer.awaits_s());
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
             sample,
             window,
             observer,
+            awaited_s,
+            follow: LaneFollow::new(&self.follow, followed, window),
+            is_recorded: false,
             longest_s,
             smallest_s: SMALLEST_STEP_TURNS * turn_s,
             phase: Phase::Stepping,
@@ -178,6 +186,9 @@ impl<'a> Batch<'a> {
             root: None,
         });
         self.restarts |= 1 << lane;
+        if start_s >= window.start_s {
+            self.begin_record(lane, start_s);
+        }
         self.choose_step(lane);
     }
 
@@ -244,6 +255,7 @@ impl<'a> Batch<'a> {
         if accepted == 0 {
             return;
         }
+        self.follow(accepted);
         self.core.accept(accepted);
         if self.view_projection.is_some() {
             self.restart(accepted);
@@ -328,11 +340,15 @@ impl<'a> Batch<'a> {
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
         let end_s = if run.reaches_stop { run.stop_s } else { end_s };
         // With a root a step may be too short for the time to show it.
-        if end_s <= run.window.start_s || end_s <= start_s {
+        if !run.is_recorded || end_s <= start_s {
             return Ok(());
         }
+        let is_awaited = end_s >= run.awaited_s;
         if attempt.notable >> lane & 1 != 0 {
             self.note_penetrations(lane);
+        }
+        if !is_awaited {
+            return Ok(());
         }
         for (output, jets) in self.output_jets.iter_mut().enumerate() {
             let [start, end] = self.core.jets(lane, self.core.pass.reads.output(output));
@@ -353,6 +369,7 @@ impl<'a> Batch<'a> {
         let mut step = Step { source, start_s, end_s, length: step, time, outputs: &self.output_jets };
         if let Some(observer) = queue.observer(run.observer) {
             observer.step(&mut step);
+            run.awaited_s = observer.awaits_s();
         }
         run.counters.evaluations += dense.evaluations;
         Ok(())
@@ -438,7 +455,8 @@ impl<'a> Batch<'a> {
     }
 
     fn succeed(&mut self, lane: usize, queue: &mut dyn Seated) {
-        let Some(run) = &mut self.runs[lane] else { return };
+        let findings = self.findings(lane);
+        let Some(run) = &self.runs[lane] else { return };
         let mut plays = vec![PlaySummary::default(); self.mechanism.plays.len()];
         for (at, summary) in self.mechanism.contacts.iter().zip(&run.contacts) {
             plays[at.play].take_in(summary);
@@ -448,6 +466,7 @@ impl<'a> Batch<'a> {
             plays,
             energy: Some(self.core.account(lane)),
             friction_losses: self.core.friction_losses(lane, &run.sample),
+            findings,
         };
         self.finish(lane, Ok(report), queue);
     }
@@ -497,7 +516,8 @@ struct LaneDense<'s, 'a> {
 
 impl DenseOutput for LaneDense<'_, '_> {
     fn interpolate(&mut self, share: f64, state: &mut [f64]) {
-        if self.evaluations == 0 {
+        // Its ends are known.
+        if self.evaluations == 0 && share > 0.0 && share < 1.0 {
             self.evaluations = self.core.pass.stepper.evaluations_for_dense();
             self.core.prepare_dense();
         }

@@ -2,6 +2,7 @@
 
 use crate::column::Arms;
 use crate::failure::RunFailure;
+use crate::follow::FollowedRun;
 use crate::observer::Observer;
 use crate::report::RunReport;
 use crate::resume::MotionState;
@@ -18,6 +19,8 @@ pub struct Run<O> {
     pub window: Window,
     /// Who looks at it.
     pub observer: O,
+    /// What it is compared with, and when it is read.
+    pub followed: FollowedRun,
     /// Where it goes on from; without, it starts at time zero in the ideal position.
     pub resume: Option<MotionState>,
 }

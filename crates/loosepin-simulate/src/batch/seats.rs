@@ -35,13 +35,13 @@ impl<'q, O> Seats<'q, O> {
 
 impl<O: Observer> Seated for Seats<'_, O> {
     fn next(&mut self) -> Option<Run<Seat>> {
-        let Run { sample, arms, window, observer, resume } = self.queue.next()?;
+        let Run { sample, arms, window, observer, followed, resume } = self.queue.next()?;
         let free = self.seats.iter().position(Option::is_none).unwrap_or_else(|| {
             self.seats.push(None);
             self.seats.len() - 1
         });
         self.seats[free] = Some(observer);
-        Some(Run { sample, arms, window, observer: Seat(free), resume })
+        Some(Run { sample, arms, window, observer: Seat(free), followed, resume })
     }
 
     fn observer(&mut self, seat: Seat) -> Option<&mut dyn Observer> {

@@ -57,6 +57,7 @@ impl Batch<'_> {
         }
         run.phase = Phase::Stepping;
         run.stop_s = next_stop_s(&run.sample, time_s, &run.window);
+        let is_start = time_s == run.window.start_s;
         let place = self.core.pass.layout.time();
         self.core.set_state(lane, place, time_s);
         if run.sample.take_pieces_at(time_s) {
@@ -65,6 +66,9 @@ impl Batch<'_> {
             self.viewed = 0;
         }
         self.restarts |= 1 << lane;
+        if is_start {
+            self.begin_record(lane, time_s);
+        }
         self.choose_step(lane);
     }
 

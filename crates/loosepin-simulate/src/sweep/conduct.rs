@@ -2,8 +2,8 @@
 
 use super::turns::TurnsRecorder;
 use crate::{
-    Arms, Column, Execution, FlightClock, IdealReference, Queue, Run, RunFailure, RunReport, Settings,
-    SmallestClearance, Turns, Window, columns, conduct, input, period_turns, section_sizes,
+    Arms, Column, Execution, FlightClock, Follow, FollowedRun, IdealReference, Queue, Run, RunFailure, RunReport,
+    Settings, SmallestClearance, Turns, Window, columns, conduct, input, period_turns, section_sizes,
 };
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRange, Values};
@@ -150,7 +150,7 @@ impl SweepRuns<'_> {
         stop: &AtomicBool,
     ) -> Vec<(usize, SweepPoint)> {
         let mut queue = SweepQueue { runs: self, taken, finished, heard, stop, points: Vec::new() };
-        conduct(self.mechanism, &[], &self.plan.settings, Execution::best(), &mut queue);
+        conduct(self.mechanism, &Follow::default(), &self.plan.settings, Execution::best(), &mut queue);
         queue.points
     }
 
@@ -168,7 +168,7 @@ impl SweepRuns<'_> {
         let sizes = section_sizes(self.mechanism, &sample);
         let flight = FlightClock::new(self.mechanism, start_s);
         let observer = TurnsRecorder::new(index, turns, self.outputs, arms.clone(), ideal, sizes, flight);
-        Ok(Run { sample, arms, window, observer, resume: None })
+        Ok(Run { sample, arms, window, observer, followed: FollowedRun::default(), resume: None })
     }
 
     /// The point of the sweep for a finished run.

@@ -4,8 +4,8 @@ use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::{
-    Arms, Counters, Execution, Observer, Onset, PassPrograms, Queue, Reading, Run, RunFailure, RunReport, Separation,
-    Settings, Step, Window, columns, conduct,
+    Arms, Counters, Execution, Follow, FollowedRun, Observer, Onset, PassPrograms, Queue, Reading, Run, RunFailure,
+    RunReport, Separation, Settings, Step, Window, columns, conduct,
 };
 use loosepin_tape::native::OperationCounts;
 use std::path::Path;
@@ -108,6 +108,7 @@ impl Queue for Waiting<'_> {
             arms: Arms::new(&self.case.mechanism, &values),
             window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
             observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
+            followed: FollowedRun::default(),
             resume: None,
         })
     }
@@ -120,7 +121,7 @@ impl Queue for Waiting<'_> {
 
 fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, settings: &Settings) -> Vec<Seen> {
     let mut waiting = Waiting { case, order, turns, seen: vec![Seen::default(); RUNS] };
-    conduct(&case.mechanism, &case.readings, settings, execution, &mut waiting);
+    conduct(&case.mechanism, &Follow::readings(&case.readings), settings, execution, &mut waiting);
     waiting.seen
 }
 
@@ -313,7 +314,8 @@ fn pinned_operations_of_the_slider_crank() {
     let nominal = mechanism.model.quantities.nominal();
     let sample = Sample::new(&mechanism, &nominal).expect("nominal");
     let arms = Arms::new(&mechanism, &nominal);
-    let programs = PassPrograms::new(&mechanism, &sample, &arms, &readings[..1], &Settings::for_study());
+    let programs =
+        PassPrograms::new(&mechanism, &sample, &arms, &Follow::readings(&readings[..1]), &Settings::for_study());
     let PassPrograms { slope, end, hold_loops, .. } = programs;
     assert!(hold_loops.is_none(), "no loop of ideal joints is to be held");
     let expected = OperationCounts {

@@ -150,9 +150,9 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
         .plan
         .outputs
         .iter()
-        .zip(&shared.is_used)
-        .filter(|(_, is_used)| **is_used)
-        .map(|(output, _)| OutputDescription {
+        .enumerate()
+        .filter(|(output, _)| shared.plan.is_used(*output))
+        .map(|(_, output)| OutputDescription {
             name: output.name.clone(),
             words: output.words.clone(),
             unit: output.unit.clone(),

@@ -1,8 +1,9 @@
 //! The ideal motion of one sample over the recorded turns, as a table that is read at any instant.
 
+use super::column::{Arms, Reading};
+use super::reference::IdealReference;
 use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::SampleError;
-use loosepin_simulate::{Arms, Column, IdealReference};
 use std::sync::Arc;
 
 /// Nodes a turn, at least: between them a polynomial of degree five errs by (2πk/96)⁶/46080 of the k-th harmonic of the motion: 2e-12 of
@@ -54,12 +55,28 @@ impl IdealNodes {
         Ok(Self { pieces, first })
     }
 
+    /// Pieces of each interval.
+    pub fn pieces(&self) -> &[usize] {
+        &self.pieces
+    }
+
     /// The places of all nodes, counted in intervals.
     fn places(&self) -> impl Iterator<Item = f64> {
         let of_interval = |(interval, &pieces): (usize, &usize)| {
             (0..pieces).map(move |piece| interval as f64 + piece as f64 / pieces as f64)
         };
         self.pieces.iter().enumerate().flat_map(of_interval).chain([self.pieces.len() as f64])
+    }
+
+    /// The piece that holds `share` in [0, 1] of the recorded part; at a node the one that begins there.
+    pub fn piece(&self, share: f64) -> Piece {
+        let intervals = self.pieces.len();
+        let place = share * intervals as f64;
+        let interval = (place as usize).min(intervals - 1);
+        let pieces = self.pieces[interval];
+        let piece = (((place - interval as f64) * pieces as f64) as usize).min(pieces - 1);
+        let end = |piece: usize| (interval as f64 + piece as f64 / pieces as f64) / intervals as f64;
+        Piece { index: self.first[interval] + piece, shares: [end(piece), end(piece + 1)] }
     }
 
     /// Length of each of the `pieces` of an interval, s, where the recorded part lasts `span_s`.
@@ -96,45 +113,48 @@ fn differs<E>(
 
 /// Positions and angles of an ideal mechanism over the recorded part, by share of that part.
 ///
-/// Only outputs that are positions have a curve: the others are not smooth enough for a table.
+/// Nothing else has a curve: other outputs are not smooth enough for a table.
 #[derive(Debug, Clone)]
 pub struct IdealCurve {
-    /// Duration of the recorded part for this sample, s.
-    span_s: f64,
     /// Where it has its nodes.
     pub nodes: Arc<IdealNodes>,
-    /// Each output between the nodes; empty for outputs that are no positions.
+    /// Each reading between the nodes, over [0, 1] of each piece.
     quintics: Vec<Vec<Quintic>>,
 }
 
+/// A piece of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    index: usize,
+    /// Where it begins and ends, as shares of the recorded part.
+    pub shares: [f64; 2],
+}
+
 impl IdealCurve {
-    /// Follows `reference` from `start_s` on for `span_s`.
+    /// Follows `readings`, which are positions and angles, of `reference` from `start_s` on for `span_s`.
     ///
     /// # Errors
     /// The loops cannot be closed on the way.
     pub fn new(
         reference: &mut IdealReference<'_>,
-        outputs: &[Column],
-        is_used: &[bool],
+        readings: &[Reading],
         arms: &Arms,
         start_s: f64,
         span_s: f64,
         nodes: Arc<IdealNodes>,
     ) -> Result<Self, SampleError> {
         let intervals = nodes.pieces.len() as f64;
-        let mut jets = vec![Vec::new(); outputs.len()];
+        let mut jets = vec![Vec::new(); readings.len()];
         for place in nodes.places() {
             let time_s = start_s + span_s * place / intervals;
-            for (k, output) in outputs.iter().enumerate() {
-                if is_used[k] && output.reading.is_position() {
-                    jets[k].push(reference.jet(&output.reading, arms, time_s)?);
-                }
+            for (jets, reading) in jets.iter_mut().zip(readings) {
+                jets.push(reference.jet(reading, arms, time_s)?);
             }
         }
         Ok(Self::of_jets(span_s, nodes, &jets))
     }
 
-    /// From value, rate and acceleration of each output at each node.
+    /// From value, rate and acceleration of each reading at each node.
     fn of_jets(span_s: f64, nodes: Arc<IdealNodes>, jets: &[Vec<[f64; 3]>]) -> Self {
         let lengths_s =
             || nodes.pieces.iter().flat_map(|&pieces| std::iter::repeat_n(nodes.length_s(span_s, pieces), pieces));
@@ -143,7 +163,7 @@ impl IdealCurve {
             pairs.map(|(pair, length_s)| Quintic::new(pair[0], pair[1], length_s)).collect()
         };
         let quintics = jets.iter().map(between).collect();
-        Self { span_s, nodes, quintics }
+        Self { nodes, quintics }
     }
 
     /// Numbers of the table.
@@ -151,41 +171,25 @@ impl IdealCurve {
         self.quintics.iter().map(|quintics| 6 * quintics.len()).sum()
     }
 
-    /// The value of `output` at `share` in [0, 1] of the recorded part.
+    /// The value of a reading at `share` in [0, 1] of the recorded part.
     #[inline]
-    pub fn value(&self, output: usize, share: f64) -> f64 {
-        let (quintic, tau, _) = self.piece(output, share);
-        quintic.value(tau)
+    pub fn value(&self, reading: usize, share: f64) -> f64 {
+        let piece = self.nodes.piece(share);
+        let [from, to] = piece.shares;
+        self.quintic(reading, piece).value((share - from) / (to - from))
     }
 
-    /// Value and first two time derivatives of `output` at `share` in [0, 1] of the recorded part.
-    #[inline]
-    pub fn jet(&self, output: usize, share: f64) -> [f64; 3] {
-        let (quintic, tau, h) = self.piece(output, share);
-        [quintic.value(tau), quintic.slope(tau) / h, quintic.curvature(tau) / (h * h)]
-    }
-
-    #[inline]
-    fn piece(&self, output: usize, share: f64) -> (&Quintic, f64, f64) {
-        let intervals = self.nodes.pieces.len();
-        let place = share * intervals as f64;
-        let interval = (place as usize).min(intervals - 1);
-        let pieces = self.nodes.pieces[interval];
-        let within = (place - interval as f64) * pieces as f64;
-        let piece = (within as usize).min(pieces - 1);
-        let quintic = &self.quintics[output][self.nodes.first[interval] + piece];
-        (quintic, within - piece as f64, self.nodes.length_s(self.span_s, pieces))
+    /// A reading over a piece of a curve with these nodes.
+    pub fn quintic(&self, reading: usize, piece: Piece) -> &Quintic {
+        &self.quintics[reading][piece.index]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{IdealCurve, IdealNodes};
-    use crate::file::Study;
-    use crate::response::StudyResponse;
     use std::convert::Infallible;
     use std::f64::consts::{PI, TAU};
-    use std::path::Path;
     use std::sync::Arc;
 
     const TURN_S: f64 = 0.25;
@@ -228,20 +232,15 @@ mod tests {
     }
 
     #[test]
-    fn identity_the_slider_crank_keeps_its_96_nodes() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let text = std::fs::read_to_string(&path).unwrap();
-        let study = Study::from_text_at(&path.display().to_string(), &text).unwrap_or_else(|found| panic!("{found}"));
-        let nodes = &StudyResponse::new(&study).unwrap().shared.nominal_curve.nodes;
-        assert!(nodes.pieces.iter().all(|&pieces| pieces == 1), "{:?}", nodes.pieces);
-    }
-
-    #[test]
     fn analytic_a_crank_that_turns_twenty_times_has_enough_nodes() {
         let curve = table(crank(20.0));
         assert!(largest_error_m(&curve, crank(20.0)) < 1.1 * LARGEST_ERROR_M);
         let [_, slope, curvature] = crank(20.0)(TAU * 0.31);
-        let jet = curve.jet(0, 0.31);
+        let piece = curve.nodes.piece(0.31);
+        let quintic = curve.quintic(0, piece);
+        let [from, to] = piece.shares;
+        let (tau, length_s) = ((0.31 - from) / (to - from), (to - from) * TURN_S);
+        let jet = [quintic.value(tau), quintic.slope(tau) / length_s, quintic.curvature(tau) / (length_s * length_s)];
         let rate = TAU / TURN_S;
         assert!(
             (jet[1] / (slope * rate) - 1.0).abs() < 1e-6 && (jet[2] / (curvature * rate * rate) - 1.0).abs() < 1e-4

@@ -1,0 +1,162 @@
+//! What is followed in the run of a lane, beside its numbers: tables, instants, extremes.
+
+use super::layout::FollowLayout;
+use super::plan::{DeviationRange, Findings, FollowedRun};
+use crate::ideal_curve::IdealCurve;
+use crate::search::maximum_within;
+use crate::settings::Window;
+use loosepin_math::Quintic;
+use loosepin_result::study::Deviation;
+use std::sync::Arc;
+
+/// Points of a step at which a deviation is looked at before its extremes are located, ends included.
+const POINTS_PER_STEP: usize = 5;
+
+/// What one run is compared with, and what was found so far.
+#[derive(Debug, Clone)]
+pub(crate) struct LaneFollow {
+    run: FollowedRun,
+    window: Window,
+    /// Where the piece of the curves at hand ends, s.
+    piece_end_s: f64,
+    /// Index of the next instant.
+    next: usize,
+    findings: Findings,
+}
+
+impl LaneFollow {
+    /// Nothing found yet.
+    pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
+        let at_instants = Vec::with_capacity(run.instants_s.len() * layout.readings());
+        let findings = Findings { at_instants, deviations: vec![DeviationRange::NONE; layout.deviations()] };
+        Self { run, window, piece_end_s: f64::NEG_INFINITY, next: 0, findings }
+    }
+
+    /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
+    pub fn begin(&mut self, layout: &FollowLayout, time_s: f64, mut set: impl FnMut(usize, f64)) {
+        if layout.deviations() == 0 {
+            return;
+        }
+        for deviation in 0..layout.deviations() {
+            let first = layout.deviation(deviation);
+            for (k, number) in self.reference(layout, deviation, time_s).into_iter().enumerate() {
+                set(first + FollowLayout::BEFORE + k, number);
+            }
+            for (place, number) in [
+                (FollowLayout::LARGEST, f64::NEG_INFINITY),
+                (FollowLayout::SMALLEST, f64::INFINITY),
+                (FollowLayout::INTEGRAL, 0.0),
+                (FollowLayout::INTEGRAL_OF_SQUARE, 0.0),
+            ] {
+                set(first + place, number);
+            }
+        }
+        self.take_piece(layout, time_s, set);
+    }
+
+    /// Puts down the piece of the curves that holds `time_s`, where that is not at hand.
+    #[inline]
+    pub fn take_piece(&mut self, layout: &FollowLayout, time_s: f64, set: impl FnMut(usize, f64)) {
+        if time_s > self.piece_end_s {
+            self.take_another_piece(layout, time_s, set);
+        }
+    }
+
+    fn take_another_piece(&mut self, layout: &FollowLayout, time_s: f64, mut set: impl FnMut(usize, f64)) {
+        let Some(nodes) = self.run.nominal.as_ref().or(self.run.own.as_ref()).map(|curve| &curve.nodes) else {
+            self.piece_end_s = f64::INFINITY;
+            return;
+        };
+        let piece = nodes.piece(self.share(time_s));
+        let [start_s, end_s] = piece.shares.map(|share| self.window.start_s + share * self.span_s());
+        for deviation in 0..layout.deviations() {
+            let first = layout.deviation(deviation) + FollowLayout::REFERENCE;
+            let quintic = self.quintic(layout, deviation, time_s);
+            for (k, coefficient) in quintic.coefficients.into_iter().enumerate() {
+                set(first + k, coefficient);
+            }
+        }
+        set(FollowLayout::PIECE_START, start_s);
+        set(FollowLayout::PIECE_RATE, 1.0 / (end_s - start_s));
+        self.piece_end_s = if piece.shares[1] < 1.0 { end_s } else { f64::INFINITY };
+    }
+
+    /// What a deviation is compared with, over the piece that holds `time_s`.
+    fn quintic(&self, layout: &FollowLayout, deviation: usize, time_s: f64) -> Quintic {
+        let (reading, of) = layout.of(deviation);
+        let FollowedRun { nominal, own, .. } = &self.run;
+        let share = self.share(time_s);
+        let of_curve = |curve: &Option<Arc<IdealCurve>>| {
+            curve.as_ref().map_or([f64::NAN; 6], |curve| curve.quintic(reading, curve.nodes.piece(share)).coefficients)
+        };
+        let coefficients = match of {
+            Deviation::Value => [0.0; 6],
+            Deviation::Total => of_curve(nominal),
+            Deviation::Clearance => of_curve(own),
+            Deviation::Dimensional => {
+                let (own, nominal) = (of_curve(own), of_curve(nominal));
+                std::array::from_fn(|k| own[k] - nominal[k])
+            }
+        };
+        Quintic { coefficients }
+    }
+
+    /// Value, rate and acceleration at `time_s` of what a deviation is compared with.
+    fn reference(&self, layout: &FollowLayout, deviation: usize, time_s: f64) -> [f64; 3] {
+        let Some(curve) = self.run.nominal.as_ref().or(self.run.own.as_ref()) else { return [0.0; 3] };
+        let share = self.share(time_s);
+        let [from, to] = curve.nodes.piece(share).shares;
+        let (at, length_s) = ((share - from) / (to - from), (to - from) * self.span_s());
+        let quintic = self.quintic(layout, deviation, time_s);
+        [quintic.value(at), quintic.slope(at) / length_s, quintic.curvature(at) / (length_s * length_s)]
+    }
+
+    fn span_s(&self) -> f64 {
+        self.window.end_s - self.window.start_s
+    }
+
+    fn share(&self, time_s: f64) -> f64 {
+        ((time_s - self.window.start_s) / self.span_s()).clamp(0.0, 1.0)
+    }
+
+    /// Takes in the extremes of a step over which a deviation is `polynomial`; gives its largest and smallest value so far.
+    pub fn take_extremes(&mut self, deviation: usize, polynomial: &Quintic) -> [f64; 2] {
+        let range = &mut self.findings.deviations[deviation];
+        let points: [(f64, f64); POINTS_PER_STEP] = std::array::from_fn(|k| {
+            let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
+            (share, polynomial.value(share))
+        });
+        let [low, high] = polynomial.limits();
+        if high > range.largest {
+            range.largest = range.largest.max(maximum_within(&points, |share| polynomial.value(share)).value);
+        }
+        if low < range.smallest {
+            let turned = points.map(|(share, value)| (share, -value));
+            range.smallest = range.smallest.min(-maximum_within(&turned, |share| -polynomial.value(share)).value);
+        }
+        [range.largest, range.smallest]
+    }
+
+    /// The next instant, where it lies in a step that ends at `end_s`; any that is left where that `is_last`.
+    #[inline]
+    pub fn instant_s(&self, end_s: f64, is_last: bool) -> Option<f64> {
+        let instant_s = self.run.instants_s.get(self.next).copied()?;
+        (instant_s <= end_s || is_last).then_some(instant_s)
+    }
+
+    /// Takes in a reading at the instant; the last one of an instant leads to the next.
+    pub fn take_instant(&mut self, values: impl Iterator<Item = f64>) {
+        self.findings.at_instants.extend(values);
+        self.next += 1;
+    }
+
+    /// Gives out what was found; `get` reads the numbers of the lane.
+    pub fn findings(&mut self, layout: &FollowLayout, get: impl Fn(usize) -> f64) -> Findings {
+        for (deviation, range) in self.findings.deviations.iter_mut().enumerate() {
+            let first = layout.deviation(deviation);
+            range.integral = get(first + FollowLayout::INTEGRAL);
+            range.integral_of_square = get(first + FollowLayout::INTEGRAL_OF_SQUARE);
+        }
+        std::mem::take(&mut self.findings)
+    }
+}
