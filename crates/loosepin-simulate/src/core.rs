@@ -1,10 +1,11 @@
 //! A pass over all lanes: try a step, look at its end, take it over; and the numbers of all lanes.
 
 use super::column::Arms;
+use super::depth_limit::DepthLimit;
 use super::execution::Execution;
 use super::follow::Follow;
 use super::gap::GapJet;
-use super::memory::{Block, LaneLayout, Memory, Named};
+use super::memory::{Block, LaneLayout, Memory, Named, Turn};
 use super::motion::{Watched, tolerances};
 use super::pass::Pass;
 use super::plain::Plain;
@@ -16,17 +17,6 @@ use super::resume::MotionState;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-
-/// Findings of one attempted step of all lanes: a bit for each lane.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Attempt {
-    /// The error is small enough.
-    pub good: u32,
-    /// A contact may begin or end within the step.
-    pub eventful: u32,
-    /// A penetration or a contact force may be the largest of its run.
-    pub notable: u32,
-}
 
 /// How a pass is computed.
 enum Way<'a> {
@@ -91,6 +81,10 @@ impl<'a> Core<'a> {
         for contact in 0..self.pass.layout.roots.len() {
             self.set_contact(lane, contact, &PlayState::flight(), false);
             self.set_records(lane, contact, &PlaySummary::default());
+            let limit = DepthLimit::new(sample.play_of(contact));
+            let place = LaneLayout::contact(contact);
+            self.set_number(lane, place + LaneLayout::LARGEST_GAP, limit.gap);
+            self.set_number(lane, place + LaneLayout::LARGEST_ROOT, limit.penetration_m.sqrt());
         }
     }
 
@@ -167,23 +161,49 @@ impl<'a> Core<'a> {
     pub fn set_pace(&mut self, lane: usize, pace: f64) {
         self.memory.set(Block::StartReads, ReadLayout::TIME + 1, lane, pace);
     }
+    /// A number of a lane: [`LaneLayout`].
+    #[inline]
+    pub fn number(&self, lane: usize, place: usize) -> f64 {
+        self.memory.get(Block::Lane, place, lane)
+    }
+    /// Replaces a number of a lane.
+    #[inline]
+    pub fn set_number(&mut self, lane: usize, place: usize, value: f64) {
+        self.memory.set(Block::Lane, place, lane, value);
+    }
+    /// Whether a number of a lane that is 0 or 1 is 1.
+    #[inline]
+    pub fn is_set(&self, lane: usize, place: usize) -> bool {
+        self.number(lane, place) > 0.5
+    }
+    /// The lanes in which such a number is 1, a bit for each.
+    pub fn flags(&self, place: usize) -> u32 {
+        let numbers = self.memory.of_all_lanes(Block::Lane, place).iter().enumerate();
+        numbers.fold(0, |flags, (lane, number)| flags | u32::from(*number > 0.5) << lane)
+    }
     /// The step to be tried in a lane.
     #[inline]
     pub fn step(&self, lane: usize) -> f64 {
-        self.memory.get(Block::Lane, LaneLayout::STEP, lane)
+        self.number(lane, LaneLayout::STEP)
     }
     /// Sets the step to be tried in a lane.
     #[inline]
     pub fn set_step(&mut self, lane: usize, step: f64) {
-        self.memory.set(Block::Lane, LaneLayout::STEP, lane, step);
+        self.set_turn(lane, Turn::Set);
+        self.set_number(lane, LaneLayout::STEP, step);
     }
-    /// Error of the last attempt in a lane over what is allowed.
-    pub fn error(&self, lane: usize) -> f64 {
-        self.memory.get(Block::Lane, LaneLayout::ERROR, lane)
+    /// Says how the next step of a lane follows from its last attempt.
+    #[inline]
+    pub fn set_turn(&mut self, lane: usize, turn: Turn) {
+        self.set_number(lane, LaneLayout::TURN, turn.number());
     }
-    /// How much longer the next step of a lane may be, by the error of the last attempt.
-    pub fn growth(&self, lane: usize) -> f64 {
-        self.memory.get(Block::Lane, LaneLayout::GROWTH, lane)
+    /// Evaluations of the equations of motion in the run of a lane so far.
+    pub fn evaluations(&self, lane: usize) -> u64 {
+        self.number(lane, LaneLayout::EVALUATIONS) as u64
+    }
+    /// Counts further evaluations of the run of a lane.
+    pub fn add_evaluations(&mut self, lane: usize, evaluations: u64) {
+        self.set_number(lane, LaneLayout::EVALUATIONS, self.number(lane, LaneLayout::EVALUATIONS) + evaluations as f64);
     }
 
     /// Three numbers in a row of a lane at the start and at the end of the step: a value and its derivatives.
@@ -197,10 +217,14 @@ impl<'a> Core<'a> {
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
-    /// Evaluates the derivative at the start again in the flagged lanes, and reads there.
+    /// Evaluates the derivative at the start again in the flagged lanes, which are chosen from now on, and reads there.
     pub fn restart(&mut self, lanes: u32) {
-        self.choose(lanes);
         self.is_dense = false;
+        for lane in 0..self.memory.lanes() {
+            let is_chosen = lanes >> lane & 1 != 0;
+            self.set_number(lane, LaneLayout::CHOSEN, f64::from(u8::from(is_chosen)));
+            self.add_evaluations(lane, u64::from(is_chosen));
+        }
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => {
@@ -211,28 +235,18 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Tries the steps of all lanes.
-    pub fn attempt(&mut self) -> Attempt {
+    /// Chooses the next steps of all lanes, tries them, and says what happens with them.
+    pub fn attempt(&mut self) {
         self.is_dense = false;
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => plain.attempt(pass, memory),
             Way::Recorded(recorded) => recorded.attempt(memory),
         }
-        let flags = |place: usize, is_meant: fn(f64) -> bool| {
-            let numbers = memory.of_all_lanes(Block::Lane, place).iter().enumerate();
-            numbers.fold(0, |flags, (lane, number)| flags | u32::from(is_meant(*number)) << lane)
-        };
-        Attempt {
-            good: flags(LaneLayout::ERROR, |error| error < 1.0 + f64::EPSILON),
-            eventful: flags(LaneLayout::EVENTFUL, |flag| flag > 0.5),
-            notable: flags(LaneLayout::NOTABLE, |flag| flag > 0.5),
-        }
     }
 
-    /// Makes the end of the step the start of the next one in the flagged lanes, and holds their loops.
-    pub fn accept(&mut self, lanes: u32) {
-        self.choose(lanes);
+    /// Makes the end of the step the start of the next one in the chosen lanes, and holds their loops.
+    pub fn accept(&mut self) {
         self.is_dense = false;
         let Self { pass, memory, way, .. } = self;
         match way {
@@ -244,9 +258,8 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Follows the step at hand in the flagged lanes.
-    pub fn follow(&mut self, lanes: u32) {
-        self.choose(lanes);
+    /// Follows the step at hand in the chosen lanes that are recorded.
+    pub fn follow(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(_) => pass.follow(&mut Named::new(memory.blocks())),
@@ -269,6 +282,11 @@ impl<'a> Core<'a> {
         self.memory.get(Block::Lane, self.pass.lane.followed().start + place, lane)
     }
 
+    /// The lanes in which a number of what is followed, which is 0 or 1, is 1.
+    pub fn followed_flags(&self, place: usize) -> u32 {
+        self.flags(self.pass.lane.followed().start + place)
+    }
+
     /// Replaces a number of what is followed in a lane.
     #[inline]
     pub fn set_followed(&mut self, lane: usize, place: usize, value: f64) {
@@ -288,9 +306,8 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Takes the end of a step into the energy accounts of the flagged lanes.
-    pub fn close_accounts(&mut self, lanes: u32) {
-        self.choose(lanes);
+    /// Takes the end of a step into the energy accounts of the chosen lanes.
+    pub fn close_accounts(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(_) => pass.close_account(&mut Named::new(memory.blocks())),
@@ -351,13 +368,6 @@ impl<'a> Core<'a> {
             };
             // No negative zeros: see `Self::jets`.
             *value = found + 0.0;
-        }
-    }
-
-    /// Says which lanes the next routine is for.
-    fn choose(&mut self, lanes: u32) {
-        for (lane, chosen) in self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::CHOSEN).iter_mut().enumerate() {
-            *chosen = f64::from(lanes >> lane & 1);
         }
     }
 }

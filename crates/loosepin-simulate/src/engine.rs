@@ -1,6 +1,6 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_RESIDUAL, LARGEST_STEP_TURNS, Queue, Run, Seats};
+use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run, Seats};
 use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
@@ -9,6 +9,7 @@ use super::gap::GapJet;
 use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
 use super::pace::fastest_drive_rad_s;
+use super::pass::LARGEST_RESIDUAL;
 use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Settings, Window};

@@ -1,10 +1,11 @@
 //! State of one run: its steps, its search for events, its counts. One lane follows one of these.
 
-use super::batch::{DepthLimit, Seat};
+use super::batch::Seat;
 use super::column::Arms;
+use super::depth_limit::DepthLimit;
 use super::follow::LaneFollow;
 use super::gap::{Crossing, GapJet, first_crossing};
-use super::report::{Counters, PlaySummary};
+use super::report::PlaySummary;
 use super::settings::Window;
 use loosepin_mechanics::mechanism::{GapMeasure, Sample};
 
@@ -79,10 +80,6 @@ pub struct LaneRun {
     pub smallest_s: f64,
     /// The attempt at hand.
     pub phase: Phase,
-    /// Next step by the error of the last one.
-    pub next: f64,
-    /// Whether the last attempt was rejected: the next step does not grow.
-    pub was_rejected: bool,
     /// Event after which the present step is the first: 0 for an onset, 1 for a separation.
     pub last_event: Option<usize>,
     /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
@@ -95,8 +92,8 @@ pub struct LaneRun {
     pub reaches_stop: bool,
     /// Steps in turn during which time hardly went on.
     pub stalled: u32,
-    /// Counts.
-    pub counters: Counters,
+    /// Contacts that began or ended.
+    pub events: u64,
     /// Exchange of energy below which the account is round-off, J.
     pub smallest_exchange_j: f64,
     /// By contact.
@@ -281,22 +278,5 @@ impl LaneRun {
         }
         self.phase = Phase::Stopping;
         Decision::Retry(stop)
-    }
-
-    /// The next step from the one that the error allows: the time at which steps stop is met exactly, and a last crumb is joined
-    /// to the step before it. `pace` is dt/ds; where that is not one, the stop is an event.
-    pub fn choose_step(&self, time_s: f64, pace: f64) -> f64 {
-        let left_s = self.stop_s - time_s;
-        if self.root.is_some() {
-            return if pace > 0.0 { self.next.min(self.longest_s / pace) } else { self.next };
-        }
-        let step_s = self.next.min(self.longest_s);
-        if step_s > left_s * (1.0 - 1e-6) {
-            left_s
-        } else if step_s > 0.5 * left_s {
-            0.5 * left_s
-        } else {
-            step_s
-        }
     }
 }

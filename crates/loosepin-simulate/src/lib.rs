@@ -9,6 +9,7 @@ mod batch;
 mod column;
 mod control_history;
 mod core;
+mod depth_limit;
 mod drawing;
 mod engine;
 mod execution;

@@ -26,6 +26,26 @@ pub enum Block {
     EndReads,
 }
 
+/// How the next step follows from the last attempt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// It is set already.
+    Set,
+    /// The last one was good: it may be longer.
+    Grow,
+    /// The last one was not: it is shorter.
+    Shrink,
+    /// [`LaneLayout::NEXT`] stays.
+    Choose,
+}
+
+impl Turn {
+    /// The number that stands for it in [`LaneLayout::TURN`].
+    pub fn number(self) -> f64 {
+        f64::from(self as u8)
+    }
+}
+
 /// Where everything is in [`Block::Lane`].
 #[derive(Debug, Clone, Copy)]
 pub struct LaneLayout {
@@ -53,15 +73,46 @@ impl LaneLayout {
     pub const LARGEST_RESIDUAL: usize = 6;
     /// Largest exchange of the energy account so far, J.
     pub const LARGEST_EXCHANGE: usize = 7;
+    /// Steps end here at the latest, s.
+    pub const STOP: usize = 9;
+    /// Longest step in time, s.
+    pub const LONGEST: usize = 10;
+    /// Smallest step in time apart from steps onto events, s.
+    pub const SMALLEST: usize = 11;
+    /// Next step by the errors of those before.
+    pub const NEXT: usize = 12;
+    /// 1 where the last attempt was rejected: the next step does not grow.
+    pub const WAS_REJECTED: usize = 13;
+    /// How the next step follows from the last attempt: one of the numbers of [`Turn`].
+    pub const TURN: usize = 14;
+    /// Good steps that end from this time on are looked at one by one, s.
+    pub const AWAITED: usize = 15;
+    /// 1 where every attempt is looked at, as in a search for an event.
+    pub const IS_WATCHED: usize = 16;
+    /// 1 where the last attempt must be looked at; elsewhere it is accepted or rejected without.
+    pub const ATTENTION: usize = 17;
+    /// 1 where the step at hand lies in the recorded part.
+    pub const IS_RECORDED: usize = 18;
+    /// Evaluations of the equations of motion in the run so far.
+    pub const EVALUATIONS: usize = 19;
+    /// Accepted steps of the run so far.
+    pub const STEPS: usize = 20;
+    /// Rejected steps of the run so far.
+    pub const REJECTIONS: usize = 21;
+    const CONTACTS: usize = 22;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
-    /// penetration is an unknown; then the records of its run.
-    const PER_CONTACT: usize = 6;
+    /// penetration is an unknown; then the records of its run, and how far it may go.
+    const PER_CONTACT: usize = 8;
     /// Within the numbers of a contact: whether the root is an unknown.
     pub const HAS_ROOT: usize = 3;
     /// Within the numbers of a contact: its largest penetration so far, m.
     pub const DEEPEST: usize = 4;
     /// Within the numbers of a contact: its largest normal force so far, N.
     pub const STRONGEST: usize = 5;
+    /// Within the numbers of a contact: the gap function at the largest penetration that is allowed.
+    pub const LARGEST_GAP: usize = 6;
+    /// Within the numbers of a contact: the root of that penetration, √m.
+    pub const LARGEST_ROOT: usize = 7;
 
     /// For so many contacts, so many tolerances and so many numbers of what is followed.
     pub fn new(contacts: usize, tolerances: usize, followed: usize) -> Self {
@@ -70,7 +121,7 @@ impl LaneLayout {
 
     /// Where the numbers of a contact begin.
     pub fn contact(contact: usize) -> usize {
-        Self::GROWTH + 1 + Self::PER_CONTACT * contact
+        Self::CONTACTS + Self::PER_CONTACT * contact
     }
 
     /// Where the tolerances of the unknowns are.
@@ -149,6 +200,11 @@ impl Memory {
         Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
     }
 
+    /// How many lanes there are.
+    pub fn lanes(&self) -> usize {
+        self.lanes
+    }
+
     /// Number `index` of a block in a lane.
     #[inline]
     pub fn get(&self, block: Block, index: usize, lane: usize) -> f64 {
@@ -177,14 +233,6 @@ impl Memory {
         let block = &self.blocks[block as usize];
         let first = block.first + index * self.lanes;
         &block.numbers[first..first + self.lanes]
-    }
-
-    /// Replaces one number of a block in all lanes.
-    #[inline]
-    pub fn of_all_lanes_mut(&mut self, block: Block, index: usize) -> &mut [f64] {
-        let block = &mut self.blocks[block as usize];
-        let first = block.first + index * self.lanes;
-        &mut block.numbers[first..first + self.lanes]
     }
 
     /// All blocks.

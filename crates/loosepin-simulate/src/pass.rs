@@ -2,7 +2,7 @@
 //! stands for one run, written down for many ([`super::recorded`]).
 
 use super::follow::{Follow, FollowLayout, StepEnds};
-use super::memory::{BLOCKS, LaneLayout, Named};
+use super::memory::{BLOCKS, LaneLayout, Named, Turn};
 use super::motion::{Layout, Motion, tolerances};
 use super::projection::Projection;
 use super::reads::ReadLayout;
@@ -15,6 +15,16 @@ use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
 
 /// Rates of a contact are taken to be no faster than this, m/s: infinite ones times a law's number that is zero are none.
 const FASTEST_M_S: f64 = 1e100;
+
+/// Largest growth from one step to the next, and the smallest after a good one.
+const GROWTH: [f64; 2] = [0.2, 6.0];
+/// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
+const SHRINKAGE: [f64; 2] = [0.1, 0.9];
+/// Share of the longest step below which time hardly moves.
+pub const STALLED_SHARE: f64 = 1e-7;
+/// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
+/// solution, and round-off is far below.
+pub const LARGEST_RESIDUAL: f64 = 1e-9;
 
 /// Parts of a pass that all lanes share.
 #[derive(Debug, Clone)]
@@ -31,6 +41,8 @@ pub struct Pass {
     pub stepper: Stepper,
     /// Local error allowed in lengths, m.
     pub local_m: f64,
+    /// Evaluations of a run after which it is given up.
+    pub largest_evaluations: u64,
 }
 
 impl Pass {
@@ -44,6 +56,7 @@ impl Pass {
             follow,
             stepper: Stepper::new(settings.method, layout.dimension, layout.integrals()),
             local_m: settings.tolerance_m * STEP_SHARE,
+            largest_evaluations: settings.largest_evaluations,
             layout,
         }
     }
@@ -78,10 +91,114 @@ impl Pass {
     /// Makes the end of the step the start of the next one, where the lane is chosen.
     pub fn accept<T: Real>(&self, blocks: &mut Named<'_, T>) {
         self.take_evaluation(blocks);
+        blocks.lane[LaneLayout::STEPS] += blocks.lane[LaneLayout::CHOSEN];
         let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
         for (start, end) in blocks.rows.start.iter_mut().zip(&*blocks.rows.end) {
             *start = T::select(is_chosen, *end, *start);
         }
+    }
+
+    /// Chooses the next step of a lane by the last attempt.
+    pub fn choose_step<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let (zero, one, half) = (T::zero(), T::one(), T::from_f64(0.5));
+        let lane = &mut *blocks.lane;
+        let turn = lane[LaneLayout::TURN];
+        let is_beyond = |least: Turn| T::from_f64(least.number() - 0.5).less_than(turn);
+        let [error, growth, step] = [LaneLayout::ERROR, LaneLayout::GROWTH, LaneLayout::STEP].map(|place| lane[place]);
+        let [least_growth, most_growth] = GROWTH.map(T::from_f64);
+        let most_growth = T::select(is_set(lane[LaneLayout::WAS_REJECTED]), one, most_growth);
+        let factor =
+            T::select(is_beyond(Turn::Shrink), shrinkage(error, growth), growth.min(most_growth).max(least_growth));
+        let by_error = T::select(is_beyond(Turn::Grow), step * factor, lane[LaneLayout::NEXT]);
+        let next = T::select(is_beyond(Turn::Choose), lane[LaneLayout::NEXT], by_error);
+        let was_rejected = T::select(
+            is_beyond(Turn::Shrink),
+            one,
+            T::select(is_beyond(Turn::Grow), zero, lane[LaneLayout::WAS_REJECTED]),
+        );
+        lane[LaneLayout::WAS_REJECTED] =
+            T::select(is_beyond(Turn::Choose), lane[LaneLayout::WAS_REJECTED], was_rejected);
+        lane[LaneLayout::NEXT] = next;
+
+        // The time at which steps stop is met exactly, and a last crumb is joined to the step before it. Where time is not the variable of
+        // integration the stop is an event.
+        let left_s = lane[LaneLayout::STOP] - blocks.rows.start[self.layout.time()];
+        let longest_s = lane[LaneLayout::LONGEST];
+        let step_s = next.min(longest_s);
+        let halved_s = T::select((half * left_s).less_than(step_s), half * left_s, step_s);
+        let chosen_s = T::select((left_s * T::from_f64(1.0 - 1e-6)).less_than(step_s), left_s, halved_s);
+        let pace = blocks.start_reads[ReadLayout::TIME + 1];
+        let over_root = T::select(zero.less_than(pace), next.min(longest_s / pace), next);
+        let chosen = T::select(is_set(self.roots(lane)), over_root, chosen_s);
+        lane[LaneLayout::STEP] = T::select(is_beyond(Turn::Grow), chosen, step);
+        lane[LaneLayout::TURN] = T::from_f64(Turn::Set.number());
+    }
+
+    /// How many roots of penetrations are unknowns in a lane.
+    fn roots<T: Real>(&self, lane: &[T]) -> T {
+        let mut roots = T::zero();
+        for (contact, _) in self.layout.roots.iter().enumerate().filter(|(_, root)| root.is_some()) {
+            roots += lane[LaneLayout::contact(contact) + LaneLayout::HAS_ROOT];
+        }
+        roots
+    }
+
+    /// Says what happens with the attempt of a lane: accepted, rejected, or to be looked at one by one, as it must be where something but the
+    /// next step follows from it.
+    fn judge<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+        let (zero, one) = (T::zero(), T::one());
+        let (starts, ends, lane) = (&*blocks.start_reads, &*blocks.end_reads, &mut *blocks.lane);
+        let evaluations = lane[LaneLayout::EVALUATIONS] + T::from_f64(self.stepper.evaluations_per_attempt() as f64);
+        let has_root = self.roots(lane);
+        let unless = |mask: T::Mask, number: T| T::select(mask, number, one);
+
+        // A good step is looked at where it reaches a stop, an instant that is awaited, an event, a record or a limit.
+        let end_s = ends[ReadLayout::TIME];
+        let stop_s = lane[LaneLayout::STOP];
+        let left_s = stop_s - blocks.rows.start[self.layout.time()];
+        let step = lane[LaneLayout::STEP];
+        let mut good = lane[LaneLayout::EVENTFUL].max(lane[LaneLayout::NOTABLE]);
+        good = unless(end_s.less_than(stop_s), good);
+        good = T::select(step.less_than(left_s), good, T::select(is_set(has_root), good, one));
+        good = unless(end_s.less_than(lane[LaneLayout::AWAITED]), good);
+        let moved_s = step * ends[ReadLayout::TIME + 1].abs();
+        let moves = (T::from_f64(STALLED_SHARE) * lane[LaneLayout::LONGEST]).less_than(moved_s);
+        good = T::select(moves, good, T::select(is_set(has_root), one, good));
+        for contact in 0..sample.contacts.len() {
+            let of_lane = &lane[LaneLayout::contact(contact)..];
+            let is_root = is_set(of_lane[LaneLayout::HAS_ROOT]);
+            let limit = T::select(is_root, of_lane[LaneLayout::LARGEST_ROOT], of_lane[LaneLayout::LARGEST_GAP]);
+            good = unless(ends[self.reads.gap(contact)].less_than(limit), good);
+            if let (PlayShape::Slider(block), Some(place)) = (&sample.play_of(contact).shape, self.reads.along(contact))
+                && let Some([first, last]) = block.ends_m
+            {
+                good = unless(first.less_than(ends[place]), unless(ends[place].less_than(last), good));
+            }
+        }
+        let residual = T::from_f64(LARGEST_RESIDUAL);
+        let mut bad = zero;
+        for index in 0..self.reads.frictions() {
+            let is_solved = ends[self.reads.friction(index)].less_than(residual);
+            (good, bad) = (unless(is_solved, good), unless(is_solved, bad));
+        }
+
+        // One that is not good is looked at where the next would be too short.
+        let [error, growth] = [LaneLayout::ERROR, LaneLayout::GROWTH].map(|place| lane[place]);
+        let next = step * shrinkage(error, growth);
+        let next_s = step_in_time([starts[ReadLayout::TIME + 1], starts[ReadLayout::TIME + 2]], next);
+        let smallest_s = smallest_step_s(lane[LaneLayout::SMALLEST], starts[ReadLayout::TIME]);
+        bad = unless(smallest_s.less_than(next_s), bad);
+
+        let is_good = error.less_than(T::from_f64(1.0 + f64::EPSILON));
+        let attention = T::select(is_good, good, bad).max(lane[LaneLayout::IS_WATCHED]);
+        let attention = unless(evaluations.less_than(T::from_f64(self.largest_evaluations as f64 + 1.0)), attention);
+        let is_watched = is_set(attention);
+        let [set, grow, shrink] = [Turn::Set, Turn::Grow, Turn::Shrink].map(|turn| T::from_f64(turn.number()));
+        lane[LaneLayout::EVALUATIONS] = evaluations;
+        lane[LaneLayout::REJECTIONS] += T::select(is_good, zero, one);
+        lane[LaneLayout::ATTENTION] = attention;
+        lane[LaneLayout::CHOSEN] = T::select(is_watched, zero, T::select(is_good, one, zero));
+        lane[LaneLayout::TURN] = T::select(is_watched, set, T::select(is_good, grow, shrink));
     }
 
     /// Holds the loops of ideal joints at the start of the step, where the lane is chosen.
@@ -119,9 +236,9 @@ impl Pass {
         }
     }
 
-    /// Follows the step at hand in the chosen lanes: [`FollowLayout::follow`].
+    /// Follows the step at hand in the chosen lanes that are recorded: [`FollowLayout::follow`].
     pub fn follow<T: Real>(&self, blocks: &mut Named<'_, T>) {
-        let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
+        let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
         let (own, step) = self.followed(blocks);
         self.follow.follow(own, &step, is_chosen);
     }
@@ -165,10 +282,16 @@ impl Pass {
         }
     }
 
+    /// Notes what happens with an attempt: [`Self::judge`], by what its ends show of gaps and contacts.
+    pub fn judge_attempt<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+        self.look_at_gaps(sample, blocks);
+        self.judge(sample, blocks);
+    }
+
     /// Notes whether the gap of some contact may go through zero within the step in the direction of its next event (it lies
     /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; and whether a penetration or a
     /// contact force may be a record.
-    pub fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
+    fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
         let (zero, one) = (T::zero(), T::one());
         let h = blocks.lane[LaneLayout::STEP];
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
@@ -233,6 +356,22 @@ impl Pass {
         blocks.lane[LaneLayout::EVENTFUL] = eventful;
         blocks.lane[LaneLayout::NOTABLE] = notable;
     }
+}
+
+/// How much shorter the next step is after one that was not good.
+pub fn shrinkage<T: Real>(error: T, growth: T) -> T {
+    let [least, most] = SHRINKAGE.map(T::from_f64);
+    T::select(error.less_than(T::from_f64(f64::INFINITY)), growth.max(least).min(most), least)
+}
+
+/// How long a step lasts, s; `pace` and `change`: dt/ds and d²t/ds² at its start.
+pub fn step_in_time<T: Real>([pace, change]: [T; 2], step: T) -> T {
+    step * (pace + T::from_f64(0.5) * step * change).abs()
+}
+
+/// The smallest step that is tried at a time where an error asks for it, s; `smallest_s`: that of the run.
+pub fn smallest_step_s<T: Real>(smallest_s: T, time_s: T) -> T {
+    smallest_s.max(T::from_f64(8.0 * f64::EPSILON) * time_s)
 }
 
 /// Whether a number that is 0 or 1 is 1.

@@ -52,8 +52,9 @@ impl<'a> Plain<'a> {
     /// Tries the step.
     pub fn attempt(&mut self, pass: &Pass, memory: &mut Memory) {
         let mut named = Named::new(memory.blocks());
+        pass.choose_step(&mut named);
         pass.attempt(&mut named.rows, named.lane, &mut self.reading(named.end_reads));
-        pass.look_at_gaps(self.motion.dynamics.sample(), &mut named);
+        pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
     }
 
     /// Holds the loops of ideal joints.

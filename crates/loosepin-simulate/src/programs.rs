@@ -15,6 +15,19 @@ use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_tape::native::{Graph, Program, Slot, Value};
 use loosepin_tape::trace::{Traced, record};
 
+/// Numbers of a lane that are said of an attempt.
+const JUDGED: [usize; 9] = [
+    LaneLayout::ERROR,
+    LaneLayout::GROWTH,
+    LaneLayout::EVENTFUL,
+    LaneLayout::NOTABLE,
+    LaneLayout::EVALUATIONS,
+    LaneLayout::REJECTIONS,
+    LaneLayout::ATTENTION,
+    LaneLayout::CHOSEN,
+    LaneLayout::TURN,
+];
+
 /// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
 #[derive(Debug, Clone)]
 pub struct PassPrograms<P = Program> {
@@ -22,6 +35,8 @@ pub struct PassPrograms<P = Program> {
     pub slope: P,
     /// The slope, and the numbers read at an end of a step.
     pub end: P,
+    /// The next step, by the attempt before.
+    pub choose_step: P,
     /// The points of a step at which the slope is evaluated, one after the other; the last one is its end.
     pub points: Vec<P>,
     /// The error of a step, and what may have happened in it.
@@ -57,6 +72,7 @@ impl PassPrograms {
     /// What `make` makes of each program, those of a step first.
     pub(super) fn map<Q>(self, mut make: impl FnMut(Program) -> Q) -> PassPrograms<Q> {
         PassPrograms {
+            choose_step: make(self.choose_step),
             points: self.points.into_iter().map(&mut make).collect(),
             slope: make(self.slope),
             end: make(self.end),
@@ -118,6 +134,7 @@ impl Tracing<'_> {
         PassPrograms {
             slope,
             end,
+            choose_step: self.written(|blocks| self.pass.choose_step(blocks)),
             points,
             judgement,
             dense_points,
@@ -157,9 +174,9 @@ impl Tracing<'_> {
             let mut blocks = Named::new(memory.each_mut().map(|block| &mut block[..]));
             let mut points = Points::default();
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
-            self.pass.look_at_gaps(&sample, &mut blocks);
-            let places = [LaneLayout::ERROR, LaneLayout::GROWTH, LaneLayout::EVENTFUL, LaneLayout::NOTABLE];
-            (points.0, places.map(|place| (slot(Block::Lane, place), blocks.lane[place].value())))
+            self.pass.judge_attempt(&sample, &mut blocks);
+            let places = JUDGED.map(|place| (slot(Block::Lane, place), blocks.lane[place].value()));
+            (points.0, places)
         });
         (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &judgement))
     }

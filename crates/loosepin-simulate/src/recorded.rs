@@ -43,7 +43,7 @@ impl Sequences {
             (program, places)
         };
         let end_row = pass.stepper.end_row();
-        let mut attempt = Vec::new();
+        let mut attempt = vec![as_written(programs.choose_step)];
         for (before, point) in programs.points.iter().enumerate() {
             attempt.push(as_written(*point));
             attempt.push(if before + 1 < programs.points.len() {

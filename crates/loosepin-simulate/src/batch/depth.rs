@@ -1,10 +1,10 @@
 //! Checks at the end of a step: the depth of contacts, and friction in ideal joints.
 
 use super::Batch;
-use super::depth_limit::LARGEST_RESIDUAL;
 use crate::failure::RunFailure;
 use crate::gap::ContactStep;
 use crate::lane::LaneRun;
+use crate::pass::LARGEST_RESIDUAL;
 use crate::reads::ReadLayout;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape};
 use loosepin_mechanics::model::JointKind;

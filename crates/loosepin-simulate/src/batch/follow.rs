@@ -1,8 +1,9 @@
 //! What is followed in the runs on lanes.
 
-use super::Batch;
+use super::{Batch, lanes_of};
 use crate::follow::{Findings, FollowLayout};
 use crate::lane::LaneRun;
+use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
 use loosepin_math::Quintic;
 
@@ -11,41 +12,33 @@ impl Batch<'_> {
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
         let Some(run) = &mut self.runs[lane] else { return };
         run.is_recorded = true;
+        self.core.set_number(lane, LaneLayout::IS_RECORDED, 1.0);
         let core = &mut self.core;
         run.follow.begin(&self.follow, time_s, |place, number| core.set_followed(lane, place, number));
     }
 
-    /// Follows the accepted steps at hand, those of them that are recorded.
-    pub(super) fn follow(&mut self, accepted: u32) {
-        let Self { core, runs, .. } = self;
-        if core.pass.follow.readings() == 0 {
+    /// Follows the accepted steps at hand, those of them that are recorded; pieces of curves and instants of those that are `watched`.
+    pub(super) fn follow(&mut self, accepted: u32, watched: u32) {
+        let Self { core, runs, follow: layout, .. } = self;
+        let recorded = core.flags(LaneLayout::IS_RECORDED);
+        if layout.readings() == 0 || accepted & recorded == 0 {
             return;
         }
-        let mut recorded = 0;
-        for (lane, run) in runs.iter().enumerate() {
-            let is_recorded = accepted >> lane & 1 != 0 && run.as_ref().is_some_and(|run| run.is_recorded);
-            recorded |= u32::from(is_recorded) << lane;
+        if layout.deviations() > 0 {
+            for (lane, run) in of_lanes(runs, watched & recorded) {
+                let end_s = core.end_read(lane, ReadLayout::TIME);
+                run.follow.take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
+            }
+            core.follow();
+            self.take_extremes(accepted & recorded);
         }
-        if recorded == 0 {
-            return;
-        }
-        if core.pass.follow.deviations() > 0 {
-            self.follow_deviations(recorded);
-        }
-        self.look_at_instants(recorded);
+        self.look_at_instants(watched & recorded);
     }
 
-    fn follow_deviations(&mut self, recorded: u32) {
+    /// Locates the extremes of the steps that may hold new ones.
+    fn take_extremes(&mut self, recorded: u32) {
         let Self { core, runs, follow: layout, .. } = self;
-        for (lane, run) in of_lanes(runs, recorded) {
-            let end_s = core.end_read(lane, ReadLayout::TIME);
-            run.follow.take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
-        }
-        core.follow(recorded);
-        for (lane, run) in of_lanes(runs, recorded) {
-            if !(core.followed(lane, FollowLayout::IS_EXTREME) > 0.5) {
-                continue;
-            }
+        for (lane, run) in of_lanes(runs, core.followed_flags(FollowLayout::IS_EXTREME) & recorded) {
             for deviation in 0..layout.deviations() {
                 let first = layout.deviation(deviation);
                 let polynomial = std::array::from_fn(|k| core.followed(lane, first + FollowLayout::POLYNOMIAL + k));
@@ -57,9 +50,8 @@ impl Batch<'_> {
     }
 
     /// Reads at the instants that lie in the steps at hand, in all lanes at once, one instant of each lane after the other.
-    fn look_at_instants(&mut self, recorded: u32) {
+    fn look_at_instants(&mut self, mut looking: u32) {
         let Self { core, runs, follow: layout, .. } = self;
-        let mut looking = recorded;
         while looking != 0 {
             let mut found = 0;
             for (lane, run) in of_lanes(runs, looking) {
@@ -92,6 +84,11 @@ impl Batch<'_> {
 
 /// The runs on the flagged lanes.
 fn of_lanes(runs: &mut [Option<LaneRun>], lanes: u32) -> impl Iterator<Item = (usize, &mut LaneRun)> {
-    let flagged = runs.iter_mut().enumerate().filter(move |(lane, _)| lanes >> lane & 1 != 0);
-    flagged.filter_map(|(lane, run)| Some((lane, run.as_mut()?)))
+    let mut rest = runs;
+    let mut passed = 0;
+    lanes_of(lanes).filter_map(move |lane| {
+        let (run, behind) = std::mem::take(&mut rest).get_mut(lane - passed..)?.split_first_mut()?;
+        (rest, passed) = (behind, lane + 1);
+        Some((lane, run.as_mut()?))
+    })
 }

@@ -1,28 +1,30 @@
 //! Many runs side by side: every lane has its own time, step and contact state, and takes the next run when one is over.
 //!
-//! A pass tries one step in every lane at once, then decides lane by lane: try again, accept, begin or end a contact, finish.
+//! A pass tries one step in every lane at once, and in every lane at once accepts it or shortens it. Where more may follow from it it is
+//! decided lane by lane: try again, accept, begin or end a contact, finish.
 //! Nothing that happens in one lane can be seen in another, so a run has the same bits alone, in any lane, beside any others.
 
 mod depth;
-mod depth_limit;
 mod follow;
 mod queue;
 mod seats;
 mod switch;
 
-pub use depth_limit::{DepthLimit, LARGEST_RESIDUAL};
 pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
-use crate::core::{Attempt, Core};
+use crate::core::Core;
+use crate::depth_limit::DepthLimit;
 use crate::execution::Execution;
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
 use crate::gap::{ContactStep, GapJet};
 use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use crate::memory::{LaneLayout, Turn};
 use crate::motion::Motion;
 use crate::observer::{DenseOutput, Source, Step};
 use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
+use crate::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
 use crate::report::{Counters, PlaySummary, RunReport, smallest_exchange_j};
@@ -38,10 +40,8 @@ pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
 const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
-/// Largest growth from one step to the next.
-const LARGEST_GROWTH: f64 = 6.0;
-/// Steps after which a run is asked whether it is stopped: a millisecond or so.
-const STEPS_PER_QUESTION: u64 = 64;
+/// Passes after which runs are asked whether they are stopped: a millisecond or so.
+const PASSES_PER_QUESTION: u64 = 64;
 
 /// The passes over all lanes.
 pub(super) struct Batch<'a> {
@@ -59,8 +59,13 @@ pub(super) struct Batch<'a> {
     settings: Settings,
     /// Where everything is among the numbers of what is followed.
     follow: FollowLayout,
-    /// Lanes whose derivative is to be evaluated again before the next step.
+    /// Lanes with a run; those whose derivative is to be evaluated again before the next step; those whose energy account begins then.
+    active: u32,
     restarts: u32,
+    openings: u32,
+    /// Whether all runs have begun.
+    is_exhausted: bool,
+    passes: u64,
     gaps: Vec<[GapJet; 2]>,
     slidings_m_s: Vec<[f64; 2]>,
     is_closed: Vec<bool>,
@@ -91,7 +96,11 @@ impl<'a> Batch<'a> {
             output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
             settings: *settings,
             follow: FollowLayout::new(follow),
+            active: 0,
             restarts: 0,
+            openings: 0,
+            is_exhausted: false,
+            passes: 0,
             gaps: vec![[GapJet::default(); 2]; contacts],
             slidings_m_s: vec![[0.0; 2]; contacts],
             is_closed: vec![false; contacts],
@@ -99,7 +108,7 @@ impl<'a> Batch<'a> {
         };
         batch.start(0, first, queue);
         batch.refill(queue);
-        while batch.runs.iter().any(Option::is_some) {
+        while batch.active != 0 {
             batch.pass(queue);
             batch.refill(queue);
         }
@@ -108,9 +117,11 @@ impl<'a> Batch<'a> {
     /// Puts waiting runs into the free lanes.
     fn refill(&mut self, queue: &mut dyn Seated) {
         for lane in 0..self.runs.len() {
-            while self.runs[lane].is_none() {
-                let Some(run) = queue.next() else { break };
-                self.start(lane, run, queue);
+            while self.active >> lane & 1 == 0 && !self.is_exhausted {
+                match queue.next() {
+                    Some(run) => self.start(lane, run, queue),
+                    None => self.is_exhausted = true,
+                }
             }
         }
     }
@@ -172,24 +183,38 @@ impl<'a> Batch<'a> {
             longest_s,
             smallest_s: SMALLEST_STEP_TURNS * turn_s,
             phase: Phase::Stepping,
-            next: 1e-3 * longest_s,
-            was_rejected: false,
             last_event: None,
             after_event: [0.0; 2],
             arms,
             stop_s,
             reaches_stop: false,
             stalled: 0,
-            counters: Counters::default(),
+            events: 0,
             smallest_exchange_j: smallest_exchange_j(&at_start),
             contacts: vec![PlaySummary::default(); self.mechanism.contacts.len()],
             root: None,
         });
+        for (place, number) in [
+            (LaneLayout::STOP, stop_s),
+            (LaneLayout::LONGEST, longest_s),
+            (LaneLayout::SMALLEST, SMALLEST_STEP_TURNS * turn_s),
+            (LaneLayout::NEXT, 1e-3 * longest_s),
+            (LaneLayout::WAS_REJECTED, 0.0),
+            (LaneLayout::IS_RECORDED, 0.0),
+            (LaneLayout::EVALUATIONS, 0.0),
+            (LaneLayout::STEPS, 0.0),
+            (LaneLayout::REJECTIONS, 0.0),
+        ] {
+            self.core.set_number(lane, place, number);
+        }
+        self.core.set_turn(lane, Turn::Choose);
+        self.active |= 1 << lane;
         self.restarts |= 1 << lane;
+        self.openings |= 1 << lane;
         if start_s >= window.start_s {
             self.begin_record(lane, start_s);
         }
-        self.choose_step(lane);
+        self.watch(lane);
     }
 
     /// Evaluates the start of the flagged lanes again.
@@ -198,72 +223,97 @@ impl<'a> Batch<'a> {
             return;
         }
         self.core.restart(lanes);
-        for (lane, run) in self.runs.iter_mut().enumerate() {
-            if let Some(run) = run.as_mut().filter(|_| lanes >> lane & 1 != 0) {
-                if run.counters.evaluations == 0 {
-                    self.core.open_account(lane, run.smallest_exchange_j);
-                }
-                run.counters.evaluations += 1;
+        for lane in lanes_of(std::mem::take(&mut self.openings)) {
+            if let Some(run) = &self.runs[lane] {
+                self.core.open_account(lane, run.smallest_exchange_j);
             }
         }
+    }
+
+    /// Says which attempts of a lane are to be looked at.
+    fn watch(&mut self, lane: usize) {
+        let Some(run) = &self.runs[lane] else { return };
+        let is_watched = !matches!(run.phase, Phase::Stepping) || run.last_event.is_some() || run.stalled > 0;
+        let awaited_s = if run.is_recorded { run.awaited_s.min(run.follow.awaits_s()) } else { f64::INFINITY };
+        self.core.set_number(lane, LaneLayout::IS_WATCHED, f64::from(u8::from(is_watched)));
+        self.core.set_number(lane, LaneLayout::AWAITED, awaited_s);
     }
 
     /// Tries a step in every lane and acts on it.
     fn pass(&mut self, queue: &mut dyn Seated) {
         let restarts = std::mem::take(&mut self.restarts);
         self.restart(restarts);
-        let attempt = self.core.attempt();
-        let per_attempt = self.core.pass.stepper.evaluations_per_attempt();
-        let mut accepted = 0;
+        self.core.attempt();
+        let watched = self.core.flags(LaneLayout::ATTENTION) & self.active;
         let mut events: [Option<Event>; 32] = [None; 32];
-        for lane in 0..self.runs.len() {
-            let Some(run) = &mut self.runs[lane] else { continue };
-            run.counters.evaluations += per_attempt;
-            let bit = 1 << lane;
-            // A step onto an event is part of a good one; where it is not good itself, the search is given up.
-            if attempt.good & bit == 0 {
-                run.phase = Phase::Stepping;
-                self.reject(lane, queue);
-                continue;
+        for lane in lanes_of(watched) {
+            events[lane] = self.look(lane, queue);
+        }
+        let accepted = self.core.flags(LaneLayout::CHOSEN) & self.active;
+        if accepted != 0 {
+            self.follow(accepted, accepted & watched);
+            self.core.accept();
+            if self.view_projection.is_some() {
+                self.restart(accepted);
             }
-            let decision = if matches!(run.phase, Phase::Stepping) {
-                let passes_stop = self.core.end_read(lane, ReadLayout::TIME) > run.stop_s;
-                if attempt.eventful & bit != 0 || passes_stop { self.decide(lane) } else { Decision::Accept(None) }
-            } else {
-                self.decide(lane)
-            };
-            match decision {
-                Decision::Retry(step) => self.core.set_step(lane, step),
-                Decision::SwitchAtStart(event) => {
-                    if let Some(failure) = self.too_many_evaluations(lane) {
-                        self.finish(lane, Err(failure), queue);
-                        continue;
-                    }
+            self.core.close_accounts();
+            for lane in lanes_of(accepted & watched) {
+                self.go_on(lane, events[lane], queue);
+            }
+        }
+        for lane in lanes_of(watched & self.active) {
+            self.watch(lane);
+        }
+        self.passes += 1;
+        if self.passes.is_multiple_of(PASSES_PER_QUESTION) {
+            self.ask_whether_stopped(queue);
+        }
+    }
+
+    /// Looks at the attempt of a lane, and accepts it where it is good; gives the event at its end.
+    fn look(&mut self, lane: usize, queue: &mut dyn Seated) -> Option<Event> {
+        let Some(run) = &mut self.runs[lane] else { return None };
+        // A step onto an event is part of a good one; where it is not good itself, the search is given up.
+        if !(self.core.number(lane, LaneLayout::ERROR) < 1.0 + f64::EPSILON) {
+            run.phase = Phase::Stepping;
+            self.reject(lane, queue);
+            return None;
+        }
+        let decision = if matches!(run.phase, Phase::Stepping) {
+            let passes_stop = self.core.end_read(lane, ReadLayout::TIME) > run.stop_s;
+            let is_eventful = passes_stop || self.core.is_set(lane, LaneLayout::EVENTFUL);
+            if is_eventful { self.decide(lane) } else { Decision::Accept(None) }
+        } else {
+            self.decide(lane)
+        };
+        match decision {
+            Decision::Retry(step) => self.core.set_step(lane, step),
+            Decision::SwitchAtStart(event) => {
+                if let Some(failure) = self.too_many_evaluations(lane) {
+                    self.finish(lane, Err(failure), queue);
+                } else {
                     self.count_event(lane, event);
                     self.act(lane, event, queue);
                 }
-                Decision::Accept(event) => {
-                    if let Err(failure) = self.show(lane, event, &attempt, queue) {
-                        self.finish(lane, Err(failure), queue);
-                        continue;
-                    }
-                    accepted |= bit;
-                    events[lane] = event;
-                }
             }
+            Decision::Accept(event) => match self.show(lane, event, queue) {
+                Ok(()) => {
+                    self.core.set_number(lane, LaneLayout::CHOSEN, 1.0);
+                    return event;
+                }
+                Err(failure) => self.finish(lane, Err(failure), queue),
+            },
         }
-        if accepted == 0 {
-            return;
-        }
-        self.follow(accepted);
-        self.core.accept(accepted);
-        if self.view_projection.is_some() {
-            self.restart(accepted);
-        }
-        self.core.close_accounts(accepted);
-        for lane in 0..self.runs.len() {
-            if accepted >> lane & 1 != 0 {
-                self.go_on(lane, events[lane], queue);
+        None
+    }
+
+    /// Gives up the runs that are stopped.
+    fn ask_whether_stopped(&mut self, queue: &mut dyn Seated) {
+        for lane in lanes_of(self.active) {
+            let Some(run) = &self.runs[lane] else { continue };
+            if queue.observer(run.observer).is_some_and(|observer| observer.is_stopped()) {
+                let time_s = self.core.start_read(lane, ReadLayout::TIME);
+                self.finish(lane, Err(RunFailure::Stopped { time_s }), queue);
             }
         }
     }
@@ -271,9 +321,8 @@ impl<'a> Batch<'a> {
     /// Whether a run is to be given up.
     fn too_many_evaluations(&self, lane: usize) -> Option<RunFailure> {
         let limit = self.settings.largest_evaluations;
-        let is_beyond = self.runs[lane].as_ref().is_some_and(|run| run.counters.evaluations > limit);
         let time_s = self.core.start_read(lane, ReadLayout::TIME);
-        is_beyond.then_some(RunFailure::TooManyEvaluations { time_s, limit })
+        (self.core.evaluations(lane) > limit).then_some(RunFailure::TooManyEvaluations { time_s, limit })
     }
 
     /// The decision on an attempt in `lane` that may hold an event.
@@ -295,18 +344,11 @@ impl<'a> Batch<'a> {
 
     /// Shortens the step after too large an error.
     fn reject(&mut self, lane: usize, queue: &mut dyn Seated) {
-        let error = self.core.error(lane);
-        let step = self.core.step(lane);
+        let [error, growth] = [LaneLayout::ERROR, LaneLayout::GROWTH].map(|place| self.core.number(lane, place));
         let [time_s, pace, change] = self.times(lane)[0].jet;
+        let next_s = step_in_time([pace, change], self.core.step(lane) * shrinkage(error, growth));
+        let smallest_s = smallest_step_s(self.core.number(lane, LaneLayout::SMALLEST), time_s);
         let friction = self.check_joint_friction(lane);
-        let Some(run) = &mut self.runs[lane] else { return };
-        run.counters.rejections += 1;
-        run.was_rejected = true;
-        // An error that is not a number comes from a step far too long.
-        let factor = if error.is_finite() { self.core.growth(lane).clamp(0.1, 0.9) } else { 0.1 };
-        run.next = step * factor;
-        let next_s = run.next * (pace + 0.5 * run.next * change).abs();
-        let smallest_s = run.smallest_s.max(8.0 * f64::EPSILON * time_s);
         let failure = if next_s < smallest_s
             && let Err(jams) = friction
         {
@@ -315,26 +357,21 @@ impl<'a> Batch<'a> {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {
             RunFailure::NotFinite { time_s }
-        } else if run.counters.evaluations > self.settings.largest_evaluations {
-            RunFailure::TooManyEvaluations { time_s, limit: self.settings.largest_evaluations }
+        } else if let Some(failure) = self.too_many_evaluations(lane) {
+            failure
         } else {
-            return self.choose_step(lane);
+            return self.core.set_turn(lane, Turn::Shrink);
         };
         self.finish(lane, Err(failure), queue);
     }
 
     /// Notes what an accepted step shows before it is left behind.
-    fn show(
-        &mut self,
-        lane: usize,
-        event: Option<Event>,
-        attempt: &Attempt,
-        queue: &mut dyn Seated,
-    ) -> Result<(), RunFailure> {
+    fn show(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) -> Result<(), RunFailure> {
         let step = self.core.step(lane);
         let end_s = self.core.end_read(lane, ReadLayout::TIME);
         let start_s = self.core.start_read(lane, ReadLayout::TIME);
-        self.check_bearings(lane, attempt.notable >> lane & 1 != 0)?;
+        let is_notable = self.core.is_set(lane, LaneLayout::NOTABLE);
+        self.check_bearings(lane, is_notable)?;
         self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
@@ -344,7 +381,7 @@ impl<'a> Batch<'a> {
             return Ok(());
         }
         let is_awaited = end_s >= run.awaited_s;
-        if attempt.notable >> lane & 1 != 0 {
+        if is_notable {
             self.note_penetrations(lane);
         }
         if !is_awaited {
@@ -371,7 +408,8 @@ impl<'a> Batch<'a> {
             observer.step(&mut step);
             run.awaited_s = observer.awaits_s();
         }
-        run.counters.evaluations += dense.evaluations;
+        let evaluations = dense.evaluations;
+        self.core.add_evaluations(lane, evaluations);
         Ok(())
     }
 
@@ -400,27 +438,19 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Closes the account of an accepted step and chooses the next one.
+    /// Goes on from an accepted step that was looked at.
     fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
         let step = self.core.step(lane);
-        let growth = self.core.growth(lane);
-        let time_s = self.core.start_read(lane, ReadLayout::TIME);
         let Some(run) = &mut self.runs[lane] else { return };
-        run.counters.steps += 1;
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
         if run.reaches_stop && run.stop_s == run.window.end_s {
             return self.succeed(lane, queue);
         }
-        if run.counters.evaluations > self.settings.largest_evaluations {
-            let limit = self.settings.largest_evaluations;
-            return self.finish(lane, Err(RunFailure::TooManyEvaluations { time_s, limit }), queue);
+        if let Some(failure) = self.too_many_evaluations(lane) {
+            return self.finish(lane, Err(failure), queue);
         }
-        if run.counters.steps.is_multiple_of(STEPS_PER_QUESTION)
-            && queue.observer(run.observer).is_some_and(|observer| observer.is_stopped())
-        {
-            return self.finish(lane, Err(RunFailure::Stopped { time_s }), queue);
-        }
+        let Some(run) = &mut self.runs[lane] else { return };
         if run.reaches_stop {
             return self.stop(lane, queue);
         }
@@ -429,28 +459,14 @@ impl<'a> Batch<'a> {
                 if let Some(kind) = run.last_event.take() {
                     run.after_event[kind] = step;
                 }
-                let largest = if run.was_rejected { 1.0 } else { LARGEST_GROWTH };
-                run.was_rejected = false;
                 // After a search that found nothing the step that was good stays the next one.
-                if !was_searching {
-                    run.next = step * if growth.is_finite() { growth.clamp(0.2, largest) } else { largest };
-                }
+                self.core.set_turn(lane, if was_searching { Turn::Choose } else { Turn::Grow });
                 self.watch_stalling(lane);
-                self.choose_step(lane);
             }
             Some(event) => {
                 self.count_event(lane, event);
                 self.act(lane, event, queue);
             }
-        }
-    }
-
-    fn choose_step(&mut self, lane: usize) {
-        let time_s = self.core.state(lane, self.core.pass.layout.time());
-        let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
-        if let Some(run) = &self.runs[lane] {
-            let step = run.choose_step(time_s, pace);
-            self.core.set_step(lane, step);
         }
     }
 
@@ -462,7 +478,7 @@ impl<'a> Batch<'a> {
             plays[at.play].take_in(summary);
         }
         let report = RunReport {
-            counters: run.counters,
+            counters: self.counters(lane, run.events),
             plays,
             energy: Some(self.core.account(lane)),
             friction_losses: self.core.friction_losses(lane, &run.sample),
@@ -475,8 +491,16 @@ impl<'a> Batch<'a> {
         if let Some(run) = self.runs[lane].take() {
             queue.finished(run.observer, outcome);
         }
+        self.active &= !(1 << lane);
         self.restarts &= !(1 << lane);
+        self.openings &= !(1 << lane);
         self.core.set_step(lane, 0.0);
+    }
+
+    fn counters(&self, lane: usize, events: u64) -> Counters {
+        let [steps, rejections] =
+            [LaneLayout::STEPS, LaneLayout::REJECTIONS].map(|place| self.core.number(lane, place) as u64);
+        Counters { steps, rejections, evaluations: self.core.evaluations(lane), events }
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {
@@ -497,6 +521,15 @@ impl<'a> Batch<'a> {
             self.is_root[contact] = is_root;
         }
     }
+}
+
+/// The lanes that are flagged.
+fn lanes_of(mut flags: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = flags.trailing_zeros();
+        flags &= flags.wrapping_sub(1);
+        (lane < u32::BITS).then_some(lane as usize)
+    })
 }
 
 /// Where a run that is at `time_s` stops next: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no

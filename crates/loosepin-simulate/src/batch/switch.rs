@@ -4,7 +4,9 @@ use super::seats::Seated;
 use super::{Batch, next_stop_s};
 use crate::gap::Crossing;
 use crate::lane::{Event, Phase};
+use crate::memory::{LaneLayout, Turn};
 use crate::observer::{Onset, Separation};
+use crate::pass::STALLED_SHARE;
 use crate::reads::ReadLayout;
 use loosepin_math::Real;
 use loosepin_mechanics::contact::NormalContact;
@@ -16,8 +18,6 @@ const MOST_STALLED_STEPS: u32 = 12;
 /// Contacts of one joint that are within this many tolerances of their beginning or end begin together: a root that grows from
 /// zero beside another would hardly move the time.
 const TOGETHER_TOLERANCES: f64 = 1e3;
-/// Share of the longest step below which time hardly moves.
-const STALLED_SHARE: f64 = 1e-7;
 
 impl Batch<'_> {
     /// Gives up the root of a penetration as an unknown where the time no longer goes on with it.
@@ -33,8 +33,10 @@ impl Batch<'_> {
         run.stalled += 1;
         if run.stalled > MOST_STALLED_STEPS {
             run.stalled = 0;
-            run.next = STALLED_SHARE * run.longest_s;
             run.root = None;
+            let next = STALLED_SHARE * run.longest_s;
+            self.core.set_number(lane, LaneLayout::NEXT, next);
+            self.core.set_turn(lane, Turn::Choose);
             let (state, _) = self.core.contact(lane, contact);
             self.core.set_contact(lane, contact, &state, false);
             self.core.set_pace(lane, 1.0);
@@ -44,7 +46,7 @@ impl Batch<'_> {
 
     pub(super) fn count_event(&mut self, lane: usize, event: Event) {
         if let (Some(run), Event::Contact { .. }) = (&mut self.runs[lane], event) {
-            run.counters.events += 1;
+            run.events += 1;
         }
     }
 
@@ -57,6 +59,7 @@ impl Batch<'_> {
         }
         run.phase = Phase::Stepping;
         run.stop_s = next_stop_s(&run.sample, time_s, &run.window);
+        self.core.set_number(lane, LaneLayout::STOP, run.stop_s);
         let is_start = time_s == run.window.start_s;
         let place = self.core.pass.layout.time();
         self.core.set_state(lane, place, time_s);
@@ -69,7 +72,7 @@ impl Batch<'_> {
         if is_start {
             self.begin_record(lane, time_s);
         }
-        self.choose_step(lane);
+        self.core.set_turn(lane, Turn::Choose);
     }
 
     /// Lets a contact begin or end at the start of the step, or stops.
@@ -82,7 +85,7 @@ impl Batch<'_> {
                 if let Some(run) = &mut self.runs[lane] {
                     run.phase = Phase::Stepping;
                 }
-                return self.choose_step(lane);
+                return self.core.set_turn(lane, Turn::Choose);
             }
         };
         let time_s = self.core.start_read(lane, ReadLayout::TIME);
@@ -123,13 +126,15 @@ impl Batch<'_> {
         };
         // The first step after an event is as long as the last one after such an event. Before there is one, a tenth of the
         // step that was cut, in time; from u = 0 on the time is v0 s²/4.
-        let cut_s = 0.1 * run.next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
-        run.next = match run.after_event[kind] {
+        let next = self.core.number(lane, LaneLayout::NEXT);
+        let cut_s = 0.1 * next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
+        let next = match run.after_event[kind] {
             known if known > 0.0 => known,
             _ if has_root => (4.0 * cut_s * state.inverse_impact_speed_s_m).sqrt(),
             _ => cut_s,
         };
         run.last_event = Some(kind);
+        self.core.set_number(lane, LaneLayout::NEXT, next);
         if has_root {
             run.root = Some(contact);
         } else if run.root == Some(contact) {
@@ -142,7 +147,7 @@ impl Batch<'_> {
         if has_root || is_even {
             self.core.set_pace(lane, f64::from(u8::from(!has_root)));
         }
-        self.choose_step(lane);
+        self.core.set_turn(lane, Turn::Choose);
     }
 
     /// Whether another contact of the same joint is at its beginning or end where `contact` begins.

@@ -29,7 +29,7 @@ impl LaneFollow {
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
         let at_instants = Vec::with_capacity(run.instants_s.len() * layout.readings());
         let findings = Findings { at_instants, deviations: vec![DeviationRange::NONE; layout.deviations()] };
-        Self { run, window, piece_end_s: f64::NEG_INFINITY, next: 0, findings }
+        Self { run, window, piece_end_s: f64::INFINITY, next: 0, findings }
     }
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
@@ -51,13 +51,13 @@ impl LaneFollow {
                 set(first + place, number);
             }
         }
-        self.take_piece(layout, time_s, set);
+        self.take_another_piece(layout, time_s, set);
     }
 
     /// Puts down the piece of the curves that holds `time_s`, where that is not at hand.
     #[inline]
     pub fn take_piece(&mut self, layout: &FollowLayout, time_s: f64, set: impl FnMut(usize, f64)) {
-        if time_s > self.piece_end_s {
+        if time_s >= self.piece_end_s {
             self.take_another_piece(layout, time_s, set);
         }
     }
@@ -135,6 +135,11 @@ impl LaneFollow {
             range.smallest = range.smallest.min(-maximum_within(&turned, |share| -polynomial.value(share)).value);
         }
         [range.largest, range.smallest]
+    }
+
+    /// Steps that end from this time on need another piece of the curves or hold an instant, s.
+    pub fn awaits_s(&self) -> f64 {
+        self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
     }
 
     /// The next instant, where it lies in a step that ends at `end_s`; any that is left where that `is_last`.

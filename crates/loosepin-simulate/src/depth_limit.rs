@@ -3,10 +3,6 @@
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry, PlayShape};
 
-/// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
-/// solution, and round-off is far below.
-pub const LARGEST_RESIDUAL: f64 = 1e-9;
-
 /// How deep a contact may be pressed in: the centre of a pin must stay inside its hole or slot, the axis of a slider inside its
 /// guide, and the penetration where the law has one meaning.
 #[derive(Debug, Clone, Copy)]
