@@ -99,7 +99,13 @@ impl LaneLayout {
     pub const STEPS: usize = 20;
     /// Rejected steps of the run so far.
     pub const REJECTIONS: usize = 21;
-    const CONTACTS: usize = 22;
+    /// 1 where a penetration of the last attempt may be beyond what is allowed.
+    pub const DEEP: usize = 22;
+    /// Steps that end from this time on hold an instant, or need another piece of the curves that are followed, s.
+    pub const DUE: usize = 23;
+    /// 1 where that is so in the last attempt.
+    pub const IS_DUE: usize = 24;
+    const CONTACTS: usize = 25;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run, and how far it may go.
     const PER_CONTACT: usize = 8;

@@ -157,7 +157,8 @@ impl Pass {
         let stop_s = lane[LaneLayout::STOP];
         let left_s = stop_s - blocks.rows.start[self.layout.time()];
         let step = lane[LaneLayout::STEP];
-        let mut good = lane[LaneLayout::EVENTFUL].max(lane[LaneLayout::NOTABLE]);
+        let record = lane[LaneLayout::NOTABLE] * lane[LaneLayout::IS_RECORDED];
+        let mut good = lane[LaneLayout::EVENTFUL].max(record).max(lane[LaneLayout::DEEP]);
         good = unless(end_s.less_than(stop_s), good);
         good = T::select(step.less_than(left_s), good, T::select(is_set(has_root), good, one));
         good = unless(end_s.less_than(lane[LaneLayout::AWAITED]), good);
@@ -197,6 +198,8 @@ impl Pass {
         lane[LaneLayout::EVALUATIONS] = evaluations;
         lane[LaneLayout::REJECTIONS] += T::select(is_good, zero, one);
         lane[LaneLayout::ATTENTION] = attention;
+        lane[LaneLayout::IS_DUE] =
+            T::select(end_s.less_than(lane[LaneLayout::DUE]), zero, lane[LaneLayout::IS_RECORDED]);
         lane[LaneLayout::CHOSEN] = T::select(is_watched, zero, T::select(is_good, one, zero));
         lane[LaneLayout::TURN] = T::select(is_watched, set, T::select(is_good, grow, shrink));
     }
@@ -289,13 +292,13 @@ impl Pass {
     }
 
     /// Notes whether the gap of some contact may go through zero within the step in the direction of its next event (it lies
-    /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; and whether a penetration or a
-    /// contact force may be a record.
+    /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; whether a penetration or a contact force
+    /// may be a record; and whether a penetration may be beyond what is allowed.
     fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
         let (zero, one) = (T::zero(), T::one());
         let h = blocks.lane[LaneLayout::STEP];
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
-        let (mut eventful, mut notable) = (zero, zero);
+        let (mut eventful, mut notable, mut deep) = (zero, zero, zero);
         let (starts, ends) = (&*blocks.start_reads, &*blocks.end_reads);
         for contact in 0..sample.contacts.len() {
             let of_lane = &blocks.lane[LaneLayout::contact(contact)..];
@@ -344,6 +347,9 @@ impl Pass {
             let is_strongest = of_lane[LaneLayout::STRONGEST].less_than(force_n);
             let is_record = T::select(is_deepest, one, T::select(is_strongest, one, notable));
             notable = T::select(is_closed, is_record, notable);
+            let root = of_lane[LaneLayout::LARGEST_ROOT];
+            let is_deep = T::select(depth_m.less_than(root * root), deep, one);
+            deep = T::select(is_closed, is_deep, deep);
 
             let place = self.reads.sliding(contact);
             let (start, end) = (starts[place], ends[place]);
@@ -355,6 +361,7 @@ impl Pass {
         }
         blocks.lane[LaneLayout::EVENTFUL] = eventful;
         blocks.lane[LaneLayout::NOTABLE] = notable;
+        blocks.lane[LaneLayout::DEEP] = deep;
     }
 }
 

@@ -16,11 +16,13 @@ use loosepin_tape::native::{Graph, Program, Slot, Value};
 use loosepin_tape::trace::{Traced, record};
 
 /// Numbers of a lane that are said of an attempt.
-const JUDGED: [usize; 9] = [
+const JUDGED: [usize; 11] = [
     LaneLayout::ERROR,
     LaneLayout::GROWTH,
     LaneLayout::EVENTFUL,
     LaneLayout::NOTABLE,
+    LaneLayout::DEEP,
+    LaneLayout::IS_DUE,
     LaneLayout::EVALUATIONS,
     LaneLayout::REJECTIONS,
     LaneLayout::ATTENTION,

@@ -4,6 +4,7 @@ use super::Batch;
 use crate::failure::RunFailure;
 use crate::gap::ContactStep;
 use crate::lane::LaneRun;
+use crate::memory::LaneLayout;
 use crate::pass::LARGEST_RESIDUAL;
 use crate::reads::ReadLayout;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape};
@@ -11,9 +12,10 @@ use loosepin_mechanics::model::JointKind;
 
 impl Batch<'_> {
     /// No contact may be pressed deeper than its limit allows, at the end of a step or, where it may be deepest, within.
-    pub(super) fn check_bearings(&self, lane: usize, is_notable: bool) -> Result<(), RunFailure> {
+    pub(super) fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
         let time_s = self.core.start_read(lane, ReadLayout::TIME);
+        let is_deep = self.core.is_set(lane, LaneLayout::DEEP);
         for (contact, limit) in run.depth_limits.iter().enumerate() {
             let gap = self.core.end_read(lane, self.core.pass.reads.gap(contact));
             if gap.is_nan() {
@@ -42,7 +44,7 @@ impl Batch<'_> {
                 (true, true) => gap * gap,
                 (true, false) => measure.penetration_m(gap),
             };
-            if !is_beyond && is_notable && limit.is_of_law && self.core.contact(lane, contact).0.contact > 0.0 {
+            if !is_beyond && is_deep && limit.is_of_law && self.core.contact(lane, contact).0.contact > 0.0 {
                 let (gap, time) = (self.gap(lane, contact), self.times(lane));
                 let step = ContactStep { gap, time, step: self.core.step(lane), is_root };
                 depth_m = step.largest_penetration_m(measure);

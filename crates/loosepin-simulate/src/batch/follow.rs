@@ -15,24 +15,29 @@ impl Batch<'_> {
         self.core.set_number(lane, LaneLayout::IS_RECORDED, 1.0);
         let core = &mut self.core;
         run.follow.begin(&self.follow, time_s, |place, number| core.set_followed(lane, place, number));
+        core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
     }
 
-    /// Follows the accepted steps at hand, those of them that are recorded; pieces of curves and instants of those that are `watched`.
-    pub(super) fn follow(&mut self, accepted: u32, watched: u32) {
+    /// Follows the accepted steps at hand, those of them that are recorded; another piece of the curves and instants may be `due`.
+    pub(super) fn follow(&mut self, accepted: u32, due: u32) {
         let Self { core, runs, follow: layout, .. } = self;
         let recorded = core.flags(LaneLayout::IS_RECORDED);
         if layout.readings() == 0 || accepted & recorded == 0 {
             return;
         }
         if layout.deviations() > 0 {
-            for (lane, run) in of_lanes(runs, watched & recorded) {
+            for (lane, run) in of_lanes(runs, due & recorded) {
                 let end_s = core.end_read(lane, ReadLayout::TIME);
                 run.follow.take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
             }
             core.follow();
             self.take_extremes(accepted & recorded);
         }
-        self.look_at_instants(watched & recorded);
+        self.look_at_instants(due & recorded);
+        let Self { core, runs, .. } = self;
+        for (lane, run) in of_lanes(runs, due & recorded) {
+            core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
+        }
     }
 
     /// Locates the extremes of the steps that may hold new ones.

@@ -234,7 +234,7 @@ impl<'a> Batch<'a> {
     fn watch(&mut self, lane: usize) {
         let Some(run) = &self.runs[lane] else { return };
         let is_watched = !matches!(run.phase, Phase::Stepping) || run.last_event.is_some() || run.stalled > 0;
-        let awaited_s = if run.is_recorded { run.awaited_s.min(run.follow.awaits_s()) } else { f64::INFINITY };
+        let awaited_s = if run.is_recorded { run.awaited_s } else { f64::INFINITY };
         self.core.set_number(lane, LaneLayout::IS_WATCHED, f64::from(u8::from(is_watched)));
         self.core.set_number(lane, LaneLayout::AWAITED, awaited_s);
     }
@@ -251,7 +251,7 @@ impl<'a> Batch<'a> {
         }
         let accepted = self.core.flags(LaneLayout::CHOSEN) & self.active;
         if accepted != 0 {
-            self.follow(accepted, accepted & watched);
+            self.follow(accepted, accepted & (watched | self.core.flags(LaneLayout::IS_DUE)));
             self.core.accept();
             if self.view_projection.is_some() {
                 self.restart(accepted);
@@ -370,8 +370,7 @@ impl<'a> Batch<'a> {
         let step = self.core.step(lane);
         let end_s = self.core.end_read(lane, ReadLayout::TIME);
         let start_s = self.core.start_read(lane, ReadLayout::TIME);
-        let is_notable = self.core.is_set(lane, LaneLayout::NOTABLE);
-        self.check_bearings(lane, is_notable)?;
+        self.check_bearings(lane)?;
         self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
@@ -381,7 +380,7 @@ impl<'a> Batch<'a> {
             return Ok(());
         }
         let is_awaited = end_s >= run.awaited_s;
-        if is_notable {
+        if self.core.is_set(lane, LaneLayout::NOTABLE) {
             self.note_penetrations(lane);
         }
         if !is_awaited {

@@ -2,7 +2,7 @@
 
 use super::layout::FollowLayout;
 use super::plan::{DeviationRange, Findings, FollowedRun};
-use crate::ideal_curve::IdealCurve;
+use crate::ideal_curve::{IdealCurve, Piece};
 use crate::search::maximum_within;
 use crate::settings::Window;
 use loosepin_math::Quintic;
@@ -71,8 +71,7 @@ impl LaneFollow {
         let [start_s, end_s] = piece.shares.map(|share| self.window.start_s + share * self.span_s());
         for deviation in 0..layout.deviations() {
             let first = layout.deviation(deviation) + FollowLayout::REFERENCE;
-            let quintic = self.quintic(layout, deviation, time_s);
-            for (k, coefficient) in quintic.coefficients.into_iter().enumerate() {
+            for (k, coefficient) in self.quintic(layout, deviation, piece).coefficients.into_iter().enumerate() {
                 set(first + k, coefficient);
             }
         }
@@ -81,14 +80,13 @@ impl LaneFollow {
         self.piece_end_s = if piece.shares[1] < 1.0 { end_s } else { f64::INFINITY };
     }
 
-    /// What a deviation is compared with, over the piece that holds `time_s`.
-    fn quintic(&self, layout: &FollowLayout, deviation: usize, time_s: f64) -> Quintic {
+    /// What a deviation is compared with, over a piece of the curves.
+    fn quintic(&self, layout: &FollowLayout, deviation: usize, piece: Piece) -> Quintic {
         let (reading, of) = layout.of(deviation);
-        let FollowedRun { nominal, own, .. } = &self.run;
-        let share = self.share(time_s);
         let of_curve = |curve: &Option<Arc<IdealCurve>>| {
-            curve.as_ref().map_or([f64::NAN; 6], |curve| curve.quintic(reading, curve.nodes.piece(share)).coefficients)
+            curve.as_ref().map_or([f64::NAN; 6], |curve| curve.quintic(reading, piece).coefficients)
         };
+        let FollowedRun { nominal, own, .. } = &self.run;
         let coefficients = match of {
             Deviation::Value => [0.0; 6],
             Deviation::Total => of_curve(nominal),
@@ -105,9 +103,10 @@ impl LaneFollow {
     fn reference(&self, layout: &FollowLayout, deviation: usize, time_s: f64) -> [f64; 3] {
         let Some(curve) = self.run.nominal.as_ref().or(self.run.own.as_ref()) else { return [0.0; 3] };
         let share = self.share(time_s);
-        let [from, to] = curve.nodes.piece(share).shares;
+        let piece = curve.nodes.piece(share);
+        let [from, to] = piece.shares;
         let (at, length_s) = ((share - from) / (to - from), (to - from) * self.span_s());
-        let quintic = self.quintic(layout, deviation, time_s);
+        let quintic = self.quintic(layout, deviation, piece);
         [quintic.value(at), quintic.slope(at) / length_s, quintic.curvature(at) / (length_s * length_s)]
     }
 
@@ -126,11 +125,13 @@ impl LaneFollow {
             let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
             (share, polynomial.value(share))
         });
-        let [low, high] = polynomial.limits();
-        if high > range.largest {
+        let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+        // Between the points the value can rise above them by a part of their range only.
+        let room = 0.25 * (high - low);
+        if high + room > range.largest {
             range.largest = range.largest.max(maximum_within(&points, |share| polynomial.value(share)).value);
         }
-        if low < range.smallest {
+        if low - room < range.smallest {
             let turned = points.map(|(share, value)| (share, -value));
             range.smallest = range.smallest.min(-maximum_within(&turned, |share| -polynomial.value(share)).value);
         }
@@ -138,7 +139,7 @@ impl LaneFollow {
     }
 
     /// Steps that end from this time on need another piece of the curves or hold an instant, s.
-    pub fn awaits_s(&self) -> f64 {
+    pub fn due_s(&self) -> f64 {
         self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
     }
 
