@@ -52,20 +52,31 @@ impl<T: Real> Quintic<T> {
         let c = &self.coefficients;
         two * c[2] + tau * (six * c[3] + tau * (twelve * c[4] + tau * (twenty * c[5])))
     }
-    /// The smallest and the largest Bernstein coefficient: the polynomial stays between them on [0, 1].
+    /// The smallest and the largest Bernstein coefficient over both halves of [0, 1]: the polynomial stays between them.
     #[inline]
     pub fn limits(&self) -> [T; 2] {
-        let [tenth, fifth, three_tenths, two_fifths, three_fifths, four_fifths] =
-            [0.1, 0.2, 0.3, 0.4, 0.6, 0.8].map(T::from_f64);
+        let [half, tenth, fifth, three_tenths, two_fifths, three_fifths, four_fifths] =
+            [0.5, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8].map(T::from_f64);
         let c = &self.coefficients;
         // b_i = Σ_k binomial(i, k) / binomial(5, k) c_k.
-        let b1 = c[0] + fifth * c[1];
-        let b2 = c[0] + two_fifths * c[1] + tenth * c[2];
-        let b3 = c[0] + three_fifths * c[1] + three_tenths * c[2] + tenth * c[3];
-        let b4 = c[0] + four_fifths * c[1] + three_fifths * c[2] + two_fifths * c[3] + fifth * c[4];
-        let b5 = c[0] + c[1] + c[2] + c[3] + c[4] + c[5];
-        let (low, high) = (c[0].min(b1).min(b2), c[0].max(b1).max(b2));
-        [low.min(b3).min(b4).min(b5), high.max(b3).max(b4).max(b5)]
+        let mut row = [
+            c[0],
+            c[0] + fifth * c[1],
+            c[0] + two_fifths * c[1] + tenth * c[2],
+            c[0] + three_fifths * c[1] + three_tenths * c[2] + tenth * c[3],
+            c[0] + four_fifths * c[1] + three_fifths * c[2] + two_fifths * c[3] + fifth * c[4],
+            c[0] + c[1] + c[2] + c[3] + c[4] + c[5],
+        ];
+        // De Casteljau's means: the first and the last of each row are coefficients of the halves.
+        let [mut low, mut high] = [row[0].min(row[5]), row[0].max(row[5])];
+        for length in (1..6).rev() {
+            for k in 0..length {
+                row[k] = half * (row[k] + row[k + 1]);
+            }
+            low = low.min(row[0]).min(row[length - 1]);
+            high = high.max(row[0]).max(row[length - 1]);
+        }
+        [low, high]
     }
 }
 
@@ -89,5 +100,14 @@ mod tests {
             let [low, high] = quintic.limits();
             assert!(low <= quintic.value(tau) && quintic.value(tau) <= high);
         }
+    }
+
+    #[test]
+    fn analytic_the_limits_of_a_parabola_are_those_of_its_halves() {
+        // τ (1 - τ) has the coefficients 0, 1/4, 1/4 over its first half as a parabola, 0, 1/10, ..., 1/4 as a quintic; those of the whole
+        // go up to 0.3.
+        let parabola = Quintic { coefficients: [0.0, 1.0, -1.0, 0.0, 0.0, 0.0] };
+        let [low, high] = parabola.limits();
+        assert!(low.abs() < 1e-15 && (high - 0.25).abs() < 1e-15, "{low} {high}");
     }
 }

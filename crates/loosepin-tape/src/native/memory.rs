@@ -161,25 +161,58 @@ impl PlacedKernel {
         Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
     }
 
-    /// Runs on `blocks`.
+    /// For each block, how many numbers it must have at least.
+    fn needed(&self) -> [usize; LARGEST_BLOCKS] {
+        let mut needed = [0; LARGEST_BLOCKS];
+        for part in &self.parts {
+            needed[part.block] = needed[part.block].max(part.end);
+        }
+        needed
+    }
+}
+
+/// Kernels that run one after the other on parts of the same blocks.
+#[derive(Debug, Clone)]
+pub(super) struct PlacedKernels {
+    kernels: Vec<PlacedKernel>,
+    /// For each block, how many numbers it must have at least.
+    needed: [usize; LARGEST_BLOCKS],
+}
+
+impl PlacedKernels {
+    /// One kernel.
+    pub fn new(kernel: PlacedKernel) -> Self {
+        Self { needed: kernel.needed(), kernels: vec![kernel] }
+    }
+
+    /// Adds `kernel` behind the others.
+    pub fn push(&mut self, kernel: PlacedKernel) {
+        for (needed, own) in self.needed.iter_mut().zip(kernel.needed()) {
+            *needed = (*needed).max(own);
+        }
+        self.kernels.push(kernel);
+    }
+
+    /// Runs all on `blocks`.
     ///
     /// # Errors
     ///
-    /// [`NativeError::BlockTooShort`].
-    #[inline]
+    /// [`NativeError::BlockTooShort`]; nothing has run then.
     pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS]) -> Result<(), NativeError> {
-        let mut addresses = [std::ptr::null_mut(); LARGEST_BLOCKS];
-        for (address, part) in addresses.iter_mut().zip(&self.parts) {
-            let numbers = &mut *blocks[part.block];
-            if numbers.len() < part.end {
-                return Err(NativeError::BlockTooShort { block: part.block, given: numbers.len(), needed: part.end });
+        let mut starts = [std::ptr::null_mut::<f64>(); LARGEST_BLOCKS];
+        for (block, (numbers, &needed)) in blocks.iter_mut().zip(&self.needed).enumerate() {
+            if numbers.len() < needed {
+                return Err(NativeError::BlockTooShort { block, given: numbers.len(), needed });
             }
-            *address = numbers.as_mut_ptr().wrapping_add(part.first);
+            starts[block] = numbers.as_mut_ptr();
         }
-        // SAFETY: each address that the kernel uses points to as many numbers as its highest slot needs (checked above), within
-        // a block that is borrowed for itself until the call has returned; parts of one block have no number in common
-        // (checked by `new`).
-        unsafe { self.kernel.call(&addresses) };
+        for PlacedKernel { kernel, parts } in &self.kernels {
+            let addresses = parts.map(|part| starts[part.block].wrapping_add(part.first));
+            // SAFETY: each address that the kernel uses points to as many numbers as its highest slot needs (checked above: no part of
+            // any kernel ends behind what is needed), within a block that is borrowed for itself until all have returned; parts of one
+            // block have no number in common (checked by `PlacedKernel::new`).
+            unsafe { kernel.call(&addresses) };
+        }
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::NativeError;
 use super::evaluate::Interpreted;
-use super::memory::{Kernel, PlacedKernel, parts};
+use super::memory::{Kernel, PlacedKernel, PlacedKernels, parts};
 use super::place::Place;
 use super::program::Program;
 use super::{LARGEST_BLOCKS, Level};
@@ -36,7 +36,7 @@ pub struct Sequence {
 
 #[derive(Debug, Clone)]
 enum Call {
-    Machine(Box<PlacedKernel>),
+    Machine(PlacedKernels),
     Interpreted { program: Interpreted, lanes: usize },
 }
 
@@ -48,16 +48,20 @@ impl Sequence {
     ///
     /// [`NativeError::TooFewBlocks`], [`NativeError::TooManyBlocks`], [`NativeError::PlacesOverlap`].
     pub fn new(calls: &[(&Routine, &[Place])]) -> Result<Self, NativeError> {
-        let call = |&(Routine { program, kernel, lanes }, places): &(&Routine, &[Place])| {
-            Ok(match kernel {
-                Some(kernel) => Call::Machine(Box::new(PlacedKernel::new(kernel, places)?)),
-                None => {
-                    parts(program.values_per_block(), places, *lanes)?;
-                    Call::Interpreted { program: Interpreted::new(&program.placed(places)), lanes: *lanes }
-                }
-            })
-        };
-        Ok(Self { calls: calls.iter().map(call).collect::<Result<_, _>>()? })
+        let mut own: Vec<Call> = Vec::with_capacity(calls.len());
+        for &(Routine { program, kernel, lanes }, places) in calls {
+            let Some(kernel) = kernel else {
+                parts(program.values_per_block(), places, *lanes)?;
+                own.push(Call::Interpreted { program: Interpreted::new(&program.placed(places)), lanes: *lanes });
+                continue;
+            };
+            let kernel = PlacedKernel::new(kernel, places)?;
+            match own.last_mut() {
+                Some(Call::Machine(kernels)) => kernels.push(kernel),
+                _ => own.push(Call::Machine(PlacedKernels::new(kernel))),
+            }
+        }
+        Ok(Self { calls: own })
     }
 
     /// Runs on `blocks`: value `i` of block `b` in lane `l` is `blocks[b][i * lanes + l]`, with the lanes of the routines. The bits are the same as machine code and
@@ -66,11 +70,11 @@ impl Sequence {
     ///
     /// # Errors
     ///
-    /// [`NativeError::BlockTooShort`]; what ran before has been done.
+    /// [`NativeError::BlockTooShort`]; some of what comes before may have been done.
     pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS], scratch: &mut Vec<f64>) -> Result<(), NativeError> {
         for call in &self.calls {
             match call {
-                Call::Machine(kernel) => kernel.run(blocks)?,
+                Call::Machine(kernels) => kernels.run(blocks)?,
                 Call::Interpreted { program, lanes } => program.run(*lanes, blocks, scratch)?,
             }
         }
