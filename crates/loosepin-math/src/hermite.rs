@@ -65,7 +65,7 @@ impl<T: Real> Quintic<T> {
             c[0] + two_fifths * c[1] + tenth * c[2],
             c[0] + three_fifths * c[1] + three_tenths * c[2] + tenth * c[3],
             c[0] + four_fifths * c[1] + three_fifths * c[2] + two_fifths * c[3] + fifth * c[4],
-            c[0] + c[1] + c[2] + c[3] + c[4] + c[5],
+            self.value(T::one()),
         ];
         // De Casteljau's means: the first and the last of each row are coefficients of the halves.
         let [mut low, mut high] = [row[0].min(row[5]), row[0].max(row[5])];

@@ -4,7 +4,7 @@ use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run, Seats};
 use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
-use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds};
+use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds, with_extremes_of};
 use super::gap::GapJet;
 use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
@@ -206,6 +206,8 @@ struct Follower {
     layout: FollowLayout,
     lane: LaneFollow,
     numbers: Vec<f64>,
+    /// The readings at both ends of a step.
+    readings: [Vec<f64>; 2],
 }
 
 impl Follower {
@@ -214,15 +216,19 @@ impl Follower {
         let mut numbers = vec![0.0; layout.length()];
         let mut lane = LaneFollow::new(&layout, run, window);
         lane.begin(&layout, window.start_s, |place, number| numbers[place] = number);
-        Self { layout, lane, numbers }
+        Self { layout, lane, numbers, readings: Default::default() }
     }
 
     /// Follows a step, over which the readings are `outputs`.
     fn step(&mut self, [start_s, end_s]: [f64; 2], outputs: &[[[f64; 3]; 2]], is_last: bool) {
-        let Self { layout, lane, numbers } = self;
-        let reading = |reading: usize, side: usize| outputs[reading][side];
+        let Self { layout, lane, numbers, readings } = self;
+        for (side, readings) in readings.iter_mut().enumerate() {
+            readings.clear();
+            readings.extend(outputs.iter().flat_map(|output| output[side]));
+        }
         let time = [start_s, end_s].map(|time_s| [time_s, 1.0, 0.0]);
-        let step = StepEnds { length: end_s - start_s, time, reading };
+        let step =
+            StepEnds { length: end_s - start_s, time, readings: readings.each_ref().map(|readings| &readings[..]) };
         if layout.deviations() > 0 {
             lane.take_piece(layout, end_s, |place, number| numbers[place] = number);
             layout.follow(numbers, &step, true);
@@ -230,7 +236,8 @@ impl Follower {
                 for deviation in 0..layout.deviations() {
                     let own = &mut numbers[layout.deviation(deviation)..];
                     let polynomial = std::array::from_fn(|k| own[FollowLayout::POLYNOMIAL + k]);
-                    let [largest, smallest] = lane.take_extremes(deviation, &Quintic { coefficients: polynomial });
+                    let known = [own[FollowLayout::LARGEST], own[FollowLayout::SMALLEST]];
+                    let [largest, smallest] = with_extremes_of(&Quintic { coefficients: polynomial }, known);
                     (own[FollowLayout::LARGEST], own[FollowLayout::SMALLEST]) = (largest, smallest);
                 }
             }

@@ -1,9 +1,6 @@
 //! The ideal motion of one sample over the recorded turns, as a table that is read at any instant.
 
-use super::column::{Arms, Reading};
-use super::reference::IdealReference;
 use loosepin_math::Quintic;
-use loosepin_mechanics::mechanism::SampleError;
 use std::sync::Arc;
 
 /// Nodes a turn, at least: between them a polynomial of degree five errs by (2πk/96)⁶/46080 of the k-th harmonic of the motion: 2e-12 of
@@ -60,12 +57,14 @@ impl IdealNodes {
         &self.pieces
     }
 
-    /// The places of all nodes, counted in intervals.
-    fn places(&self) -> impl Iterator<Item = f64> {
+    /// The times of all nodes, s, where the recorded part begins at `start_s` and lasts `span_s`.
+    pub(crate) fn times_s(&self, start_s: f64, span_s: f64) -> impl Iterator<Item = f64> {
+        let intervals = self.pieces.len() as f64;
         let of_interval = |(interval, &pieces): (usize, &usize)| {
             (0..pieces).map(move |piece| interval as f64 + piece as f64 / pieces as f64)
         };
-        self.pieces.iter().enumerate().flat_map(of_interval).chain([self.pieces.len() as f64])
+        let places = self.pieces.iter().enumerate().flat_map(of_interval).chain([intervals]);
+        places.map(move |place| start_s + span_s * place / intervals)
     }
 
     /// The piece that holds `share` in [0, 1] of the recorded part; at a node the one that begins there.
@@ -131,31 +130,8 @@ pub struct Piece {
 }
 
 impl IdealCurve {
-    /// Follows `readings`, which are positions and angles, of `reference` from `start_s` on for `span_s`.
-    ///
-    /// # Errors
-    /// The loops cannot be closed on the way.
-    pub fn new(
-        reference: &mut IdealReference<'_>,
-        readings: &[Reading],
-        arms: &Arms,
-        start_s: f64,
-        span_s: f64,
-        nodes: Arc<IdealNodes>,
-    ) -> Result<Self, SampleError> {
-        let intervals = nodes.pieces.len() as f64;
-        let mut jets = vec![Vec::new(); readings.len()];
-        for place in nodes.places() {
-            let time_s = start_s + span_s * place / intervals;
-            for (jets, reading) in jets.iter_mut().zip(readings) {
-                jets.push(reference.jet(reading, arms, time_s)?);
-            }
-        }
-        Ok(Self::of_jets(span_s, nodes, &jets))
-    }
-
     /// From value, rate and acceleration of each reading at each node.
-    fn of_jets(span_s: f64, nodes: Arc<IdealNodes>, jets: &[Vec<[f64; 3]>]) -> Self {
+    pub(crate) fn of_jets(span_s: f64, nodes: Arc<IdealNodes>, jets: &[Vec<[f64; 3]>]) -> Self {
         let lengths_s =
             || nodes.pieces.iter().flat_map(|&pieces| std::iter::repeat_n(nodes.length_s(span_s, pieces), pieces));
         let between = |jets: &Vec<[f64; 3]>| {
@@ -204,8 +180,7 @@ mod tests {
         };
         let nodes =
             IdealNodes::new(1.0, TURN_S, LARGEST_ERROR_M, |share| Ok::<_, Infallible>(vec![jet(share)])).unwrap();
-        let intervals = nodes.pieces.len() as f64;
-        let jets = vec![nodes.places().map(|place| jet(place / intervals)).collect()];
+        let jets = vec![nodes.times_s(0.0, 1.0).map(jet).collect()];
         IdealCurve::of_jets(TURN_S, Arc::new(nodes), &jets)
     }
 

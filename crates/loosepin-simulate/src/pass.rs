@@ -253,17 +253,12 @@ impl Pass {
     }
 
     /// The numbers of what is followed, and the ends of the step at hand.
-    fn followed<'b, T: Real>(
-        &self,
-        blocks: &'b mut Named<'_, T>,
-    ) -> (&'b mut [T], StepEnds<T, impl Fn(usize, usize) -> [T; 3] + 'b>) {
-        let (reads, length) = (self.reads, blocks.lane[LaneLayout::STEP]);
+    fn followed<'b, T: Real>(&self, blocks: &'b mut Named<'_, T>) -> (&'b mut [T], StepEnds<'b, T>) {
+        let (length, first) = (blocks.lane[LaneLayout::STEP], self.reads.output(0));
         let sides = [&*blocks.start_reads, &*blocks.end_reads];
-        let three =
-            move |side: usize, place: usize| [sides[side][place], sides[side][place + 1], sides[side][place + 2]];
-        let time = [0, 1].map(|side| three(side, ReadLayout::TIME));
-        let reading = move |reading: usize, side: usize| three(side, reads.output(reading));
-        (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, reading })
+        let time = sides.map(|reads| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]));
+        let readings = sides.map(|reads| &reads[first..]);
+        (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, readings })
     }
 
     /// Computes what looks inside of the step at hand need.

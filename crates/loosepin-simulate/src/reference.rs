@@ -3,6 +3,7 @@
 use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::free_motion::FreeMotion;
+use super::ideal_curve::{IdealCurve, IdealNodes};
 use super::motion::Motion;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::Dynamics;
@@ -133,5 +134,25 @@ impl<'a> IdealReference<'a> {
         }
         let mechanism = self.motion.dynamics.mechanism();
         Ok(reading.position_jet(arms, mechanism, ideal.kinematics(), |slot| ideal.acceleration(slot)))
+    }
+
+    /// A table of `readings`, which are positions and angles, from `start_s` on for `span_s`.
+    ///
+    /// # Errors
+    /// The loops cannot be closed on the way.
+    pub fn curve(
+        &mut self,
+        readings: &[Reading],
+        arms: &Arms,
+        (start_s, span_s): (f64, f64),
+        nodes: Arc<IdealNodes>,
+    ) -> Result<IdealCurve, SampleError> {
+        let mut jets = vec![Vec::new(); readings.len()];
+        for time_s in nodes.times_s(start_s, span_s) {
+            for (jets, reading) in jets.iter_mut().zip(readings) {
+                jets.push(self.jet(reading, arms, time_s)?);
+            }
+        }
+        Ok(IdealCurve::of_jets(span_s, nodes, &jets))
     }
 }

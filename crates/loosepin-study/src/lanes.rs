@@ -100,7 +100,7 @@ impl StudyResponse {
         let curve = if self.shared.needs_own_ideal {
             let (readings, start_s) = (&self.shared.follow.readings, window.start_s);
             let (span_s, nodes) = (window.end_s - window.start_s, self.shared.nominal_curve.nodes.clone());
-            Some(Arc::new(IdealCurve::new(&mut own, readings, arms, start_s, span_s, nodes)?))
+            Some(Arc::new(own.curve(readings, arms, (start_s, span_s), nodes)?))
         } else {
             None
         };

@@ -11,7 +11,7 @@ use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleErr
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
 };
-use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
+use loosepin_simulate::{Arms, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
@@ -387,7 +387,7 @@ fn share_nominal(
     })?;
     reference = fresh()?;
     let (start_s, nodes) = (nominal_window.start_s, Arc::new(nodes));
-    let nominal_curve = IdealCurve::new(&mut reference, &positions, &arms, start_s, span_s, nodes)?;
+    let nominal_curve = reference.curve(&positions, &arms, (start_s, span_s), nodes)?;
     let mut pose_order: Vec<(f64, usize)> = plan
         .columns
         .iter()

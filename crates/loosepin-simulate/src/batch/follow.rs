@@ -1,7 +1,7 @@
 //! What is followed in the runs on lanes.
 
 use super::{Batch, lanes_of};
-use crate::follow::{Findings, FollowLayout};
+use crate::follow::{Findings, FollowLayout, with_extremes_of};
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
@@ -42,14 +42,17 @@ impl Batch<'_> {
 
     /// Locates the extremes of the steps that may hold new ones.
     fn take_extremes(&mut self, recorded: u32) {
-        let Self { core, runs, follow: layout, .. } = self;
-        for (lane, run) in of_lanes(runs, core.followed_flags(FollowLayout::IS_EXTREME) & recorded) {
+        let Self { core, follow: layout, .. } = self;
+        for lane in lanes_of(core.followed_flags(FollowLayout::IS_EXTREME) & recorded) {
             for deviation in 0..layout.deviations() {
                 let first = layout.deviation(deviation);
                 let polynomial = std::array::from_fn(|k| core.followed(lane, first + FollowLayout::POLYNOMIAL + k));
-                let [largest, smallest] = run.follow.take_extremes(deviation, &Quintic { coefficients: polynomial });
-                core.set_followed(lane, first + FollowLayout::LARGEST, largest);
-                core.set_followed(lane, first + FollowLayout::SMALLEST, smallest);
+                let places = [FollowLayout::LARGEST, FollowLayout::SMALLEST].map(|place| first + place);
+                let known = places.map(|place| core.followed(lane, place));
+                let extremes = with_extremes_of(&Quintic { coefficients: polynomial }, known);
+                for (place, extreme) in places.into_iter().zip(extremes) {
+                    core.set_followed(lane, place, extreme);
+                }
             }
         }
     }

@@ -3,14 +3,10 @@
 use super::layout::FollowLayout;
 use super::plan::{DeviationRange, Findings, FollowedRun};
 use crate::ideal_curve::{IdealCurve, Piece};
-use crate::search::maximum_within;
 use crate::settings::Window;
 use loosepin_math::Quintic;
 use loosepin_result::study::Deviation;
 use std::sync::Arc;
-
-/// Points of a step at which a deviation is looked at before its extremes are located, ends included.
-const POINTS_PER_STEP: usize = 5;
 
 /// What one run is compared with, and what was found so far.
 #[derive(Debug, Clone)]
@@ -118,26 +114,6 @@ impl LaneFollow {
         ((time_s - self.window.start_s) / self.span_s()).clamp(0.0, 1.0)
     }
 
-    /// Takes in the extremes of a step over which a deviation is `polynomial`; gives its largest and smallest value so far.
-    pub fn take_extremes(&mut self, deviation: usize, polynomial: &Quintic) -> [f64; 2] {
-        let range = &mut self.findings.deviations[deviation];
-        let points: [(f64, f64); POINTS_PER_STEP] = std::array::from_fn(|k| {
-            let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
-            (share, polynomial.value(share))
-        });
-        let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
-        // Between the points the value can rise above them by a part of their range only.
-        let room = 0.25 * (high - low);
-        if high + room > range.largest {
-            range.largest = range.largest.max(maximum_within(&points, |share| polynomial.value(share)).value);
-        }
-        if low - room < range.smallest {
-            let turned = points.map(|(share, value)| (share, -value));
-            range.smallest = range.smallest.min(-maximum_within(&turned, |share| -polynomial.value(share)).value);
-        }
-        [range.largest, range.smallest]
-    }
-
     /// Steps that end from this time on need another piece of the curves or hold an instant, s.
     pub fn due_s(&self) -> f64 {
         self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
@@ -160,6 +136,8 @@ impl LaneFollow {
     pub fn findings(&mut self, layout: &FollowLayout, get: impl Fn(usize) -> f64) -> Findings {
         for (deviation, range) in self.findings.deviations.iter_mut().enumerate() {
             let first = layout.deviation(deviation);
+            range.largest = get(first + FollowLayout::LARGEST);
+            range.smallest = get(first + FollowLayout::SMALLEST);
             range.integral = get(first + FollowLayout::INTEGRAL);
             range.integral_of_square = get(first + FollowLayout::INTEGRAL_OF_SQUARE);
         }

@@ -19,13 +19,19 @@ pub(crate) struct FollowLayout {
 }
 
 /// The ends of a step: its length, time and derivatives, and those of the readings, over the variable of integration.
-pub(crate) struct StepEnds<T, F> {
+pub(crate) struct StepEnds<'s, T> {
     /// Length.
     pub length: T,
     /// Time at the start and at the end.
     pub time: [[T; 3]; 2],
-    /// A reading at the start (0) or at the end (1).
-    pub reading: F,
+    /// All readings at the start and at the end, three numbers each.
+    pub readings: [&'s [T]; 2],
+}
+
+impl<T: Copy> StepEnds<'_, T> {
+    fn reading(&self, reading: usize, side: usize) -> [T; 3] {
+        array(&self.readings[side][3 * reading..])
+    }
 }
 
 impl FollowLayout {
@@ -35,7 +41,7 @@ impl FollowLayout {
     pub const PIECE_RATE: usize = 1;
     /// The instant that is looked at, s.
     pub const INSTANT: usize = 2;
-    /// 1 where some deviation may have a new extreme in the step.
+    /// 1 where some deviation may have a new extreme within the step.
     pub const IS_EXTREME: usize = 3;
     /// The readings at the instant.
     pub const VALUES: usize = 4;
@@ -88,12 +94,7 @@ impl FollowLayout {
     }
 
     /// Follows a step to its end, where `is_chosen`: integrals, the polynomials of the deviations, and whether their extremes may be new.
-    pub fn follow<T: Real>(
-        &self,
-        numbers: &mut [T],
-        step: &StepEnds<T, impl Fn(usize, usize) -> [T; 3]>,
-        is_chosen: T::Mask,
-    ) {
+    pub fn follow<T: Real>(&self, numbers: &mut [T], step: &StepEnds<'_, T>, is_chosen: T::Mask) {
         let (zero, one) = (T::zero(), T::one());
         let rate = numbers[Self::PIECE_RATE];
         let share = (step.time[1][0] - numbers[Self::PIECE_START]) * rate;
@@ -105,11 +106,17 @@ impl FollowLayout {
             let end = [reference.value(share), reference.slope(share) * rate, reference.curvature(share) * rate * rate];
             let ends = [array(&own[Self::BEFORE..]), end];
             let [start, last] =
-                [0, 1].map(|side| deviation_at(of, || (step.reading)(reading, side), ends[side], step.time[side]));
+                [0, 1].map(|side| deviation_at(of, || step.reading(reading, side), ends[side], step.time[side]));
             let polynomial = Quintic::new(start, last, step.length);
             let [low, high] = polynomial.limits();
-            is_extreme = T::select(own[Self::LARGEST].less_than(high), one, is_extreme);
-            is_extreme = T::select(low.less_than(own[Self::SMALLEST]), one, is_extreme);
+            // The ends of the step are known; between them an extreme is where the limits are beyond both.
+            let ends = [polynomial.value(zero), polynomial.value(one)];
+            let largest = own[Self::LARGEST].max(ends[0]).max(ends[1]);
+            let smallest = own[Self::SMALLEST].min(ends[0]).min(ends[1]);
+            is_extreme = T::select(largest.less_than(high), one, is_extreme);
+            is_extreme = T::select(low.less_than(smallest), one, is_extreme);
+            own[Self::LARGEST] = T::select(is_chosen, largest, own[Self::LARGEST]);
+            own[Self::SMALLEST] = T::select(is_chosen, smallest, own[Self::SMALLEST]);
             if is_integrated {
                 let (mut integral, mut integral_of_square) = (own[Self::INTEGRAL], own[Self::INTEGRAL_OF_SQUARE]);
                 for (place, weight) in GAUSS {
@@ -130,10 +137,10 @@ impl FollowLayout {
     }
 
     /// Reads at the instant of the lane, which lies within the step.
-    pub fn look<T: Real>(&self, numbers: &mut [T], step: &StepEnds<T, impl Fn(usize, usize) -> [T; 3]>) {
+    pub fn look<T: Real>(&self, numbers: &mut [T], step: &StepEnds<'_, T>) {
         let share = share_of(numbers[Self::INSTANT], step.time, step.length);
         for reading in 0..self.readings {
-            let [start, end] = [0, 1].map(|side| (step.reading)(reading, side));
+            let [start, end] = [0, 1].map(|side| step.reading(reading, side));
             numbers[Self::VALUES + reading] = Quintic::new(start, end, step.length).value(share);
         }
     }

@@ -4,10 +4,12 @@
 //! compared with is a table of such polynomials ([`crate::IdealCurve`]); so a deviation is one as well, which has limits, integrals
 //! and values at given instants in closed form. Only extremes are located lane by lane, where the limits allow a new one.
 
+mod extremes;
 mod lane;
 mod layout;
 mod plan;
 
+pub(crate) use extremes::with_extremes_of;
 pub(crate) use lane::LaneFollow;
 pub(crate) use layout::{FollowLayout, StepEnds};
 pub use plan::{DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun};
