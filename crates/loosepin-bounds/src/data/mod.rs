@@ -1,5 +1,6 @@
 //! Questions, runs and answers: what all other floors speak of.
 
+mod beside;
 pub(crate) mod bound;
 pub(crate) mod defaults;
 pub(crate) mod direction;

@@ -1,5 +1,9 @@
 //! Runs: what goes in, what comes out, one row each.
 
+use std::any::Any;
+use std::sync::Arc;
+
+use super::beside::Beside;
 pub use loosepin_terms::Purpose;
 use thiserror::Error;
 
@@ -44,6 +48,7 @@ pub struct SampleTable {
     inputs: Vec<RunInputs>,
     failures: Vec<Option<Failure>>,
     values: Vec<f64>,
+    beside: Beside,
 }
 
 impl SampleTable {
@@ -119,6 +124,12 @@ impl SampleTable {
     /// Why run `run` failed, if it did.
     pub fn failure(&self, run: usize) -> Option<Failure> {
         self.failures[run]
+    }
+
+    /// What is kept beside the rows for as long as the table lives. Rows are only ever added, so that what is known of some of them stays
+    /// true; a copy of the table begins without.
+    pub(crate) fn kept<K: Any + Send + Sync + Default>(&self) -> Arc<K> {
+        self.beside.get()
     }
 
     /// How many runs failed.

@@ -3,7 +3,7 @@
 use loosepin_uncertainty::{normal_cdf, normal_quantile, student_factor};
 
 /// Factors that turn a standard error into the half-width of a confidence interval.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Confidence {
     /// Student's factor for the spread of the replicates.
     pub student: f64,

@@ -23,7 +23,7 @@
 //! shown are not much further out than the exponential tail, and a part of probability p shows itself in N >= 5/p runs.
 
 use super::estimate::{Confidence, mean_of, skewness, variance_of_mean};
-use super::in_order::in_order;
+use super::ordered::Ordered;
 use super::sample::Sample;
 
 /// The tail is taken through this many values a replicate, but never more than this share of all.
@@ -32,18 +32,18 @@ const LARGEST_TAIL: f64 = 0.25;
 /// One more run is put where one of this many times N runs would lie.
 const RUNS_FOR_ONE_BEYOND: f64 = 4.0;
 
-/// Distances from the mean over `sample` to both ends of its confidence interval.
-pub(crate) fn error_of_mean(sample: &Sample, confidence: &Confidence) -> (f64, f64) {
-    let sorted = sample.sorted();
+/// Distances from the mean over a sample to both ends of its confidence interval.
+pub(crate) fn error_of_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> (f64, f64) {
+    let (sample, sorted) = (ordered.sample, ordered.sorted());
     let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
     let replicates = sample.replicates().count();
-    let excess = [&negated, &sorted].map(|sorted| excess(sorted, replicates, |value| value));
-    error(sample, &sorted, excess, confidence)
+    let excess = [&negated, sorted].map(|sorted| excess(sorted, replicates, |value| value));
+    error(sample, sorted, excess, confidence)
 }
 
 /// The same for the squares of its distances from `mean`, which have a tail upwards only; the tail is exponential in the distance.
-pub(crate) fn error_of_mean_square(sample: &Sample, mean: f64, confidence: &Confidence) -> (f64, f64) {
-    let distances = in_order(sample.values().iter().map(|value| (value - mean).abs()));
+pub(crate) fn error_of_mean_square(ordered: &Ordered<'_>, mean: f64, confidence: &Confidence) -> (f64, f64) {
+    let (sample, distances) = (ordered.sample, ordered.distances(mean));
     let square = |distance: f64| distance * distance;
     let excess = [0.0, excess(&distances, sample.replicates().count(), square)];
     let sorted: Vec<f64> = distances.into_iter().map(square).collect();

@@ -2,12 +2,15 @@
 
 pub(crate) mod basis;
 pub(crate) mod estimate;
+pub(crate) mod gathered;
 pub(crate) mod in_order;
 pub(crate) mod index;
 pub(crate) mod inner_basis;
+pub(crate) mod known;
 pub(crate) mod mean_error;
 pub(crate) mod moments;
 pub(crate) mod order_statistics;
+pub(crate) mod ordered;
 pub(crate) mod orthogonal;
 pub(crate) mod pool;
 pub(crate) mod preintegration;
@@ -17,3 +20,4 @@ pub(crate) mod replicates;
 pub(crate) mod sample;
 pub(crate) mod smooth;
 pub(crate) mod smoothness;
+pub(crate) mod together;

@@ -1,11 +1,23 @@
 //! Mean and variance with their sampling errors.
 
-use super::estimate::{Confidence, Estimate, mean_of, variance_of_mean, variance_with_error};
+use super::estimate::{Confidence, EitherWay, Estimate, mean_of, variance_of_mean, variance_with_error};
+use super::known::{Asked, Found};
 use super::mean_error::{error_of_mean, error_of_mean_square};
+use super::ordered::Ordered;
 use super::sample::Sample;
 
 /// Mean over the finished runs, with its error ([`super::mean_error`]).
 pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
+    mean_of_ordered(&Ordered::new(sample), confidence)
+}
+
+/// [`mean`]
+pub(super) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+    once(ordered, Asked::Mean, confidence, find_mean)
+}
+
+fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+    let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
         return smooth.mean(confidence);
     }
@@ -13,7 +25,7 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
-    let (below, above) = error_of_mean(sample, confidence);
+    let (below, above) = error_of_mean(ordered, confidence);
     Estimate { value, below, above }
 }
 
@@ -25,6 +37,16 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 /// cube root of v, and that of what it falls short by, (m - μ)², which lies between 0 and t² Var(m). A coin has (y - m)² = 1/4 in every
 /// run, so that the second is the only one.
 pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
+    variance_of_ordered(&Ordered::new(sample), confidence)
+}
+
+/// [`variance`]
+pub(super) fn variance_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+    once(ordered, Asked::Variance, confidence, find_variance)
+}
+
+fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+    let sample = ordered.sample;
     if let Some(smooth) = sample.smooth() {
         return smooth.variance(sample.values(), confidence);
     }
@@ -34,10 +56,21 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
     }
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
     let shortfall = variance_of_mean(&means);
-    let error = error_of_mean_square(sample, mean, confidence);
+    let error = error_of_mean_square(ordered, mean, confidence);
     let square = sample.values().iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / sample.values().len() as f64;
     let Estimate { value, below, above } = variance_with_error(square + shortfall, error);
     Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall }
+}
+
+/// What `find` finds where it is not known yet. Failed runs have no part in it.
+fn once(
+    ordered: &Ordered<'_>,
+    asked: Asked,
+    confidence: &Confidence,
+    find: impl FnOnce(&Ordered<'_>, &Confidence) -> Estimate,
+) -> Estimate {
+    let find = || Found { estimate: EitherWay::both(find(ordered, confidence)), slope: 0.0 };
+    ordered.sample.known().or_find(asked, confidence, find).estimate.low
 }
 
 /// Mean of `values`; nothing of none.

@@ -1,23 +1,34 @@
 //! Order statistics of a sample around a quantile.
 
 use super::in_order::{key, value};
-use super::sample::Sample;
+use super::ordered::Ordered;
 
 /// Those within so many standard deviations of the count below a quantile, and so many more, are put in order at once.
 const DEVIATIONS: f64 = 4.0;
 const MORE: f64 = 3.0;
 
 /// The values of a sample, in increasing order where they are asked for: a quantile needs few of them.
-pub(crate) struct OrderStatistics {
+pub(crate) enum OrderStatistics<'a> {
+    /// All of them are in order.
+    Whole(&'a [f64]),
+    Part(Part),
+}
+
+/// Values of which some are in order.
+pub(crate) struct Part {
     keys: Vec<i64>,
     /// First of those that are in order, and the one behind the last.
     first: usize,
     behind: usize,
 }
 
-impl OrderStatistics {
+impl<'a> OrderStatistics<'a> {
     /// Those of the finished runs around the quantile at `probability`.
-    pub fn new(sample: &Sample, probability: f64) -> Self {
+    pub fn new(ordered: &'a Ordered<'_>, probability: f64) -> Self {
+        if let Some(sorted) = ordered.known_order() {
+            return Self::Whole(sorted);
+        }
+        let sample = ordered.sample;
         let mut keys: Vec<i64> = sample.values().iter().map(|&value| key(value)).collect();
         let (runs, finished) = (sample.runs() as f64, keys.len() as f64);
         let reach = DEVIATIONS * (runs * probability * (1.0 - probability)).sqrt() + MORE;
@@ -31,16 +42,28 @@ impl OrderStatistics {
             keys[first..].select_nth_unstable(behind - first);
         }
         keys[first..behind].sort_unstable();
-        Self { keys, first, behind }
+        Self::Part(Part { keys, first, behind })
     }
 
     /// Number of all values.
     pub fn count(&self) -> usize {
-        self.keys.len()
+        match self {
+            Self::Whole(sorted) => sorted.len(),
+            Self::Part(part) => part.keys.len(),
+        }
     }
 
     /// The value with `index` others below it.
     pub fn at(&mut self, index: usize) -> f64 {
+        match self {
+            Self::Whole(sorted) => sorted[index],
+            Self::Part(part) => part.at(index),
+        }
+    }
+}
+
+impl Part {
+    fn at(&mut self, index: usize) -> f64 {
         if index < self.first || index >= self.behind {
             self.keys.sort_unstable();
             (self.first, self.behind) = (0, self.keys.len());
@@ -51,6 +74,7 @@ impl OrderStatistics {
 
 #[cfg(test)]
 mod tests {
+    use super::super::ordered::Ordered;
     use super::super::sample::Sample;
     use super::OrderStatistics;
     use loosepin_uncertainty::hash;
@@ -65,10 +89,14 @@ mod tests {
             sorted.sort_unstable_by(f64::total_cmp);
             for probability in [0.0, 0.025, 0.5, 0.975, 1.0] {
                 for first in 0..count as usize {
-                    let mut asked = OrderStatistics::new(&sample, probability);
-                    assert_eq!(asked.count(), values.len());
-                    for index in [first, 0, count as usize - 1] {
-                        assert_eq!(asked.at(index), sorted[index], "{index} of {count} around {probability}");
+                    let (plain, in_order) = (Ordered::new(&sample), Ordered::new(&sample));
+                    in_order.sorted();
+                    for ordered in [plain, in_order] {
+                        let mut asked = OrderStatistics::new(&ordered, probability);
+                        assert_eq!(asked.count(), values.len());
+                        for index in [first, 0, count as usize - 1] {
+                            assert_eq!(asked.at(index), sorted[index], "{index} of {count} around {probability}");
+                        }
                     }
                 }
             }

@@ -1,8 +1,10 @@
 //! Quantiles with errors from order statistics.
 
 use super::estimate::{Confidence, EitherWay, Estimate, standard_deviation};
-use super::moments::variance;
+use super::known::{Asked, Found};
+use super::moments::variance_of_ordered;
 use super::order_statistics::OrderStatistics;
+use super::ordered::Ordered;
 use super::probability::effective_runs;
 use super::sample::Sample;
 
@@ -27,6 +29,25 @@ pub(crate) fn quantile(sample: &Sample, confidence: &Confidence, probability: f6
 /// on average, and q'² has nearly no bias. Runs that fill the range evenly have spacings that differ less: then it is up to k/(k + 1) too
 /// small, and what is taken for noise with it.
 pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, probability: f64) -> (EitherWay, f64) {
+    quantile_of_ordered(&Ordered::new(sample), confidence, probability)
+}
+
+/// [`quantile_and_slope`]
+pub(super) fn quantile_of_ordered(
+    ordered: &Ordered<'_>,
+    confidence: &Confidence,
+    probability: f64,
+) -> (EitherWay, f64) {
+    let find = || {
+        let (estimate, slope) = find(ordered, confidence, probability);
+        Found { estimate, slope }
+    };
+    let found = ordered.sample.known().or_find(Asked::Quantile(probability), confidence, find);
+    (found.estimate, found.slope)
+}
+
+fn find(ordered: &Ordered<'_>, confidence: &Confidence, probability: f64) -> (EitherWay, f64) {
+    let sample = ordered.sample;
     if sample.runs() == 0 {
         return (EitherWay::UNDEFINED, 0.0);
     }
@@ -39,10 +60,10 @@ pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, proba
     if sample.runs() == 1 {
         return (EitherWay::both(Estimate::symmetric(sample.values()[0], 0.0)), 0.0);
     }
-    let sorted = &mut OrderStatistics::new(sample, probability);
+    let sorted = &mut OrderStatistics::new(ordered, probability);
     let central = interpolate(sorted, probability * finished);
     if let Some(smooth) = sample.smooth() {
-        let deviation = standard_deviation(variance(sample, confidence)).value;
+        let deviation = standard_deviation(variance_of_ordered(ordered, confidence)).value;
         if let Some(at) = smooth.quantile(probability, central, deviation) {
             return (EitherWay::both(at), 0.0);
         }
@@ -92,7 +113,7 @@ fn fewest_below(probability: f64, runs: f64, confidence: &Confidence) -> Option<
 }
 
 /// The slope of [`quantile_and_slope`].
-fn slope(sorted: &mut OrderStatistics, probability: f64) -> f64 {
+fn slope(sorted: &mut OrderStatistics<'_>, probability: f64) -> f64 {
     let runs = sorted.count() as f64;
     if sorted.count() < 2 {
         return 0.0;
@@ -106,7 +127,7 @@ fn slope(sorted: &mut OrderStatistics, probability: f64) -> f64 {
 }
 
 /// The value at `rank` = N p; infinite where the rank lies among failed runs.
-fn interpolate(sorted: &mut OrderStatistics, rank: f64) -> f64 {
+fn interpolate(sorted: &mut OrderStatistics<'_>, rank: f64) -> f64 {
     let count = sorted.count() as f64;
     if rank <= 0.0 {
         return f64::NEG_INFINITY;
@@ -122,7 +143,7 @@ fn interpolate(sorted: &mut OrderStatistics, rank: f64) -> f64 {
 }
 
 /// Order statistic `rank`, counted from 1; `beyond` where there is none.
-fn order_statistic(sorted: &mut OrderStatistics, rank: f64, beyond: f64) -> f64 {
+fn order_statistic(sorted: &mut OrderStatistics<'_>, rank: f64, beyond: f64) -> f64 {
     if rank >= 1.0 && rank <= sorted.count() as f64 { sorted.at(rank as usize - 1) } else { beyond }
 }
 

@@ -1,47 +1,97 @@
 //! One column at one u: the finished values, replicate by replicate.
 
+use std::sync::Arc;
+
 use super::in_order::in_order;
+use super::known::Known;
 use super::smooth::Smooth;
 
 /// The values of one column that belong together, in the order of the plan.
 #[derive(Debug, Clone)]
 pub(crate) struct Sample {
+    values: Arc<[f64]>,
+    replicate_ends: Arc<[usize]>,
+    failed: usize,
+    smooth: Option<Smooth>,
+    known: Known,
+}
+
+/// A sample whose values are still being put in.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Gathering {
     values: Vec<f64>,
     replicate_ends: Vec<usize>,
     failed: usize,
-    smooth: Option<Smooth>,
+}
+
+impl Gathering {
+    /// Takes the next value of the present replicate; one that is not finite counts as failed.
+    pub fn push(&mut self, value: f64) {
+        if value.is_finite() {
+            self.values.push(value);
+        } else {
+            self.failed += 1;
+        }
+    }
+
+    /// Ends the present replicate.
+    pub fn end_replicate(&mut self) {
+        self.replicate_ends.push(self.values.len());
+    }
+
+    /// The sample; what comes next belongs to another one.
+    pub fn finish(&mut self) -> Sample {
+        let sample = Sample::of(self.values[..].into(), self.replicate_ends[..].into(), self.failed);
+        self.values.clear();
+        self.replicate_ends.clear();
+        self.failed = 0;
+        sample
+    }
 }
 
 impl Sample {
     /// Takes values replicate by replicate; those that are not finite count as failed.
     pub fn new(replicates: impl Iterator<Item = impl Iterator<Item = f64>>) -> Self {
-        let (mut values, mut replicate_ends, mut failed) = (Vec::new(), Vec::new(), 0);
+        let mut gathering = Gathering::default();
         for replicate in replicates {
-            for value in replicate {
-                if value.is_finite() {
-                    values.push(value);
-                } else {
-                    failed += 1;
-                }
-            }
-            replicate_ends.push(values.len());
+            replicate.for_each(|value| gathering.push(value));
+            gathering.end_replicate();
         }
-        values.shrink_to_fit();
-        Self { values, replicate_ends, failed, smooth: None }
+        gathering.finish()
+    }
+
+    fn of(values: Arc<[f64]>, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
+        Self { values, replicate_ends, failed, smooth: None, known: Known::default() }
     }
 
     /// A sample of these runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
     pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
-        let values: Vec<f64> = self.values.iter().map(|&value| change(value)).collect();
+        let values: Arc<[f64]> = self.values.iter().map(|&value| change(value)).collect();
         let smooth = self.smooth.as_ref().map(|smooth| smooth.refitted(&values));
-        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth }
+        Self { smooth, ..Self::of(values, self.replicate_ends.clone(), self.failed) }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
     pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
-        let pairs = self.values.iter().zip(&other.values);
+        let pairs = self.values.iter().zip(&*other.values);
         let values = pairs.map(|(&a, &b)| of(a, b)).collect();
-        Self { values, replicate_ends: self.replicate_ends.clone(), failed: self.failed, smooth: None }
+        Self::of(values, self.replicate_ends.clone(), self.failed)
+    }
+
+    /// Whether `other` has the same values, to the last bit, from the same runs, and neither has polynomials: then all that is said of one
+    /// is true of the other.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let mut pairs = self.values.iter().zip(&*other.values);
+        self.values.len() == other.values.len()
+            && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
+            && (&self.replicate_ends, self.failed) == (&other.replicate_ends, other.failed)
+            && self.smooth.is_none()
+            && other.smooth.is_none()
+    }
+
+    /// What has been worked out of it so far.
+    pub fn known(&self) -> &Known {
+        &self.known
     }
 
     /// Its polynomials where the response is smooth in the random inputs.
@@ -49,9 +99,10 @@ impl Sample {
         self.smooth.as_ref()
     }
 
-    /// Tells that the response is smooth in the random inputs.
-    pub fn set_smooth(&mut self, smooth: Smooth) {
-        self.smooth = Some(smooth);
+    /// The same values, known to be smooth in the random inputs.
+    pub fn with_polynomials(&self, smooth: Smooth) -> Self {
+        let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
+        Self { smooth: Some(smooth), ..plain }
     }
 
     /// Finished values.
@@ -69,8 +120,7 @@ impl Sample {
         self.values.len() + self.failed
     }
 
-    /// Finished values in increasing order. Sorted anew each time: to keep a second copy of every column costs more than it
-    /// saves.
+    /// Finished values in increasing order. Sorted anew each time: a second copy of every column is not kept, but what is said of it.
     pub fn sorted(&self) -> Vec<f64> {
         in_order(self.values.iter().copied())
     }

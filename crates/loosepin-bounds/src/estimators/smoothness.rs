@@ -19,12 +19,17 @@ const HOPELESS: f64 = 100.0;
 const TRIED_DEGREES: usize = 4;
 
 /// Gives every sample its polynomials where the response is smooth at all of them and no run failed; else none has any, so that
-/// all are estimated in the same way.
-pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
+/// all are estimated in the same way. What neighbours share is fitted once, and shared again.
+pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
     if samples.is_empty() || samples.iter().any(|sample| sample.failed() > 0) {
         return;
     }
-    let deviations: Vec<f64> = samples.iter().map(|sample| deviation_of(sample.values())).collect();
+    let is_as_before = |point: usize| point > 0 && Arc::ptr_eq(samples[point], samples[point - 1]);
+    let mut deviations: Vec<f64> = Vec::with_capacity(samples.len());
+    for (point, sample) in samples.iter().enumerate() {
+        let known = deviations.last().copied().filter(|_| is_as_before(point));
+        deviations.push(known.unwrap_or_else(|| deviation_of(sample.values())));
+    }
     let largest = deviations.iter().fold(0.0_f64, |largest, deviation| largest.max(*deviation));
     let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
     // A response that is the same in all runs may still differ in those that were not made.
@@ -45,6 +50,9 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
         let known = chosen.map_or(f64::INFINITY, |(_, most)| CLEARLY_LESS * most);
         let mut most = 0.0_f64;
         for point in (0..samples.len()).step_by(step) {
+            if point >= step && Arc::ptr_eq(samples[point], samples[point - step]) {
+                continue;
+            }
             most = most.max(left(design, point));
             if most >= known && chosen.is_some() {
                 break;
@@ -62,12 +70,18 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Sample]) {
         return;
     }
     let design = design.clone();
-    if (0..samples.len()).any(|point| !(left(&design, point) <= 1.0)) {
+    if (0..samples.len()).any(|point| !is_as_before(point) && !(left(&design, point) <= 1.0)) {
         return;
     }
+    let mut before: Option<[Arc<Sample>; 2]> = None;
     for sample in samples.iter_mut() {
-        let smooth = Smooth::new(design.clone(), sample.values());
-        sample.set_smooth(smooth);
+        let known = before.as_ref().filter(|[plain, _]| Arc::ptr_eq(plain, sample));
+        let fitted = match known {
+            Some([_, fitted]) => fitted.clone(),
+            None => Arc::new(sample.with_polynomials(Smooth::new(design.clone(), sample.values()))),
+        };
+        let plain = core::mem::replace(*sample, fitted.clone());
+        before = Some([plain, fitted]);
     }
 }
 

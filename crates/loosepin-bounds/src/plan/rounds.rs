@@ -111,6 +111,8 @@ impl DoubleLoop {
                 && matches!(request.statistic, Statistic::Quantile(_))
                 && self.problem().requests.contains(request)
         };
+        let requests: Vec<Request> = searched.iter().map(|(request, _)| *request).collect();
+        pool.work_out(&requests, &self.setup.confidence);
         let mut targets: Vec<(Target, Vec<Direction>)> = searched
             .par_iter()
             .filter(|(request, _)| !is_joint(request))

@@ -16,6 +16,7 @@ impl Experiment<'_> {
     /// The bounds over every α-cut, what is possible at all first; those over a cut hold those over the cuts within it.
     pub fn cuts(&self) -> Vec<CutBounds> {
         let requests = self.setup.single_statistics();
+        self.pool.work_out(&requests, &self.setup.confidence);
         let measures: Vec<Option<Measure>> = requests
             .par_iter()
             .map(|request| Measure::new(&self.pool.samples(request.column), request.statistic, &self.setup.confidence))

@@ -1,0 +1,77 @@
+//! Samples that have been gathered from a table, kept beside its rows: of a round only what is new is gathered.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::sample::{Gathering, Sample};
+use crate::data::table::{Purpose, SampleTable};
+
+/// So many columns are gathered at once: they lie beside one another in memory, row by row.
+const COLUMNS_AT_ONCE: usize = 8;
+
+/// The samples of one point by their columns, and the number of runs that they were gathered from.
+#[derive(Debug, Clone, Default)]
+pub(super) struct OfPoint {
+    pub runs: usize,
+    pub samples: BTreeMap<usize, Arc<Sample>>,
+}
+
+/// The samples of all points.
+#[derive(Debug, Default)]
+pub(super) struct Gathered(Mutex<BTreeMap<(Purpose, u32), OfPoint>>);
+
+impl Gathered {
+    /// Those of `point` that were gathered from as many runs as it has now; none where it has more by now.
+    pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> OfPoint {
+        let known = self.points().get(&(purpose, point)).filter(|known| known.runs == runs).cloned();
+        known.unwrap_or_else(|| OfPoint { runs, samples: BTreeMap::new() })
+    }
+
+    /// Keeps the samples of `point`.
+    pub fn keep(&self, purpose: Purpose, point: u32, samples: OfPoint) {
+        self.points().insert((purpose, point), samples);
+    }
+
+    fn points(&self) -> MutexGuard<'_, BTreeMap<(Purpose, u32), OfPoint>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl OfPoint {
+    /// Gathers those of `columns` that are not there from the rows of each replicate.
+    pub fn complete<'r>(
+        &mut self,
+        table: &SampleTable,
+        replicates: impl Iterator<Item = &'r Vec<usize>> + Clone,
+        columns: impl Iterator<Item = usize>,
+    ) {
+        let missing: Vec<usize> = columns.filter(|column| !self.samples.contains_key(column)).collect();
+        let mut gatherings = vec![Gathering::default(); COLUMNS_AT_ONCE.min(missing.len())];
+        for columns in missing.chunks(COLUMNS_AT_ONCE) {
+            for rows in replicates.clone() {
+                for &row in rows {
+                    let values = table.values(row);
+                    for (&column, own) in columns.iter().zip(&mut gatherings) {
+                        own.push(values[column]);
+                    }
+                }
+                gatherings.iter_mut().for_each(Gathering::end_replicate);
+            }
+            let samples = columns.iter().zip(&mut gatherings).map(|(&column, own)| (column, Arc::new(own.finish())));
+            self.samples.extend(samples);
+        }
+    }
+
+    /// Takes over the samples of `other` that are the same as its own: where a column does not depend on what differs between two points,
+    /// nothing is worked out for both.
+    pub fn share(&mut self, other: &Self) {
+        for (column, own) in &mut self.samples {
+            if let Some(same) = other.samples.get(column)
+                && !Arc::ptr_eq(own, same)
+                && own.is_same(same)
+            {
+                *own = same.clone();
+            }
+        }
+    }
+}

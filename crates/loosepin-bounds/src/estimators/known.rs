@@ -1,0 +1,57 @@
+//! What has been worked out of a sample. Its values never change, so that nothing is worked out twice, in whatever round, for whatever
+//! answer it is asked.
+
+use std::sync::{Mutex, PoisonError};
+
+use super::estimate::{Confidence, EitherWay};
+
+/// What is asked of a sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Asked {
+    Mean,
+    Variance,
+    /// At this probability.
+    Quantile(f64),
+}
+
+/// What is found.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Found {
+    pub estimate: EitherWay,
+    /// Of a quantile: how fast it rises with the probability.
+    pub slope: f64,
+}
+
+/// All that is known of one sample. A copy begins without.
+#[derive(Debug, Default)]
+pub(crate) struct Known(Mutex<Vec<(Asked, Confidence, Found)>>);
+
+impl Known {
+    /// What has been found before; else that of `find`, which is then kept. Where two threads ask at once both may look for it: they find
+    /// the same.
+    pub fn or_find(&self, asked: Asked, confidence: &Confidence, find: impl FnOnce() -> Found) -> Found {
+        if let Some(found) = self.get(asked, confidence) {
+            return found;
+        }
+        let found = find();
+        self.list().push((asked, *confidence, found));
+        found
+    }
+
+    /// What has been found before.
+    pub fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
+        let list = self.list();
+        let own = list.iter().find(|(own, at, _)| *own == asked && at == confidence);
+        own.map(|(.., found)| *found)
+    }
+
+    fn list(&self) -> std::sync::MutexGuard<'_, Vec<(Asked, Confidence, Found)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Clone for Known {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
