@@ -1,6 +1,6 @@
 //! One column at one u: the finished values, replicate by replicate.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::in_order::in_order;
 use super::known::Known;
@@ -14,6 +14,7 @@ pub(crate) struct Sample {
     failed: usize,
     smooth: Option<Smooth>,
     known: Known,
+    ends: OnceLock<Option<(f64, f64)>>,
 }
 
 /// A sample whose values are still being put in.
@@ -61,7 +62,7 @@ impl Sample {
     }
 
     fn of(values: Arc<[f64]>, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
-        Self { values, replicate_ends, failed, smooth: None, known: Known::default() }
+        Self { values, replicate_ends, failed, smooth: None, known: Known::default(), ends: OnceLock::new() }
     }
 
     /// A sample of these runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
@@ -127,8 +128,11 @@ impl Sample {
 
     /// The least and the greatest finished value.
     pub fn ends(&self) -> Option<(f64, f64)> {
-        let first = *self.values.first()?;
-        Some(self.values.iter().fold((first, first), |(low, high), &value| (low.min(value), high.max(value))))
+        let find = || {
+            let first = *self.values.first()?;
+            Some(self.values.iter().fold((first, first), |(low, high), &value| (low.min(value), high.max(value))))
+        };
+        *self.ends.get_or_init(find)
     }
 
     /// The finished values of each replicate that has any.

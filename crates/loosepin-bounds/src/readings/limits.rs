@@ -53,7 +53,7 @@ fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
     if samples.iter().any(|sample| sample.values().len() < LEAST_RUNS_FOR_RANGE) {
         return None;
     }
-    Some(range_of(samples.iter().flat_map(|sample| sample.values()).copied()))
+    Some(range_of(samples.iter().filter_map(|sample| sample.ends()).flat_map(|(low, high)| [low, high])))
 }
 
 impl Bound {

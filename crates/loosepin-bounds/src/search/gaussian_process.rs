@@ -62,7 +62,16 @@ pub(crate) struct Model {
     projection_diagonal: Vec<f64>,
     /// ln det V + ln det FᵀV⁻¹F
     ln_determinants: f64,
-    at_places: OnceLock<Vec<Prediction>>,
+    at_places: OnceLock<AtPlaces>,
+}
+
+/// Predictions at many places, as far as the estimates have no part in them.
+struct AtPlaces {
+    /// c and r of each place, row by row.
+    correlations: Vec<f64>,
+    rest: Vec<f64>,
+    /// For σ = 1.
+    deviations: Vec<f64>,
 }
 
 /// Correlations of a place with the points.
@@ -73,12 +82,6 @@ struct Prediction {
     rest: Vec<f64>,
     /// For σ = 1.
     variance: f64,
-}
-
-impl Prediction {
-    fn mean_and_variance(&self, white: &[f64], of_trend: &[f64]) -> (f64, f64) {
-        (dot(&self.correlations, white) + dot(&self.rest, of_trend), self.variance)
-    }
 }
 
 impl Model {
@@ -175,6 +178,9 @@ impl Model {
 
     /// (1 - B G Bᵀ) W y
     fn whitened_rest(&self, values: &[f64]) -> Vec<f64> {
+        if is_zero(values) {
+            return values.to_vec();
+        }
         let mut rest = self.whitened.whitening.multiply(values);
         let shares = multiply(&self.trend_covariance, &self.whitened.products(&rest));
         self.whitened.take_out(&mut rest, &shares);
@@ -183,14 +189,18 @@ impl Model {
 
     /// W y, and G Bᵀ W y: what the mean at any place takes of `values`.
     pub fn whitened(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        if is_zero(values) {
+            return (values.to_vec(), vec![0.0; self.whitened.trend.len()]);
+        }
         let white = self.whitened.whitening.multiply(values);
         let of_trend = multiply(&self.trend_covariance, &self.whitened.products(&white));
         (white, of_trend)
     }
 
-    /// Mean, and variance for σ = 1, of the process at `place`, from [`Self::whitened`] estimates.
-    pub fn mean_and_variance(&self, place: &[f64], (white, of_trend): (&[f64], &[f64])) -> (f64, f64) {
-        self.predict(place).mean_and_variance(white, of_trend)
+    /// Mean, and deviation for σ = 1, of the process at `place`, from [`Self::whitened`] estimates.
+    pub fn mean_and_deviation(&self, place: &[f64], (white, of_trend): (&[f64], &[f64])) -> (f64, f64) {
+        let Prediction { correlations, rest, variance } = self.predict(place);
+        (dot(&correlations, white) + dot(&rest, of_trend), variance.sqrt())
     }
 
     fn predict(&self, place: &[f64]) -> Prediction {
@@ -200,15 +210,42 @@ impl Model {
         Prediction { correlations, rest, variance: variance.max(0.0) }
     }
 
-    /// Mean, and variance for σ = 1, at all of `places` in their order; what the estimates have no part in is worked out once, so the
-    /// places must not change.
-    pub fn at_places(
-        &self,
-        places: &[Vec<f64>],
-        (white, of_trend): (&[f64], &[f64]),
-    ) -> impl Iterator<Item = (f64, f64)> {
-        let predictions =
-            self.at_places.get_or_init(|| places.iter().map(|place| self.predict(place)).collect::<Vec<Prediction>>());
-        predictions.iter().map(move |prediction| prediction.mean_and_variance(white, of_trend))
+    /// What the estimates have no part in is worked out once, so `places` must not change.
+    fn at_places(&self, places: &[Vec<f64>]) -> &AtPlaces {
+        self.at_places.get_or_init(|| {
+            let (count, size) = (self.points.len(), self.whitened.trend.len());
+            let mut at = AtPlaces {
+                correlations: Vec::with_capacity(places.len() * count),
+                rest: Vec::with_capacity(places.len() * size),
+                deviations: Vec::with_capacity(places.len()),
+            };
+            for place in places {
+                let own = self.predict(place);
+                at.correlations.extend_from_slice(&own.correlations);
+                at.rest.extend_from_slice(&own.rest);
+                at.deviations.push(own.variance.sqrt());
+            }
+            at
+        })
     }
+
+    /// Means at all of `places` in their order, from [`Self::whitened`] estimates; the places must be the same at every call.
+    pub fn means(&self, places: &[Vec<f64>], (white, of_trend): (&[f64], &[f64])) -> Vec<f64> {
+        if is_zero(white) {
+            return vec![0.0; places.len()];
+        }
+        let at = self.at_places(places);
+        let rows = at.correlations.chunks_exact(white.len()).zip(at.rest.chunks_exact(of_trend.len()));
+        rows.map(|(correlations, rest)| dot(correlations, white) + dot(rest, of_trend)).collect()
+    }
+
+    /// Deviations for σ = 1 at all of `places` in their order; the places must be the same at every call.
+    pub fn deviations(&self, places: &[Vec<f64>]) -> &[f64] {
+        &self.at_places(places).deviations
+    }
+}
+
+/// Whether there is nothing to be whitened, as of a quantity that is the same everywhere.
+fn is_zero(values: &[f64]) -> bool {
+    values.iter().all(|value| *value == 0.0)
 }

@@ -59,6 +59,31 @@ struct Slopes {
     mean: f64,
 }
 
+/// What ln v(u) may depend on, for one set of points.
+pub(super) struct Regressors {
+    /// ū
+    centre: Vec<f64>,
+    /// 1, u - ū of each point.
+    rows: Vec<f64>,
+    /// (XᵀX)⁻¹; nothing where the points are too few or all alike.
+    covariance: Option<Vec<f64>>,
+}
+
+impl Regressors {
+    /// Those of `seen` points.
+    pub fn new(seen: &[Vec<f64>]) -> Self {
+        let count = seen.len() as f64;
+        let dimensions = seen.first().map_or(0, Vec::len);
+        let centre: Vec<f64> =
+            (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
+        let rows: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
+        let size = dimensions + 1;
+        let is_enough = seen.len() >= LEAST_POINTS_OF_A_PARAMETER * size;
+        let factor = is_enough.then(|| Cholesky::new(gram(&rows, size), size)).flatten();
+        Self { centre, rows, covariance: factor.map(|factor| factor.inverse()) }
+    }
+}
+
 /// The rough part of a statistic over the box.
 #[derive(Debug, Clone)]
 pub(super) struct RoughPart {
@@ -79,9 +104,9 @@ impl Scatter {
     }
 
     /// As [`Scatter::even`], with a variance that depends on u where likelihood says so; `seen` are the points.
-    pub fn new(seen: &[Vec<f64>], errors: &[f64], freedom: f64) -> Self {
+    pub fn new(seen: &[Vec<f64>], regressors: &Regressors, errors: &[f64], freedom: f64) -> Self {
         let even = Self::even(errors, freedom);
-        let Some((slopes, gain)) = Slopes::fit(seen, &squares(errors)) else { return even };
+        let Some((slopes, gain)) = Slopes::fit(seen, regressors, &squares(errors)) else { return even };
         // n errors of a model that has been fitted to them tell as much as ν independent ones.
         let gain = gain * freedom / errors.len() as f64;
         let parameters = (slopes.coefficients.len() - 1) as f64;
@@ -101,23 +126,19 @@ impl Scatter {
 
 impl Slopes {
     /// The likeliest ones, with what they gain in -2 ln likelihood against the same variance everywhere.
-    fn fit(seen: &[Vec<f64>], ratios: &[f64]) -> Option<(Self, f64)> {
-        let count = ratios.len() as f64;
-        let dimensions = seen.first()?.len();
-        let centre: Vec<f64> =
-            (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
-        let rows: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
-        let size = dimensions + 1;
-        if seen.len() < LEAST_POINTS_OF_A_PARAMETER * size {
-            return None;
-        }
-        let covariance = Cholesky::new(gram(&rows, size), size)?.inverse();
-        let misfit = |coefficients: &[f64]| -> f64 {
-            let of = |(row, ratio): (&[f64], &f64)| {
+    fn fit(seen: &[Vec<f64>], regressors: &Regressors, ratios: &[f64]) -> Option<(Self, f64)> {
+        let Regressors { centre, rows, covariance } = regressors;
+        let covariance = covariance.as_ref()?;
+        let (count, size) = (ratios.len() as f64, centre.len() + 1);
+        // Also 1/v at every point, which the slopes of the misfit need where a step is taken.
+        let misfit = |coefficients: &[f64], reciprocals: &mut [f64]| -> f64 {
+            let each = rows.chunks(size).zip(ratios).zip(reciprocals);
+            let of = |((row, ratio), reciprocal): ((&[f64], &f64), &mut f64)| {
                 let ln_variance = dot(row, coefficients);
-                ln_variance + ratio * libm::exp(-ln_variance)
+                *reciprocal = libm::exp(-ln_variance);
+                ln_variance + ratio * *reciprocal
             };
-            rows.chunks(size).zip(ratios).map(of).sum()
+            each.map(of).sum()
         };
         let mean = ratios.iter().sum::<f64>() / count;
         if !(mean > 0.0 && mean.is_finite()) {
@@ -125,29 +146,33 @@ impl Slopes {
         }
         let mut coefficients = vec![0.0; size];
         coefficients[0] = libm::log(mean);
-        let even = misfit(&coefficients);
+        let (mut reciprocals, mut of_trial) = (vec![0.0; ratios.len()], vec![0.0; ratios.len()]);
+        let even = misfit(&coefficients, &mut reciprocals);
         let mut least = even;
         for _ in 0..MOST_STEPS {
             let mut slope = vec![0.0; size];
-            for (row, ratio) in rows.chunks(size).zip(ratios) {
-                let excess = ratio * libm::exp(-dot(row, &coefficients)) - 1.0;
+            for ((row, ratio), reciprocal) in rows.chunks(size).zip(ratios).zip(&reciprocals) {
+                let excess = ratio * reciprocal - 1.0;
                 for (slope, entry) in slope.iter_mut().zip(row) {
                     *slope += entry * excess;
                 }
             }
-            let step = multiply(&covariance, &slope);
-            let trials = (0..MOST_HALVINGS).map(|halvings| {
+            let step = multiply(covariance, &slope);
+            let mut trials = (0..MOST_HALVINGS).map(|halvings| {
                 let share = 0.5_f64.powi(halvings as i32);
                 let trial: Vec<f64> = coefficients.iter().zip(&step).map(|(own, step)| own + share * step).collect();
-                (misfit(&trial), trial)
+                (misfit(&trial, &mut of_trial), trial)
             });
-            let Some((found, trial)) = trials.into_iter().find(|(found, _)| *found < least) else { break };
+            let Some((found, trial)) = trials.find(|(found, _)| *found < least) else { break };
+            drop(trials);
+            core::mem::swap(&mut reciprocals, &mut of_trial);
             let gain = least - found;
             (least, coefficients) = (found, trial);
             if gain < LEAST_GAIN {
                 break;
             }
         }
+        let (centre, covariance) = (centre.clone(), covariance.clone());
         let mut slopes = Self { centre, coefficients, covariance, mean: 1.0 };
         slopes.mean = seen.iter().map(|point| slopes.variance(point)).sum::<f64>() / count;
         slopes.mean.is_finite().then_some((slopes, even - least))
@@ -238,7 +263,7 @@ fn price(distrust: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{GAIN_OF_A_PARAMETER, Scatter, Slopes, squares};
+    use super::{GAIN_OF_A_PARAMETER, Regressors, Scatter, Slopes, squares};
     use crate::search::design::first_points;
     use loosepin_uncertainty::{hash, normal_quantile};
 
@@ -257,7 +282,7 @@ mod tests {
         let (mut found, seeds) = ([0.0; 2], 20);
         for seed in 0..seeds {
             let (points, errors) = errors(seed, |u| (3.0 * (u[0] - 0.5)).exp());
-            let (slopes, gain) = Slopes::fit(&points, &squares(&errors)).unwrap();
+            let (slopes, gain) = Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap();
             assert!(gain > 0.0, "{gain}");
             for (sum, own) in found.iter_mut().zip(&slopes.coefficients[1..]) {
                 *sum += own / seeds as f64;
@@ -273,7 +298,7 @@ mod tests {
         let seeds = 200;
         let taken = (0..seeds).filter(|&seed| {
             let (points, errors) = errors(seed, |_| 1.0);
-            Slopes::fit(&points, &squares(&errors)).unwrap().1 > 2.0 * GAIN_OF_A_PARAMETER
+            Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap().1 > 2.0 * GAIN_OF_A_PARAMETER
         });
         let share = taken.count() as f64 / seeds as f64;
         assert!((share - 0.135).abs() < 3.0 * (0.135 * 0.865 / seeds as f64).sqrt(), "{share}");
@@ -282,7 +307,8 @@ mod tests {
     #[test]
     fn identity_where_the_scatter_is_uneven_the_model_is_less_mistrusted() {
         let (points, errors) = errors(3, |u| (5.0 * (u[0] - 0.5)).exp());
-        let (even, own) = (Scatter::even(&errors, 58.0), Scatter::new(&points, &errors, 58.0));
+        let (even, own) =
+            (Scatter::even(&errors, 58.0), Scatter::new(&points, &Regressors::new(&points), &errors, 58.0));
         assert!(own.slopes.is_some() && own.distrust < even.distrust && own.price < even.price, "{even:?} {own:?}");
     }
 }

@@ -26,7 +26,7 @@ use rayon::prelude::*;
 use super::gaussian_process::{Kernel, Model, Smoothness};
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
-use super::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
+use super::roughness::{GAIN_OF_A_PARAMETER, Regressors, RoughPart, Scatter};
 use super::search_box::Axes;
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot};
@@ -61,8 +61,9 @@ pub(crate) struct Smoother {
     /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
     terms: Vec<f64>,
     normal_equations: Cholesky,
-    /// The points in the coordinates of the models, and their polynomial.
+    /// The points in the coordinates of the models, by which a variance may differ, and their polynomial.
     seen: Vec<Vec<f64>>,
+    regressors: Regressors,
     trend: Trend,
     /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
     /// others are prepared when they are asked for.
@@ -75,6 +76,8 @@ pub(crate) struct Fit<'a> {
     model: &'a Model,
     /// The whitened values, by which the mean is taken at any place.
     whitened: (Vec<f64>, Vec<f64>),
+    /// The process at all places, worked out when it is first asked for.
+    means: OnceLock<Vec<f64>>,
     centre: f64,
     deviation: f64,
     /// Variance of what is independent from point to point, 0 where the fit passes through the estimates.
@@ -94,7 +97,9 @@ impl Smoother {
         let seen_places = places.iter().map(|place| axes.seen(place)).collect();
         let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
-        let smoother = Self { places, seen_places, axes: axes.clone(), terms, normal_equations, seen, trend, levels };
+        let regressors = Regressors::new(&seen);
+        let axes = axes.clone();
+        let smoother = Self { places, seen_places, axes, terms, normal_equations, seen, regressors, trend, levels };
         let without_noise: Vec<Model> =
             smoother.kernels(0).into_par_iter().filter_map(|kernel| smoother.model(kernel, 0)).collect();
         let is_empty = without_noise.is_empty();
@@ -128,7 +133,9 @@ impl Smoother {
     /// Fits `values` (one for each point) with their sampling noise.
     pub fn fit(&self, values: &[f64], noise: &Noise) -> Fit<'_> {
         let count = values.len();
-        let centre = values.iter().sum::<f64>() / count as f64;
+        // What is the same everywhere is met without round-off, and takes no time.
+        let is_constant = values.iter().all(|value| *value == values[0]);
+        let centre = if is_constant { values[0] } else { values.iter().sum::<f64>() / count as f64 };
         let values: Vec<f64> = values.iter().map(|value| value - centre).collect();
         let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
         let residual = self.residual(&values);
@@ -141,9 +148,11 @@ impl Smoother {
         let assessed = self.assess(levels, &residual, freedom, floor);
         let (smooth, rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
-        let least = least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |(_, honest)| honest);
-        let rough = least_honest(&rough, &residual, freedom).filter(|_| may_be_rough).and_then(|(own, _)| {
-            let scatter = Scatter::new(&self.seen, &own.errors(&residual), freedom);
+        let rough = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
+        let rough = rough.and_then(|rough| {
+            let least = least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |own| own.misfit);
+            let scatter = Scatter::new(&self.seen, &self.regressors, &rough.errors, freedom);
+            let own = rough.own;
             (own.misfit + scatter.price + GAIN_OF_A_PARAMETER < least).then_some((own, scatter))
         });
         let is_rough = rough.is_some();
@@ -157,6 +166,7 @@ impl Smoother {
             smoother: self,
             model: own.model,
             whitened: own.model.whitened(&values),
+            means: OnceLock::new(),
             centre,
             deviation: own.variance.sqrt() * scatter.distrust,
             nugget: if own.is_noisy() { own.nugget() } else { 0.0 },
@@ -250,19 +260,28 @@ impl Assessed<'_> {
     }
 }
 
-/// The model that is likeliest with the variance that must be stated for it, and its -2 ln likelihood with that.
-fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64], freedom: f64) -> Option<(Assessed<'a>, f64)> {
+/// A model with the variance that must be stated for it.
+struct Honest<'a> {
+    own: Assessed<'a>,
+    errors: Vec<f64>,
+    /// -2 ln likelihood with that variance.
+    misfit: f64,
+}
+
+/// The model that is likeliest with the variance that must be stated for it.
+fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64], freedom: f64) -> Option<Honest<'a>> {
     let mut by_misfit: Vec<&Assessed<'a>> = assessed.iter().filter(|own| !own.misfit.is_nan()).collect();
     by_misfit.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    let mut least: Option<(Assessed<'a>, f64)> = None;
+    let mut least: Option<Honest<'a>> = None;
     for own in by_misfit {
         // What must be stated is never likelier than what is likeliest.
-        if least.is_some_and(|(_, least)| own.misfit >= least) {
+        if least.as_ref().is_some_and(|least| own.misfit >= least.misfit) {
             break;
         }
-        let honest = own.misfit + Scatter::even(&own.errors(residual), freedom).price;
-        if least.is_none_or(|(_, least)| honest < least) {
-            least = Some((*own, honest));
+        let errors = own.errors(residual);
+        let misfit = own.misfit + Scatter::even(&errors, freedom).price;
+        if least.as_ref().is_none_or(|least| misfit < least.misfit) {
+            least = Some(Honest { own: *own, errors, misfit });
         }
     }
     least
@@ -321,21 +340,22 @@ impl Fit<'_> {
     /// Predictions of S at every place, with what an allowance asks for: first the candidates, then the points.
     pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = Prediction> {
         let seen = &self.smoother.seen_places;
-        let found = self.model.at_places(seen, (&self.whitened.0, &self.whitened.1));
+        let means = self.means.get_or_init(|| self.model.means(seen, (&self.whitened.0, &self.whitened.1)));
+        let found = means.iter().copied().zip(self.model.deviations(seen).iter().copied());
         seen.iter().zip(found).map(move |(seen, found)| self.prediction(seen, found, allowance))
     }
 
     /// Prediction of S at `place`, with what an allowance asks for.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
         let seen = self.smoother.axes.seen(place);
-        let found = self.model.mean_and_variance(&seen, (&self.whitened.0, &self.whitened.1));
+        let found = self.model.mean_and_deviation(&seen, (&self.whitened.0, &self.whitened.1));
         self.prediction(&seen, found, allowance)
     }
 
-    fn prediction(&self, seen: &[f64], (mean, variance): (f64, f64), allowance: Allowance) -> Prediction {
+    fn prediction(&self, seen: &[f64], (mean, deviation): (f64, f64), allowance: Allowance) -> Prediction {
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen));
-        Prediction { mean: self.centre + mean, deviation: self.deviation * variance.sqrt(), roughness }
+        Prediction { mean: self.centre + mean, deviation: self.deviation * deviation, roughness }
     }
 }
 
