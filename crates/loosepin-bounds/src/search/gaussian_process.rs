@@ -31,6 +31,16 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
+    /// Correlations of `points` with each other, row by row, the lower triangle; the rest is zero.
+    pub fn covariance(&self, points: &[Vec<f64>]) -> Vec<f64> {
+        let mut covariance = Vec::with_capacity(points.len() * points.len());
+        for (i, point) in points.iter().enumerate() {
+            covariance.extend(points[..=i].iter().map(|other| self.correlation(point, other)));
+            covariance.resize((i + 1) * points.len(), 0.0);
+        }
+        covariance
+    }
+
     fn correlation(&self, a: &[f64], b: &[f64]) -> f64 {
         let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
         let r = square.sqrt() / self.length_scale;
@@ -85,13 +95,19 @@ struct Prediction {
 }
 
 impl Model {
-    /// A model on `points`, whose polynomial has these `terms` there (row by row); nothing where V is singular to round-off.
-    pub fn try_new(points: &[Vec<f64>], trend: Trend, terms: &[f64], kernel: Kernel, noise_ratio: f64) -> Option<Self> {
+    /// A model on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row); nothing where V is
+    /// singular to round-off.
+    pub fn try_new(
+        points: &[Vec<f64>],
+        mut covariance: Vec<f64>,
+        trend: Trend,
+        terms: &[f64],
+        kernel: Kernel,
+        noise_ratio: f64,
+    ) -> Option<Self> {
         let count = points.len();
         let size = terms.len() / count;
-        let mut covariance = Vec::with_capacity(count * count);
-        for (i, point) in points.iter().enumerate() {
-            covariance.extend(points.iter().map(|other| kernel.correlation(point, other)));
+        for i in 0..count {
             covariance[i * count + i] += noise_ratio;
         }
         let columns: Vec<Vec<f64>> =
@@ -135,18 +151,12 @@ impl Model {
         self.ln_determinants
     }
 
-    /// yᵀP y
-    pub fn misfit(&self, values: &[f64]) -> f64 {
-        let rest = self.whitened_rest(values);
-        dot(&rest, &rest)
-    }
-
-    /// The errors of predicting each estimate from all the others, divided by their standard deviations for σ = 1:
-    /// (P y)_i/√P_ii. S. Sundararajan and S. S. Keerthi, "Predictive approaches for choosing hyperparameters in
+    /// The errors of predicting each estimate from all the others, divided by their standard deviations for σ = 1, from
+    /// [`Self::whitened_rest`]: (P y)_i/√P_ii. S. Sundararajan and S. S. Keerthi, "Predictive approaches for choosing hyperparameters in
     /// Gaussian processes", Neural Computation 13 (2001) 1103-1118. A function that is rougher in one place than in others
     /// shows itself here.
-    pub fn errors(&self, values: &[f64]) -> Vec<f64> {
-        let projected = self.projected(values);
+    pub fn errors(&self, rest: &[f64]) -> Vec<f64> {
+        let projected = self.whitened.whitening.multiply_transposed(rest);
         let of = |(error, diagonal): (&f64, &f64)| if *diagonal > 0.0 { error / diagonal.sqrt() } else { 0.0 };
         projected.iter().zip(&self.projection_diagonal).map(of).collect()
     }
@@ -176,8 +186,8 @@ impl Model {
         self.whitened.whitening.multiply_transposed(&self.whitened_rest(values))
     }
 
-    /// (1 - B G Bᵀ) W y
-    fn whitened_rest(&self, values: &[f64]) -> Vec<f64> {
+    /// (1 - B G Bᵀ) W y, whose square is yᵀP y.
+    pub fn whitened_rest(&self, values: &[f64]) -> Vec<f64> {
         if is_zero(values) {
             return values.to_vec();
         }

@@ -55,22 +55,19 @@ impl Search<'_> {
 /// How far the model lets its target go in `direction`, with an `allowance`, over all candidates and points in `region`.
 pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
     let sign = direction.sign();
-    let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
-    for (place, forecast) in model.at_places(allowance).enumerate() {
-        if !region.holds(&model.places()[place]) {
-            continue;
+    // Nearly all models are plain ones: what is asked at thousands of places is then one straight loop.
+    let (optimistic, expected) = match model {
+        TargetModel::Plain(fit) => {
+            let all_in = fit.are_all_in(region);
+            let ends = fit.at_places(allowance).map(|at| (sign * at.moved(allowance, sign), sign * at.mean));
+            furthest(ends, |place| all_in || region.holds(&fit.places()[place]))
         }
-        let most = sign * forecast.moved(allowance, sign);
-        let expectation = sign * forecast.mean();
-        // A model that overflows allows anything.
-        let most = if most.is_nan() { f64::INFINITY } else { most };
-        if most > optimistic.0 {
-            optimistic = (most, place);
+        _ => {
+            let at_places = model.at_places(allowance);
+            let ends = at_places.map(|at| (sign * at.moved(allowance, sign), sign * at.mean()));
+            furthest(ends, |place| region.holds(&model.places()[place]))
         }
-        if expectation > expected.0 {
-            expected = (expectation, place);
-        }
-    }
+    };
     if optimistic.0 == f64::NEG_INFINITY {
         // No place of the region is known: the model says nothing there.
         let centre = region.at(&vec![0.5; region.lower.len()]);
@@ -84,6 +81,25 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
         expected: sign * expected.0,
         expected_at: model.places()[expected.1].clone(),
     }
+}
+
+/// The most that is allowed, and the most that is expected, at all places that are `held`, each with its place.
+fn furthest(ends: impl Iterator<Item = (f64, f64)>, is_held: impl Fn(usize) -> bool) -> ((f64, usize), (f64, usize)) {
+    let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
+    for (place, (most, expectation)) in ends.enumerate() {
+        if !is_held(place) {
+            continue;
+        }
+        // A model that overflows allows anything.
+        let most = if most.is_nan() { f64::INFINITY } else { most };
+        if most > optimistic.0 {
+            optimistic = (most, place);
+        }
+        if expectation > expected.0 {
+            expected = (expectation, place);
+        }
+    }
+    (optimistic, expected)
 }
 
 /// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what

@@ -117,6 +117,11 @@ impl Region {
         Self { lower: vec![0.0; dimensions], upper: vec![1.0; dimensions] }
     }
 
+    /// Whether it is the whole box.
+    pub fn is_whole(&self) -> bool {
+        self.lower.iter().all(|low| *low == 0.0) && self.upper.iter().all(|high| *high == 1.0)
+    }
+
     /// Whether a point of the unit box lies in it.
     pub fn holds(&self, at: &[f64]) -> bool {
         let ends = self.lower.iter().zip(&self.upper);

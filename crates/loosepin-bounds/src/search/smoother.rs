@@ -27,7 +27,7 @@ use super::gaussian_process::{Kernel, Model, Smoothness};
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
 use super::roughness::{GAIN_OF_A_PARAMETER, Regressors, RoughPart, Scatter};
-use super::search_box::Axes;
+use super::search_box::{Axes, Region};
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot};
 
@@ -57,6 +57,8 @@ pub(crate) struct Smoother {
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
     seen_places: Vec<Vec<f64>>,
+    /// Whether every place lies in the unit box.
+    are_inside: bool,
     axes: Axes,
     /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
     terms: Vec<f64>,
@@ -65,6 +67,8 @@ pub(crate) struct Smoother {
     seen: Vec<Vec<f64>>,
     regressors: Regressors,
     trend: Trend,
+    /// Correlations of the points by length scale, of the kernels that every noise ratio has.
+    covariances: [OnceLock<Vec<f64>>; LENGTH_SCALES.len()],
     /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
     /// others are prepared when they are asked for.
     levels: Vec<OnceLock<Vec<Model>>>,
@@ -94,12 +98,27 @@ impl Smoother {
         let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
         let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
-        let seen_places = places.iter().map(|place| axes.seen(place)).collect();
+        let seen_places: Vec<Vec<f64>> = places.iter().map(|place| axes.seen(place)).collect();
+        let whole = Region::whole(places[0].len());
+        let are_inside = places.iter().all(|place| whole.holds(place));
         let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
         let regressors = Regressors::new(&seen);
         let axes = axes.clone();
-        let smoother = Self { places, seen_places, axes, terms, normal_equations, seen, regressors, trend, levels };
+        let covariances = Default::default();
+        let smoother = Self {
+            places,
+            seen_places,
+            are_inside,
+            axes,
+            terms,
+            normal_equations,
+            seen,
+            regressors,
+            trend,
+            covariances,
+            levels,
+        };
         let without_noise: Vec<Model> =
             smoother.kernels(0).into_par_iter().filter_map(|kernel| smoother.model(kernel, 0)).collect();
         let is_empty = without_noise.is_empty();
@@ -127,7 +146,12 @@ impl Smoother {
     }
 
     fn model(&self, kernel: Kernel, level: usize) -> Option<Model> {
-        Model::try_new(&self.seen, self.trend, &self.terms, kernel, NOISE_RATIOS[level])
+        let diagonal = (self.places[0].len() as f64).sqrt();
+        let scale = LENGTH_SCALES.iter().position(|scale| scale * diagonal == kernel.length_scale);
+        let shared = scale.filter(|_| kernel.smoothness == Smoothness::Twice).map(|scale| &self.covariances[scale]);
+        let find = || kernel.covariance(&self.seen);
+        let covariance = shared.map_or_else(find, |shared| shared.get_or_init(find).clone());
+        Model::try_new(&self.seen, covariance, self.trend, &self.terms, kernel, NOISE_RATIOS[level])
     }
 
     /// Fits `values` (one for each point) with their sampling noise.
@@ -146,21 +170,26 @@ impl Smoother {
         let may_be_rough = !noise.replicates.is_empty();
         let levels = if may_be_rough || of_noise > 0.0 { self.levels.len() } else { 1 };
         let assessed = self.assess(levels, &residual, freedom, floor);
-        let (smooth, rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
+        let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
-        let rough = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
-        let rough = rough.and_then(|rough| {
-            let least = least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |own| own.misfit);
-            let scatter = Scatter::new(&self.seen, &self.regressors, &rough.errors, freedom);
-            let own = rough.own;
+        let honest = if may_be_rough { least_honest(&rough, freedom) } else { None };
+        let rough = honest.and_then(|Honest { index, errors, .. }| {
+            let least = least_honest(&smooth, freedom).map_or(f64::INFINITY, |own| own.misfit);
+            let scatter = Scatter::new(&self.seen, &self.regressors, &errors, freedom);
+            let own = rough.swap_remove(index);
             (own.misfit + scatter.price + GAIN_OF_A_PARAMETER < least).then_some((own, scatter))
         });
         let is_rough = rough.is_some();
         let (own, scatter) = rough.unwrap_or_else(|| {
             // Models without noise are always allowed: where none is chosen, no misfit is a number.
-            let unknown = Assessed { model: &self.level(0)[0], variance: f64::INFINITY, misfit: f64::INFINITY };
-            let own = cautious(smooth).unwrap_or(unknown);
-            (own, Scatter::even(&own.errors(&residual), freedom))
+            let unknown = || {
+                let model = &self.level(0)[0];
+                let rest = model.whitened_rest(&residual);
+                Assessed { model, rest, variance: f64::INFINITY, misfit: f64::INFINITY }
+            };
+            let own = cautious(smooth).unwrap_or_else(unknown);
+            let scatter = Scatter::even(&own.errors(), freedom);
+            (own, scatter)
         });
         Fit {
             smoother: self,
@@ -188,11 +217,12 @@ impl Smoother {
         for level in 0..levels {
             let mut least_of_level = f64::INFINITY;
             for model in self.level(level) {
-                let variance = (model.misfit(residual) / freedom).max(floor);
+                let rest = model.whitened_rest(residual);
+                let variance = (dot(&rest, &rest) / freedom).max(floor);
                 let ln_variance = if variance > 0.0 { libm::log(variance) } else { 0.0 };
                 let misfit = freedom * ln_variance + model.ln_determinants();
                 least_of_level = least_of_level.min(misfit);
-                assessed.push(Assessed { model, variance, misfit });
+                assessed.push(Assessed { model, rest, variance, misfit });
             }
             least = least.min(least_of_level);
             if least_of_level > least + HOPELESS_MISFIT {
@@ -234,9 +264,10 @@ impl Rough {
 }
 
 /// A model held against values.
-#[derive(Clone, Copy)]
 struct Assessed<'a> {
     model: &'a Model,
+    /// What the model leaves of the values, whitened.
+    rest: Vec<f64>,
     /// σ²
     variance: f64,
     /// -2 ln likelihood
@@ -254,34 +285,36 @@ impl Assessed<'_> {
     }
 
     /// The errors of predicting each estimate from the others, in standard deviations.
-    fn errors(&self, residual: &[f64]) -> Vec<f64> {
+    fn errors(&self) -> Vec<f64> {
         let of = |error: f64| if self.variance > 0.0 { error / self.variance.sqrt() } else { 0.0 };
-        self.model.errors(residual).into_iter().map(of).collect()
+        self.model.errors(&self.rest).into_iter().map(of).collect()
     }
 }
 
 /// A model with the variance that must be stated for it.
-struct Honest<'a> {
-    own: Assessed<'a>,
+struct Honest {
+    /// Its place among those that were assessed.
+    index: usize,
     errors: Vec<f64>,
     /// -2 ln likelihood with that variance.
     misfit: f64,
 }
 
 /// The model that is likeliest with the variance that must be stated for it.
-fn least_honest<'a>(assessed: &[Assessed<'a>], residual: &[f64], freedom: f64) -> Option<Honest<'a>> {
-    let mut by_misfit: Vec<&Assessed<'a>> = assessed.iter().filter(|own| !own.misfit.is_nan()).collect();
-    by_misfit.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    let mut least: Option<Honest<'a>> = None;
-    for own in by_misfit {
+fn least_honest(assessed: &[Assessed<'_>], freedom: f64) -> Option<Honest> {
+    let misfit = |index: usize| assessed[index].misfit;
+    let mut by_misfit: Vec<usize> = (0..assessed.len()).filter(|&index| !misfit(index).is_nan()).collect();
+    by_misfit.sort_by(|&a, &b| misfit(a).total_cmp(&misfit(b)));
+    let mut least: Option<Honest> = None;
+    for index in by_misfit {
         // What must be stated is never likelier than what is likeliest.
-        if least.as_ref().is_some_and(|least| own.misfit >= least.misfit) {
+        if least.as_ref().is_some_and(|least| misfit(index) >= least.misfit) {
             break;
         }
-        let errors = own.errors(residual);
-        let misfit = own.misfit + Scatter::even(&errors, freedom).price;
+        let errors = assessed[index].errors();
+        let misfit = misfit(index) + Scatter::even(&errors, freedom).price;
         if least.as_ref().is_none_or(|least| misfit < least.misfit) {
-            least = Some(Honest { own: *own, errors, misfit });
+            least = Some(Honest { index, errors, misfit });
         }
     }
     least
@@ -330,6 +363,11 @@ impl Fit<'_> {
     /// with twice the mean logarithm of the slope of its scale.
     pub fn misfit(&self) -> f64 {
         self.misfit
+    }
+
+    /// Whether all of [`Fit::places`] lie in `region`, as far as that is known without a look at each.
+    pub fn are_all_in(&self, region: &Region) -> bool {
+        self.smoother.are_inside && region.is_whole()
     }
 
     /// Places of [`Fit::at_places`].
