@@ -18,34 +18,38 @@ pub(super) struct OfPoint {
 
 /// The samples of all points.
 #[derive(Debug, Default)]
-pub(super) struct Gathered(Mutex<BTreeMap<(Purpose, u32), OfPoint>>);
+pub(super) struct Gathered(Mutex<BTreeMap<(Purpose, u32), Arc<OfPoint>>>);
 
 impl Gathered {
     /// Those of `point` that were gathered from as many runs as it has now; none where it has more by now.
-    pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> OfPoint {
+    pub fn of_point(&self, purpose: Purpose, point: u32, runs: usize) -> Arc<OfPoint> {
         let known = self.points().get(&(purpose, point)).filter(|known| known.runs == runs).cloned();
-        known.unwrap_or_else(|| OfPoint { runs, samples: BTreeMap::new() })
+        known.unwrap_or_else(|| Arc::new(OfPoint { runs, samples: BTreeMap::new() }))
     }
 
     /// Keeps the samples of `point`.
-    pub fn keep(&self, purpose: Purpose, point: u32, samples: OfPoint) {
+    pub fn keep(&self, purpose: Purpose, point: u32, samples: Arc<OfPoint>) {
         self.points().insert((purpose, point), samples);
     }
 
-    fn points(&self) -> MutexGuard<'_, BTreeMap<(Purpose, u32), OfPoint>> {
+    fn points(&self) -> MutexGuard<'_, BTreeMap<(Purpose, u32), Arc<OfPoint>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl OfPoint {
-    /// Gathers those of `columns` that are not there from the rows of each replicate.
+    /// Those of `columns` that are not there.
+    pub fn missing(&self, columns: impl Iterator<Item = usize>) -> Vec<usize> {
+        columns.filter(|column| !self.samples.contains_key(column)).collect()
+    }
+
+    /// Gathers the `missing` columns from the rows of each replicate.
     pub fn complete<'r>(
         &mut self,
         table: &SampleTable,
         replicates: impl Iterator<Item = &'r Vec<usize>> + Clone,
-        columns: impl Iterator<Item = usize>,
+        missing: &[usize],
     ) {
-        let missing: Vec<usize> = columns.filter(|column| !self.samples.contains_key(column)).collect();
         let mut gatherings = vec![Gathering::default(); COLUMNS_AT_ONCE.min(missing.len())];
         for columns in missing.chunks(COLUMNS_AT_ONCE) {
             for rows in replicates.clone() {

@@ -53,32 +53,42 @@ impl Pool {
         }
         let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs.into_iter().collect();
         let gathered: Arc<Gathered> = table.kept();
-        let mut samples: Vec<OfPoint> = runs
+        let mut samples: Vec<(Arc<OfPoint>, bool)> = runs
             .par_iter()
             .map(|(point, replicates)| {
-                let mut samples = gathered.of_point(purpose, *point, replicates.values().map(Vec::len).sum());
-                samples.complete(table, replicates.values(), slots.keys().copied());
-                samples
+                let mut own = gathered.of_point(purpose, *point, replicates.values().map(Vec::len).sum());
+                let missing = own.missing(slots.keys().copied());
+                if !missing.is_empty() {
+                    Arc::make_mut(&mut own).complete(table, replicates.values(), &missing);
+                }
+                (own, !missing.is_empty())
             })
             .collect();
         for point in 1..samples.len() {
             let (before, own) = samples.split_at_mut(point);
-            own[0].share(&before[point - 1]);
+            let ((before, is_before_new), (own, is_new)) = (&before[point - 1], &mut own[0]);
+            if *is_new || *is_before_new {
+                Arc::make_mut(own).share(before);
+                *is_new = true;
+            }
         }
-        let point = |((point, replicates), samples): ((u32, BTreeMap<u32, Vec<usize>>), OfPoint)| {
-            let row = replicates.values().flatten().next().copied().unwrap_or(0);
-            let first = &table.inputs()[row];
-            let own = PoolPoint {
-                purpose,
-                point,
-                epistemic: first.epistemic.clone(),
-                random: if samples.runs == 1 { first.random.clone() } else { Vec::new() },
-                runs: samples.runs,
-                samples: slots.keys().filter_map(|column| samples.samples.get(column).cloned()).collect(),
+        let point =
+            |((point, replicates), (samples, is_new)): ((u32, BTreeMap<u32, Vec<usize>>), (Arc<OfPoint>, bool))| {
+                let row = replicates.values().flatten().next().copied().unwrap_or(0);
+                let first = &table.inputs()[row];
+                let own = PoolPoint {
+                    purpose,
+                    point,
+                    epistemic: first.epistemic.clone(),
+                    random: if samples.runs == 1 { first.random.clone() } else { Vec::new() },
+                    runs: samples.runs,
+                    samples: slots.keys().filter_map(|column| samples.samples.get(column).cloned()).collect(),
+                };
+                if is_new {
+                    gathered.keep(purpose, point, samples);
+                }
+                own
             };
-            gathered.keep(purpose, point, samples);
-            own
-        };
         let points = runs.into_iter().zip(samples).map(point).collect();
         Self { slots, points }
     }
@@ -126,5 +136,59 @@ impl PoolPoint {
             epistemic: self.epistemic.clone(),
             random: self.random.clone(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Pool;
+    use crate::data::table::{Purpose, RunInputs, SampleTable};
+    use crate::estimators::estimate::Confidence;
+    use crate::estimators::moments::mean;
+
+    fn push(table: &mut SampleTable, point: u32, replicate: u32, row: [f64; 2]) {
+        let (random, epistemic) = (vec![0.5], vec![f64::from(point)]);
+        let inputs =
+            RunInputs { round: 0, purpose: Purpose::DoubleLoop, point, replicate, index: 0, random, epistemic };
+        table.push(inputs, Ok(&row)).unwrap();
+    }
+
+    /// Mean of the second column at every point.
+    fn means(table: &SampleTable) -> Vec<f64> {
+        let pool = Pool::gather(table, Purpose::DoubleLoop, [1]);
+        pool.samples(1).into_iter().map(|sample| mean(sample, &Confidence::new(0.95, 2)).value).collect()
+    }
+
+    #[test]
+    fn identity_what_is_kept_is_never_that_of_another_table_or_of_fewer_runs() {
+        let mut table = SampleTable::new(2);
+        for point in 0..2 {
+            push(&mut table, point, 0, [f64::NAN, 3.0 + f64::from(point)]);
+            push(&mut table, point, 1, [f64::NAN, 5.0 + f64::from(point)]);
+        }
+        assert_eq!(means(&table), [4.0, 5.0]);
+        let mut other = table.clone();
+        push(&mut table, 1, 2, [f64::NAN, 11.0]);
+        push(&mut other, 1, 2, [f64::NAN, 20.0]);
+        assert_eq!(means(&table), [4.0, 7.0]);
+        assert_eq!(means(&other), [4.0, 10.0]);
+        push(&mut table, 2, 0, [f64::NAN, 7.5]);
+        assert_eq!(means(&table), [4.0, 7.0, 7.5]);
+    }
+
+    #[test]
+    fn identity_columns_of_a_table_that_are_asked_for_one_after_the_other_are_both_there() {
+        let mut table = SampleTable::new(2);
+        for point in 0..3 {
+            // The first column is the same at the first two points, but for the sign of a zero at the third.
+            push(&mut table, point, 0, [if point == 2 { -0.0 } else { 0.0 }, f64::from(point)]);
+            push(&mut table, point, 1, [2.5, 9.0]);
+        }
+        assert_eq!(means(&table), [4.5, 5.0, 5.5]);
+        let pool = Pool::gather(&table, Purpose::DoubleLoop, [0, 1]);
+        let [first, second, third] = pool.samples(0)[..] else { panic!("three points") };
+        assert!(core::ptr::eq(first, second) && !core::ptr::eq(second, third));
+        assert!(third.values()[0].is_sign_negative() && first.values() == [0.0, 2.5]);
+        assert_eq!(pool.samples(1)[2].values(), [2.0, 9.0]);
     }
 }

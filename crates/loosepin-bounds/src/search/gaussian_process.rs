@@ -30,6 +30,29 @@ pub(crate) struct Kernel {
     pub length_scale: f64,
 }
 
+/// Places at which predictions are wanted, with what all models of the same points share there.
+pub(crate) struct SeenPlaces {
+    pub places: Vec<Vec<f64>>,
+    /// Distances from the points, and the terms of the polynomial, place by place.
+    distances: Vec<f64>,
+    terms: Vec<f64>,
+}
+
+impl SeenPlaces {
+    /// What models on `points` share at `places`.
+    pub fn new(places: Vec<Vec<f64>>, points: &[Vec<f64>], trend: Trend) -> Self {
+        let distances = places.iter().flat_map(|place| points.iter().map(|point| distance(point, place))).collect();
+        let terms = places.iter().flat_map(|place| trend.terms(place)).collect();
+        Self { places, distances, terms }
+    }
+}
+
+/// The distance of two places.
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
+    square.sqrt()
+}
+
 impl Kernel {
     /// Correlations of `points` with each other, row by row, the lower triangle; the rest is zero.
     pub fn covariance(&self, points: &[Vec<f64>]) -> Vec<f64> {
@@ -42,8 +65,11 @@ impl Kernel {
     }
 
     fn correlation(&self, a: &[f64], b: &[f64]) -> f64 {
-        let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
-        let r = square.sqrt() / self.length_scale;
+        self.at_distance(distance(a, b))
+    }
+
+    fn at_distance(&self, distance: f64) -> f64 {
+        let r = distance / self.length_scale;
         match self.smoothness {
             Smoothness::Once => {
                 let s = 3.0_f64.sqrt() * r;
@@ -215,22 +241,31 @@ impl Model {
 
     fn predict(&self, place: &[f64]) -> Prediction {
         let correlations: Vec<f64> = self.points.iter().map(|point| self.kernel.correlation(point, place)).collect();
-        let (correlations, rest) = self.whitened.at_place(&correlations, &self.trend.terms(place));
+        self.predict_from(&correlations, &self.trend.terms(place))
+    }
+
+    /// From the correlations of a place with the points, and the terms of the polynomial there.
+    fn predict_from(&self, correlations: &[f64], terms: &[f64]) -> Prediction {
+        let (correlations, rest) = self.whitened.at_place(correlations, terms);
         let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &multiply(&self.trend_covariance, &rest));
         Prediction { correlations, rest, variance: variance.max(0.0) }
     }
 
-    /// What the estimates have no part in is worked out once, so `places` must not change.
-    fn at_places(&self, places: &[Vec<f64>]) -> &AtPlaces {
+    /// What the estimates have no part in is worked out once, so `seen` must not change.
+    fn at_places(&self, seen: &SeenPlaces) -> &AtPlaces {
         self.at_places.get_or_init(|| {
             let (count, size) = (self.points.len(), self.whitened.trend.len());
             let mut at = AtPlaces {
-                correlations: Vec::with_capacity(places.len() * count),
-                rest: Vec::with_capacity(places.len() * size),
-                deviations: Vec::with_capacity(places.len()),
+                correlations: Vec::with_capacity(seen.places.len() * count),
+                rest: Vec::with_capacity(seen.places.len() * size),
+                deviations: Vec::with_capacity(seen.places.len()),
             };
-            for place in places {
-                let own = self.predict(place);
+            let mut correlations = vec![0.0; count];
+            for (distances, terms) in seen.distances.chunks_exact(count).zip(seen.terms.chunks_exact(size)) {
+                for (correlation, &distance) in correlations.iter_mut().zip(distances) {
+                    *correlation = self.kernel.at_distance(distance);
+                }
+                let own = self.predict_from(&correlations, terms);
                 at.correlations.extend_from_slice(&own.correlations);
                 at.rest.extend_from_slice(&own.rest);
                 at.deviations.push(own.variance.sqrt());
@@ -239,19 +274,19 @@ impl Model {
         })
     }
 
-    /// Means at all of `places` in their order, from [`Self::whitened`] estimates; the places must be the same at every call.
-    pub fn means(&self, places: &[Vec<f64>], (white, of_trend): (&[f64], &[f64])) -> Vec<f64> {
+    /// Means at all `seen` places in their order, from [`Self::whitened`] estimates; the places must be the same at every call.
+    pub fn means(&self, seen: &SeenPlaces, (white, of_trend): (&[f64], &[f64])) -> Vec<f64> {
         if is_zero(white) {
-            return vec![0.0; places.len()];
+            return vec![0.0; seen.places.len()];
         }
-        let at = self.at_places(places);
+        let at = self.at_places(seen);
         let rows = at.correlations.chunks_exact(white.len()).zip(at.rest.chunks_exact(of_trend.len()));
         rows.map(|(correlations, rest)| dot(correlations, white) + dot(rest, of_trend)).collect()
     }
 
-    /// Deviations for σ = 1 at all of `places` in their order; the places must be the same at every call.
-    pub fn deviations(&self, places: &[Vec<f64>]) -> &[f64] {
-        &self.at_places(places).deviations
+    /// Deviations for σ = 1 at all `seen` places in their order; the places must be the same at every call.
+    pub fn deviations(&self, seen: &SeenPlaces) -> &[f64] {
+        &self.at_places(seen).deviations
     }
 }
 

@@ -23,7 +23,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
-use super::gaussian_process::{Kernel, Model, Smoothness};
+use super::gaussian_process::{Kernel, Model, SeenPlaces, Smoothness};
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
 use super::roughness::{GAIN_OF_A_PARAMETER, Regressors, RoughPart, Scatter};
@@ -56,7 +56,7 @@ pub(crate) struct Smoother {
     /// Where predictions are wanted: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
-    seen_places: Vec<Vec<f64>>,
+    seen_places: SeenPlaces,
     /// Whether every place lies in the unit box.
     are_inside: bool,
     axes: Axes,
@@ -98,14 +98,13 @@ impl Smoother {
         let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
         let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
-        let seen_places: Vec<Vec<f64>> = places.iter().map(|place| axes.seen(place)).collect();
+        let seen_places = SeenPlaces::new(places.iter().map(|place| axes.seen(place)).collect(), &seen, trend);
         let whole = Region::whole(places[0].len());
         let are_inside = places.iter().all(|place| whole.holds(place));
         let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
         let regressors = Regressors::new(&seen);
         let axes = axes.clone();
-        let covariances = Default::default();
         let smoother = Self {
             places,
             seen_places,
@@ -116,7 +115,7 @@ impl Smoother {
             seen,
             regressors,
             trend,
-            covariances,
+            covariances: Default::default(),
             levels,
         };
         let without_noise: Vec<Model> =
@@ -380,7 +379,7 @@ impl Fit<'_> {
         let seen = &self.smoother.seen_places;
         let means = self.means.get_or_init(|| self.model.means(seen, (&self.whitened.0, &self.whitened.1)));
         let found = means.iter().copied().zip(self.model.deviations(seen).iter().copied());
-        seen.iter().zip(found).map(move |(seen, found)| self.prediction(seen, found, allowance))
+        seen.places.iter().zip(found).map(move |(seen, found)| self.prediction(seen, found, allowance))
     }
 
     /// Prediction of S at `place`, with what an allowance asks for.
