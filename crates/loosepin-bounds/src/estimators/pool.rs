@@ -72,24 +72,22 @@ impl Pool {
                 *is_new = true;
             }
         }
-        let point =
-            |((point, replicates), (samples, is_new)): ((u32, BTreeMap<u32, Vec<usize>>), (Arc<OfPoint>, bool))| {
-                let row = replicates.values().flatten().next().copied().unwrap_or(0);
-                let first = &table.inputs()[row];
-                let own = PoolPoint {
-                    purpose,
-                    point,
-                    epistemic: first.epistemic.clone(),
-                    random: if samples.runs == 1 { first.random.clone() } else { Vec::new() },
-                    runs: samples.runs,
-                    samples: slots.keys().filter_map(|column| samples.samples.get(column).cloned()).collect(),
-                };
-                if is_new {
-                    gathered.keep(purpose, point, samples);
-                }
-                own
-            };
-        let points = runs.into_iter().zip(samples).map(point).collect();
+        let mut points = Vec::with_capacity(runs.len());
+        for ((point, replicates), (samples, is_new)) in runs.into_iter().zip(samples) {
+            let row = replicates.values().flatten().next().copied().unwrap_or(0);
+            let first = &table.inputs()[row];
+            points.push(PoolPoint {
+                purpose,
+                point,
+                epistemic: first.epistemic.clone(),
+                random: if samples.runs == 1 { first.random.clone() } else { Vec::new() },
+                runs: samples.runs,
+                samples: slots.keys().filter_map(|column| samples.samples.get(column).cloned()).collect(),
+            });
+            if is_new {
+                gathered.keep(purpose, point, samples);
+            }
+        }
         Self { slots, points }
     }
 
