@@ -1,7 +1,9 @@
 //! Small dense symmetric matrices: Cholesky factor and inverse, in a fixed order of operations.
 //!
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
-//! follows.
+//! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
+
+use crate::fused::on_vectors;
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
 #[derive(Debug, Clone)]
@@ -100,17 +102,31 @@ pub struct LowerTriangle {
 impl LowerTriangle {
     /// T x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
-        self.rows().enumerate().map(|(i, row)| dot(&row[..=i], &vector[..=i])).collect()
+        let mut product = vec![0.0; self.order];
+        on_vectors(
+            #[inline(always)]
+            || {
+                for (i, (row, entry)) in self.rows().zip(&mut product).enumerate() {
+                    *entry = dot_in_lanes(&row[..=i], &vector[..=i]);
+                }
+            },
+        );
+        product
     }
 
     /// Tᵀ x
     pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; self.order];
-        for (i, (row, factor)) in self.rows().zip(vector).enumerate() {
-            for (sum, entry) in product.iter_mut().zip(&row[..=i]) {
-                *sum += factor * entry;
-            }
-        }
+        on_vectors(
+            #[inline(always)]
+            || {
+                for (i, (row, factor)) in self.rows().zip(vector).enumerate() {
+                    for (sum, entry) in product.iter_mut().zip(&row[..=i]) {
+                        *sum += factor * entry;
+                    }
+                }
+            },
+        );
         product
     }
 
@@ -148,6 +164,11 @@ impl LowerTriangle {
 
 /// Scalar product, in eight partial sums so that it can be vectorised, always in this order.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    dot_in_lanes(a, b)
+}
+
+#[inline(always)]
+fn dot_in_lanes(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
     let (a_blocks, b_blocks) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f64 = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(x, y)| x * y).sum();
@@ -163,7 +184,16 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// The product of a matrix (row by row) and a vector.
 pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
-    matrix.chunks(vector.len().max(1)).map(|row| dot(row, vector)).collect()
+    let mut product = vec![0.0; matrix.len().div_ceil(vector.len().max(1))];
+    on_vectors(
+        #[inline(always)]
+        || {
+            for (row, entry) in matrix.chunks(vector.len().max(1)).zip(&mut product) {
+                *entry = dot_in_lanes(row, vector);
+            }
+        },
+    );
+    product
 }
 
 /// AᵀA of a matrix A with rows of `size` entries, its rows added in their order.

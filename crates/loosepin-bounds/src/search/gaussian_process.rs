@@ -280,8 +280,8 @@ impl Model {
             return vec![0.0; seen.places.len()];
         }
         let at = self.at_places(seen);
-        let rows = at.correlations.chunks_exact(white.len()).zip(at.rest.chunks_exact(of_trend.len()));
-        rows.map(|(correlations, rest)| dot(correlations, white) + dot(rest, of_trend)).collect()
+        let of_polynomial = multiply(&at.rest, of_trend);
+        multiply(&at.correlations, white).iter().zip(&of_polynomial).map(|(process, own)| process + own).collect()
     }
 
     /// Deviations for σ = 1 at all `seen` places in their order; the places must be the same at every call.
