@@ -18,6 +18,17 @@ use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
+/// Of each lane its bit, as a number.
+const POWERS_OF_TWO: [f64; 32] = {
+    let mut powers = [0.0; 32];
+    let mut lane = 0;
+    while lane < 32 {
+        powers[lane] = (1_u64 << lane) as f64;
+        lane += 1;
+    }
+    powers
+};
+
 /// How a pass is computed.
 enum Way<'a> {
     Plain(Box<Plain<'a>>),
@@ -176,10 +187,17 @@ impl<'a> Core<'a> {
     pub fn is_set(&self, lane: usize, place: usize) -> bool {
         self.number(lane, place) > 0.5
     }
-    /// The lanes in which such a number is 1, a bit for each.
+    /// The lanes in which such a number is 1, a bit for each; it must be 0 or 1 in all.
     pub fn flags(&self, place: usize) -> u32 {
-        let numbers = self.memory.of_all_lanes(Block::Lane, place).iter().enumerate();
-        numbers.fold(0, |flags, (lane, number)| flags | u32::from(*number > 0.5) << lane)
+        // Sums of powers of two: four lanes at a time, without a branch.
+        let (numbers, powers) = (self.memory.of_all_lanes(Block::Lane, place), &POWERS_OF_TWO);
+        let mut sums = [0.0; 4];
+        for (numbers, powers) in numbers.chunks(4).zip(powers.chunks(4)) {
+            for (sum, (number, power)) in sums.iter_mut().zip(numbers.iter().zip(powers)) {
+                *sum += number * power;
+            }
+        }
+        sums.iter().sum::<f64>() as u32
     }
     /// The step to be tried in a lane.
     #[inline]
@@ -220,10 +238,13 @@ impl<'a> Core<'a> {
     /// Evaluates the derivative at the start again in the flagged lanes, which are chosen from now on, and reads there.
     pub fn restart(&mut self, lanes: u32) {
         self.is_dense = false;
-        for lane in 0..self.memory.lanes() {
-            let is_chosen = lanes >> lane & 1 != 0;
-            self.set_number(lane, LaneLayout::CHOSEN, f64::from(u8::from(is_chosen)));
-            self.add_evaluations(lane, u64::from(is_chosen));
+        let number = |lane: usize| f64::from(lanes >> lane & 1);
+        for (lane, chosen) in self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::CHOSEN).iter_mut().enumerate() {
+            *chosen = number(lane);
+        }
+        let evaluations = self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::EVALUATIONS);
+        for (lane, evaluations) in evaluations.iter_mut().enumerate() {
+            *evaluations += number(lane);
         }
         let Self { pass, memory, way, .. } = self;
         match way {

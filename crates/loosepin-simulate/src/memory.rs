@@ -206,11 +206,6 @@ impl Memory {
         Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
     }
 
-    /// How many lanes there are.
-    pub fn lanes(&self) -> usize {
-        self.lanes
-    }
-
     /// Number `index` of a block in a lane.
     #[inline]
     pub fn get(&self, block: Block, index: usize, lane: usize) -> f64 {
@@ -239,6 +234,14 @@ impl Memory {
         let block = &self.blocks[block as usize];
         let first = block.first + index * self.lanes;
         &block.numbers[first..first + self.lanes]
+    }
+
+    /// Replaces one number of a block in all lanes.
+    #[inline]
+    pub fn of_all_lanes_mut(&mut self, block: Block, index: usize) -> &mut [f64] {
+        let block = &mut self.blocks[block as usize];
+        let first = block.first + index * self.lanes;
+        &mut block.numbers[first..first + self.lanes]
     }
 
     /// All blocks.
