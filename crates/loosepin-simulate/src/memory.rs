@@ -83,7 +83,7 @@ impl LaneLayout {
     pub const NEXT: usize = 12;
     /// 1 where the last attempt was rejected: the next step does not grow.
     pub const WAS_REJECTED: usize = 13;
-    /// How the next step follows from the last attempt: one of the numbers of [`Turn`].
+    /// How the next step follows from the last attempt: one of the numbers of `Turn`.
     pub const TURN: usize = 14;
     /// Good steps that end from this time on are looked at one by one, s.
     pub const AWAITED: usize = 15;
