@@ -168,10 +168,6 @@ impl<'a> Core<'a> {
     pub fn end_read(&self, lane: usize, place: usize) -> f64 {
         self.memory.get(Block::EndReads, place, lane)
     }
-    /// Replaces dt/ds at the start of the step of a lane.
-    pub fn set_pace(&mut self, lane: usize, pace: f64) {
-        self.memory.set(Block::StartReads, ReadLayout::TIME + 1, lane, pace);
-    }
     /// A number of a lane: [`LaneLayout`].
     #[inline]
     pub fn number(&self, lane: usize, place: usize) -> f64 {

@@ -222,6 +222,9 @@ impl Follower {
     /// Follows a step, over which the readings are `outputs`.
     fn step(&mut self, [start_s, end_s]: [f64; 2], outputs: &[[[f64; 3]; 2]], is_last: bool) {
         let Self { layout, lane, numbers, readings } = self;
+        if layout.readings() == 0 {
+            return;
+        }
         for (side, readings) in readings.iter_mut().enumerate() {
             readings.clear();
             readings.extend(outputs.iter().flat_map(|output| output[side]));

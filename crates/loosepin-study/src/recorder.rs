@@ -7,17 +7,13 @@ use super::file::{Deviation, Reduction};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_simulate::{
-    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, FreeMotion, IdealCurve, IdealReference,
-    Observer, Reading, Step, Window, maximum_within,
+    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, FreeMotion, GAUSS, IdealCurve,
+    IdealReference, Observer, Reading, Step, Window, maximum_within,
 };
 use std::sync::Arc;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;
-
-/// Gauss's points and weights on [0, 1] for integrals over a step: exact to degree five.
-const GAUSS: [(f64, f64); 3] =
-    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
 /// Where the value of a column comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -459,6 +459,9 @@ impl<'a> Batch<'a> {
                     run.after_event[kind] = step;
                 }
                 // After a search that found nothing the step that was good stays the next one.
+                if was_searching {
+                    self.core.set_number(lane, LaneLayout::WAS_REJECTED, 0.0);
+                }
                 self.core.set_turn(lane, if was_searching { Turn::Choose } else { Turn::Grow });
                 self.watch_stalling(lane);
             }

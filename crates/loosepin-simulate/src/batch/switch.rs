@@ -36,10 +36,10 @@ impl Batch<'_> {
             run.root = None;
             let next = STALLED_SHARE * run.longest_s;
             self.core.set_number(lane, LaneLayout::NEXT, next);
+            self.core.set_number(lane, LaneLayout::WAS_REJECTED, 0.0);
             self.core.set_turn(lane, Turn::Choose);
             let (state, _) = self.core.contact(lane, contact);
             self.core.set_contact(lane, contact, &state, false);
-            self.core.set_pace(lane, 1.0);
             self.restarts |= 1 << lane;
         }
     }
@@ -58,6 +58,7 @@ impl Batch<'_> {
             return self.succeed(lane, queue);
         }
         run.phase = Phase::Stepping;
+        run.reaches_stop = false;
         run.stop_s = next_stop_s(&run.sample, time_s, &run.window);
         self.core.set_number(lane, LaneLayout::STOP, run.stop_s);
         let is_start = time_s == run.window.start_s;
@@ -140,13 +141,8 @@ impl Batch<'_> {
         } else if run.root == Some(contact) {
             run.root = None;
         }
-        let is_even = run.root.is_none();
         self.core.set_contact(lane, contact, &state, has_root);
         self.restarts |= 1 << lane;
-        // The root begins at zero, and the time with it; without any root it goes on evenly.
-        if has_root || is_even {
-            self.core.set_pace(lane, f64::from(u8::from(!has_root)));
-        }
         self.core.set_turn(lane, Turn::Choose);
     }
 

@@ -126,9 +126,10 @@ impl LaneFollow {
         (instant_s <= end_s || is_last).then_some(instant_s)
     }
 
-    /// Takes in a reading at the instant; the last one of an instant leads to the next.
+    /// Takes in all readings at the instant.
     pub fn take_instant(&mut self, values: impl Iterator<Item = f64>) {
-        self.findings.at_instants.extend(values);
+        // No negative zeros: programs leave out what is multiplied by zero.
+        self.findings.at_instants.extend(values.map(|value| value + 0.0));
         self.next += 1;
     }
 
@@ -136,8 +137,8 @@ impl LaneFollow {
     pub fn findings(&mut self, layout: &FollowLayout, get: impl Fn(usize) -> f64) -> Findings {
         for (deviation, range) in self.findings.deviations.iter_mut().enumerate() {
             let first = layout.deviation(deviation);
-            range.largest = get(first + FollowLayout::LARGEST);
-            range.smallest = get(first + FollowLayout::SMALLEST);
+            range.largest = get(first + FollowLayout::LARGEST) + 0.0;
+            range.smallest = get(first + FollowLayout::SMALLEST) + 0.0;
             range.integral = get(first + FollowLayout::INTEGRAL);
             range.integral_of_square = get(first + FollowLayout::INTEGRAL_OF_SQUARE);
         }

@@ -6,7 +6,7 @@ use loosepin_math::{Quintic, Real};
 use loosepin_result::study::Deviation;
 
 /// Gauss's points and weights on [0, 1] for integrals over a step: exact to degree five.
-const GAUSS: [(f64, f64); 3] =
+pub const GAUSS: [(f64, f64); 3] =
     [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 /// Newton's steps to an instant within a step, from a guess that is exact where the pace changes evenly.
 const NEWTON_STEPS: usize = 6;

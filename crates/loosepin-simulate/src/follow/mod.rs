@@ -11,5 +11,6 @@ mod plan;
 
 pub(crate) use extremes::with_extremes_of;
 pub(crate) use lane::LaneFollow;
+pub use layout::GAUSS;
 pub(crate) use layout::{FollowLayout, StepEnds};
 pub use plan::{DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun};

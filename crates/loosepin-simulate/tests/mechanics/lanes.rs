@@ -3,9 +3,10 @@
 use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;
+use loosepin_result::study::Deviation;
 use loosepin_simulate::{
-    Arms, Counters, Execution, Follow, FollowedRun, Observer, Onset, PassPrograms, Queue, Reading, Run, RunFailure,
-    RunReport, Separation, Settings, Step, Window, columns, conduct,
+    Arms, Counters, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue,
+    Reading, Run, RunFailure, RunReport, Separation, Settings, Step, Window, columns, conduct,
 };
 use loosepin_tape::native::OperationCounts;
 use std::path::Path;
@@ -15,6 +16,8 @@ const RUNS: usize = 37;
 /// Mechanisms among them. Of others about one in sixty steps over a kink of the friction law of Bengisu and Akay at the tolerance of
 /// studies: its energy account closes to 1e-7 instead of 2e-9.
 const MECHANISMS: usize = 19;
+/// Equal parts of the recorded part at whose ends positions are read.
+const INSTANTS: u32 = 40;
 
 struct Case {
     mechanism: Mechanism,
@@ -60,6 +63,8 @@ struct Watcher {
     index: usize,
     seen: Seen,
     looks_inside: bool,
+    /// Whether every step is shown.
+    is_attentive: bool,
 }
 
 impl Observer for Watcher {
@@ -71,6 +76,9 @@ impl Observer for Watcher {
             let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]);
             self.seen.looks.extend(numbers.map(f64::to_bits));
         }
+    }
+    fn awaits_s(&self) -> f64 {
+        if self.is_attentive { f64::NEG_INFINITY } else { f64::INFINITY }
     }
     fn contact_begins(&mut self, onset: &Onset) {
         self.seen.contacts.push((onset.time_s, onset.speed_m_s));
@@ -84,6 +92,7 @@ struct Waiting<'c> {
     case: &'c Case,
     order: Vec<usize>,
     turns: f64,
+    is_attentive: bool,
     seen: Vec<Seen>,
 }
 
@@ -103,12 +112,15 @@ impl Queue for Waiting<'_> {
         let values = model.quantities.evaluate(&set).expect("the clearances are possible");
         // Every third run is longer, so that lanes become free at different times.
         let turns = self.turns * if index.is_multiple_of(3) { 1.3 } else { 1.0 };
+        let window = Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s };
+        let looks_inside = self.is_attentive && index.is_multiple_of(2);
+        let instant_s = |k: u32| window.start_s + (window.end_s - window.start_s) * f64::from(k) / f64::from(INSTANTS);
         Some(Run {
             sample: Sample::new(&self.case.mechanism, &values).expect("the sample fits"),
             arms: Arms::new(&self.case.mechanism, &values),
-            window: Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s },
-            observer: Watcher { index, seen: Seen::default(), looks_inside: index.is_multiple_of(2) },
-            followed: FollowedRun::default(),
+            observer: Watcher { index, seen: Seen::default(), looks_inside, is_attentive: self.is_attentive },
+            followed: FollowedRun { instants_s: (0..=INSTANTS).map(instant_s).collect(), nominal: None, own: None },
+            window,
             resume: None,
         })
     }
@@ -120,9 +132,51 @@ impl Queue for Waiting<'_> {
 }
 
 fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, settings: &Settings) -> Vec<Seen> {
-    let mut waiting = Waiting { case, order, turns, seen: vec![Seen::default(); RUNS] };
-    conduct(&case.mechanism, &Follow::readings(&case.readings), settings, execution, &mut waiting);
+    let mut waiting = Waiting { case, order, turns, is_attentive: true, seen: vec![Seen::default(); RUNS] };
+    conduct(&case.mechanism, &follow(case), settings, execution, &mut waiting);
     waiting.seen
+}
+
+/// All readings, their extremes and integrals.
+fn follow(case: &Case) -> Follow {
+    let deviation = |reading| FollowedDeviation { reading, deviation: Deviation::Value, is_integrated: true };
+    Follow { readings: case.readings.clone(), deviations: (0..case.readings.len()).map(deviation).collect() }
+}
+
+#[test]
+fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
+    // Stops of drives within the recorded part, one turn and more, free flight, guides with play.
+    const ARM: &str = "../../../loosepin-import/templates/two-link-arm/model.toml";
+    for (name, turns) in
+        [(ARM, 1.0), ("slider_crank_table_drive.toml", 0.3), ("slider_crank_5000", 1.5), ("four_bar_600", 0.5)]
+    {
+        let case = case(name);
+        let of = |is_attentive| {
+            let order = (0..8).collect();
+            let mut waiting = Waiting { case: &case, order, turns, is_attentive, seen: vec![Seen::default(); 8] };
+            conduct(&case.mechanism, &follow(&case), &Settings::for_study(), Execution::best(), &mut waiting);
+            waiting.seen
+        };
+        for (run, (watched, quiet)) in of(true).iter().zip(of(false)).enumerate() {
+            let findings = |seen: &Seen| seen.report.as_ref().unwrap().findings.clone();
+            let (findings, own) = (findings(&quiet), findings(watched));
+            assert_eq!(findings, own, "{name}: run {run}");
+            assert_eq!(findings.at_instants.len(), (INSTANTS as usize + 1) * case.readings.len(), "{name}");
+            for (reading, range) in findings.deviations.iter().enumerate() {
+                let values = findings.at_instants.iter().skip(reading).step_by(case.readings.len());
+                let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+                // Round-off of positions of a metre.
+                let round_off = 1e-14;
+                let is_within = range.smallest <= low + round_off && high <= range.largest + round_off;
+                assert!(is_within, "{name}: {range:?} {low} {high}");
+            }
+            // The end of the last step is the last instant.
+            let last = &watched.steps.last().unwrap().1;
+            let end = last.iter().skip(3).step_by(6).map(|bits| f64::from_bits(*bits));
+            let at_end = &findings.at_instants[findings.at_instants.len() - case.readings.len()..];
+            assert!(at_end.iter().zip(end).all(|(a, b)| (a - b).abs() < 1e-12), "{name}: {at_end:?}");
+        }
+    }
 }
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
@@ -266,13 +320,14 @@ fn identity_films_of_oil_keep_the_energy_account_and_their_bits_in_lanes() {
 #[test]
 fn identity_a_run_is_not_changed_by_who_looks_at_it() {
     let case = case("six_bar");
-    let mut counters: Vec<Vec<Option<RunReport>>> = Vec::new();
+    let mut reports: Vec<Vec<Option<RunReport>>> = Vec::new();
     for readings in [case.readings.clone(), Vec::new()] {
         let case = Case { mechanism: case.mechanism.clone(), readings, turn_s: case.turn_s };
         let seen = conducted(&case, (0..RUNS).collect(), 0.03, Execution::best(), &Settings::for_study());
-        counters.push(seen.into_iter().map(|seen| seen.report).collect());
+        let without_findings = |report: RunReport| RunReport { findings: Findings::default(), ..report };
+        reports.push(seen.into_iter().map(|seen| seen.report.map(without_findings)).collect());
     }
-    assert_eq!(counters[0], counters[1]);
+    assert_eq!(reports[0], reports[1]);
 }
 
 /// Work of one turn of the nominal slider-crank at the accuracy of a study, and of mechanisms with other traits: what a change of

@@ -236,7 +236,8 @@ pub(super) fn parts(values: &[usize], places: &[Place], lanes: usize) -> Result<
         if values == 0 {
             continue;
         }
-        let part = Part { block, first: first * lanes, end: (first + values) * lanes };
+        let end = first.saturating_add(values).saturating_mul(lanes);
+        let part = Part { block, first: first.saturating_mul(lanes), end };
         if parts.iter().any(|other| other.block == block && other.first < part.end && part.first < other.end) {
             return Err(NativeError::PlacesOverlap { block });
         }
