@@ -4,7 +4,7 @@ use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run, Seats};
 use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
-use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds, with_extremes_of};
+use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds};
 use super::gap::GapJet;
 use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
@@ -14,7 +14,6 @@ use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
-use loosepin_math::Quintic;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
@@ -237,11 +236,9 @@ impl Follower {
             layout.follow(numbers, &step, true);
             if numbers[FollowLayout::IS_EXTREME] > 0.5 {
                 for deviation in 0..layout.deviations() {
-                    let own = &mut numbers[layout.deviation(deviation)..];
-                    let polynomial = std::array::from_fn(|k| own[FollowLayout::POLYNOMIAL + k]);
-                    let known = [own[FollowLayout::LARGEST], own[FollowLayout::SMALLEST]];
-                    let [largest, smallest] = with_extremes_of(&Quintic { coefficients: polynomial }, known);
-                    (own[FollowLayout::LARGEST], own[FollowLayout::SMALLEST]) = (largest, smallest);
+                    for (place, extreme) in layout.extremes(deviation, |place| numbers[place]) {
+                        numbers[place] = extreme;
+                    }
                 }
             }
         }

@@ -54,7 +54,9 @@ pub use engine::{conduct, run};
 pub use execution::Execution;
 pub use failure::RunFailure;
 pub use flight::FlightClock;
-pub use follow::{DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, GAUSS};
+pub use follow::{
+    DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, GAUSS, extremes_within, points_within,
+};
 pub use free_motion::FreeMotion;
 pub use history::{BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_until};
 pub use ideal_curve::{IdealCurve, IdealNodes};

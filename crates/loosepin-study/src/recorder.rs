@@ -8,12 +8,9 @@ use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_simulate::{
     Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, FreeMotion, GAUSS, IdealCurve,
-    IdealReference, Observer, Reading, Step, Window, maximum_within,
+    IdealReference, Observer, Reading, Step, Window, extremes_within, points_within,
 };
 use std::sync::Arc;
-
-/// Points of a step at which a deviation is looked at before its extremes are located, ends included.
-const POINTS_PER_STEP: usize = 5;
 
 /// Where the value of a column comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -303,27 +300,18 @@ impl<'r> Recorder<'r> {
         let (start_s, span_s) = (step.start_s, step.end_s - step.start_s);
         for index in 0..self.looked.len() {
             let of = self.shared.looked[index];
-            let DeviationRange { mut largest, mut smallest, mut integral, mut integral_of_square } = self.looked[index];
+            let DeviationRange { largest, smallest, mut integral, mut integral_of_square } = self.looked[index];
             let mut at = |share: f64| {
                 let time_s = start_s + share * span_s;
                 let actual = self.actual(step, of.0, time_s);
                 self.looked_deviation(of, (actual, time_s), None)
             };
-            let points: [(f64, f64); POINTS_PER_STEP] = std::array::from_fn(|k| {
-                let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
-                (share, at(share))
-            });
+            let points = points_within(&mut at);
             let (low, high) =
                 points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
             // Between the points the value can rise above them by a part of their range only.
             let room = 0.25 * (high - low);
-            if high + room > largest {
-                largest = largest.max(maximum_within(&points, &mut at).value);
-            }
-            if low - room < smallest {
-                let turned = points.map(|(share, value)| (share, -value));
-                smallest = smallest.min(-maximum_within(&turned, |share| -at(share)).value);
-            }
+            let [largest, smallest] = extremes_within(&points, [low - room, high + room], [largest, smallest], &mut at);
             for (place, weight) in GAUSS {
                 let (value, weight_s) = (at(place), weight * span_s);
                 integral += weight_s * value;

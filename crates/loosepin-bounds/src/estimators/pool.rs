@@ -82,7 +82,7 @@ impl Pool {
                 epistemic: first.epistemic.clone(),
                 random: if samples.runs == 1 { first.random.clone() } else { Vec::new() },
                 runs: samples.runs,
-                samples: slots.keys().filter_map(|column| samples.samples.get(column).cloned()).collect(),
+                samples: slots.keys().map(|column| samples.samples[column].clone()).collect(),
             });
             if is_new {
                 gathered.keep(purpose, point, samples);

@@ -74,6 +74,7 @@ impl Sample {
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
     pub fn joined(&self, other: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        debug_assert_eq!(self.replicate_ends, other.replicate_ends, "the same runs");
         let pairs = self.values.iter().zip(&*other.values);
         let values = pairs.map(|(&a, &b)| of(a, b)).collect();
         Self::of(values, self.replicate_ends.clone(), self.failed)

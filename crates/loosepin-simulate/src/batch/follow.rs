@@ -1,11 +1,10 @@
 //! What is followed in the runs on lanes.
 
 use super::{Batch, lanes_of};
-use crate::follow::{Findings, FollowLayout, with_extremes_of};
+use crate::follow::{Findings, FollowLayout};
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
-use loosepin_math::Quintic;
 
 impl Batch<'_> {
     /// Lets the recorded part of a run begin, or go on, at `time_s`.
@@ -45,12 +44,7 @@ impl Batch<'_> {
         let Self { core, follow: layout, .. } = self;
         for lane in lanes_of(core.followed_flags(FollowLayout::IS_EXTREME) & recorded) {
             for deviation in 0..layout.deviations() {
-                let first = layout.deviation(deviation);
-                let polynomial = std::array::from_fn(|k| core.followed(lane, first + FollowLayout::POLYNOMIAL + k));
-                let places = [FollowLayout::LARGEST, FollowLayout::SMALLEST].map(|place| first + place);
-                let known = places.map(|place| core.followed(lane, place));
-                let extremes = with_extremes_of(&Quintic { coefficients: polynomial }, known);
-                for (place, extreme) in places.into_iter().zip(extremes) {
+                for (place, extreme) in layout.extremes(deviation, |place| core.followed(lane, place)) {
                     core.set_followed(lane, place, extreme);
                 }
             }

@@ -1,32 +1,54 @@
 //! Extremes of a deviation within a step.
 
+use super::layout::FollowLayout;
 use crate::search::maximum_within;
 use loosepin_math::Quintic;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;
 
-/// The largest and the smallest of two values and of a polynomial on [0, 1].
-pub(crate) fn with_extremes_of(polynomial: &Quintic, [largest, smallest]: [f64; 2]) -> [f64; 2] {
-    let [low, high] = polynomial.limits();
-    let points: [(f64, f64); POINTS_PER_STEP] = std::array::from_fn(|k| {
+/// A function of the share of a step at equal distances, ends included: each share with the value there.
+pub fn points_within(mut f: impl FnMut(f64) -> f64) -> [(f64, f64); POINTS_PER_STEP] {
+    std::array::from_fn(|k| {
         let share = k as f64 / (POINTS_PER_STEP - 1) as f64;
-        (share, polynomial.value(share))
-    });
-    let mut extremes = [largest, smallest];
+        (share, f(share))
+    })
+}
+
+/// The largest and the smallest of two `known` values and of `f`, which is known at `points` and stays between two `limits`: located where
+/// these are beyond what is known.
+pub fn extremes_within<const N: usize>(
+    points: &[(f64, f64); N],
+    [low, high]: [f64; 2],
+    [mut largest, mut smallest]: [f64; 2],
+    mut f: impl FnMut(f64) -> f64,
+) -> [f64; 2] {
     if high > largest {
-        extremes[0] = largest.max(maximum_within(&points, |share| polynomial.value(share)).value);
+        largest = largest.max(maximum_within(points, &mut f).value);
     }
     if low < smallest {
         let turned = points.map(|(share, value)| (share, -value));
-        extremes[1] = smallest.min(-maximum_within(&turned, |share| -polynomial.value(share)).value);
+        smallest = smallest.min(-maximum_within(&turned, |share| -f(share)).value);
     }
-    extremes
+    [largest, smallest]
+}
+
+impl FollowLayout {
+    /// The largest and the smallest value of a deviation with those of the step at hand, each with its place among the numbers of the lane,
+    /// which `get` reads.
+    pub(crate) fn extremes(&self, deviation: usize, get: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
+        let first = self.deviation(deviation);
+        let polynomial = Quintic { coefficients: std::array::from_fn(|k| get(first + Self::POLYNOMIAL + k)) };
+        let [largest, smallest] = [first + Self::LARGEST, first + Self::SMALLEST];
+        let value = |share: f64| polynomial.value(share);
+        let found = extremes_within(&points_within(value), polynomial.limits(), [get(largest), get(smallest)], value);
+        [(largest, found[0]), (smallest, found[1])]
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::with_extremes_of;
+    use super::{extremes_within, points_within};
     use loosepin_math::Quintic;
 
     #[test]
@@ -34,9 +56,11 @@ mod tests {
         // 1 + 6 τ (τ - 1/2) (τ - 1) has its extremes at 1/2 ± 1/√12, ±1/√12 beside 1.
         let cubic = Quintic { coefficients: [1.0, 3.0, -9.0, 6.0, 0.0, 0.0] };
         let height = 1.0 / 12.0_f64.sqrt();
-        let [largest, smallest] = with_extremes_of(&cubic, [f64::NEG_INFINITY, f64::INFINITY]);
+        let value = |share: f64| cubic.value(share);
+        let of = |known| extremes_within(&points_within(value), cubic.limits(), known, value);
+        let [largest, smallest] = of([f64::NEG_INFINITY, f64::INFINITY]);
         assert!((largest - 1.0 - height).abs() < 1e-12 && (smallest - 1.0 + height).abs() < 1e-12);
-        assert_eq!(with_extremes_of(&cubic, [1.3, smallest]), [1.3, smallest]);
-        assert_eq!(with_extremes_of(&cubic, [largest, 0.5]), [largest, 0.5]);
+        assert_eq!(of([1.3, smallest]), [1.3, smallest]);
+        assert_eq!(of([largest, 0.5]), [largest, 0.5]);
     }
 }

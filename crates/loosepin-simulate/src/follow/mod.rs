@@ -9,7 +9,7 @@ mod lane;
 mod layout;
 mod plan;
 
-pub(crate) use extremes::with_extremes_of;
+pub use extremes::{extremes_within, points_within};
 pub(crate) use lane::LaneFollow;
 pub use layout::GAUSS;
 pub(crate) use layout::{FollowLayout, StepEnds};
