@@ -1,7 +1,6 @@
 //! Batches of runs of a reference case with varied clearances, on the lanes of one thread.
 
 use crate::compiled;
-use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{JointKind, QuantityId};
 use loosepin::simulate::{
@@ -72,23 +71,19 @@ impl Case {
     }
 
     /// Everything for run `index` of `runs`, whose clearances are spread evenly. One run alone has the nominal ones.
-    fn run(&self, index: usize, plan: &Plan) -> Run<Reader> {
+    fn run(&self, index: usize, plan: &Plan) -> Run<Numbered> {
         let factor = 1.0 + VARIATION * ((2 * index + 1) as f64 / plan.runs as f64 - 1.0);
         let set: Vec<(QuantityId, f64)> =
             self.clearances.iter().map(|&(id, nominal_m)| (id, factor * nominal_m)).collect();
         let values = self.mechanism.model.quantities.evaluate(&set).expect("the clearances are possible");
-        let rows = plan.turns * plan.readings_per_turn;
+        let interval_s = self.turn_s / plan.readings_per_turn as f64;
+        let instants_s = (0..=plan.turns * plan.readings_per_turn).map(|k| k as f64 * interval_s).collect();
         Run {
             sample: Sample::new(&self.mechanism, &values).expect("the sample fits the mechanism"),
             arms: Arms::new(&self.mechanism, &values),
             window: Window { start_s: 0.0, end_s: plan.turns as f64 * self.turn_s },
-            observer: Reader {
-                index,
-                interval_s: self.turn_s / plan.readings_per_turn as f64,
-                rows: rows + 1,
-                readings: Vec::with_capacity(rows + 1),
-            },
-            followed: FollowedRun::default(),
+            observer: Numbered(index),
+            followed: FollowedRun { instants_s, ..FollowedRun::default() },
             resume: None,
         }
     }
@@ -125,27 +120,14 @@ fn in_order(mut finished: Vec<(usize, Finished)>) -> Vec<Finished> {
     finished.into_iter().map(|(_, run)| run).collect()
 }
 
-/// Reads a position at equidistant times.
-struct Reader {
-    index: usize,
-    interval_s: f64,
-    rows: usize,
-    readings: Vec<f64>,
-}
+/// A run by its number; nothing is looked at within its steps.
+struct Numbered(usize);
 
-impl Observer for Reader {
-    fn step(&mut self, step: &mut Step<'_, '_>) {
-        let mut position = None;
-        while self.readings.len() < self.rows {
-            let time_s = self.readings.len() as f64 * self.interval_s;
-            // The last reading is the end of the run, where the two may differ by rounding.
-            if time_s > step.end_s * (1.0 + 1e-12) {
-                break;
-            }
-            let [start, end] = step.outputs[0];
-            let position = position.get_or_insert_with(|| Quintic::new(start, end, step.length));
-            self.readings.push(position.value(step.share(time_s)));
-        }
+impl Observer for Numbered {
+    fn step(&mut self, _step: &mut Step<'_, '_>) {}
+
+    fn awaits_s(&self) -> f64 {
+        f64::INFINITY
     }
 }
 
@@ -158,15 +140,16 @@ struct Waiting<'c> {
 }
 
 impl Queue for Waiting<'_> {
-    type Observer = Reader;
+    type Observer = Numbered;
 
-    fn next(&mut self) -> Option<Run<Reader>> {
+    fn next(&mut self) -> Option<Run<Numbered>> {
         let index = self.next.fetch_add(1, Ordering::Relaxed);
         (index < self.plan.runs).then(|| self.case.run(index, self.plan))
     }
 
-    fn finished(&mut self, reader: Reader, outcome: Result<RunReport, RunFailure>) {
-        let report = outcome.unwrap_or_else(|failure| panic!("{} run {}: {failure}", self.case.name, reader.index));
-        self.finished.push((reader.index, Finished { counters: report.counters, readings: reader.readings }));
+    fn finished(&mut self, Numbered(index): Numbered, outcome: Result<RunReport, RunFailure>) {
+        let report = outcome.unwrap_or_else(|failure| panic!("{} run {index}: {failure}", self.case.name));
+        let run = Finished { counters: report.counters, readings: report.findings.at_instants };
+        self.finished.push((index, run));
     }
 }

@@ -8,7 +8,7 @@ pub const BLOCKS: usize = 8;
 /// A block of the memory; the number is that of the block in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Block {
-    /// Numbers of the sample and of the points of bodies.
+    /// Numbers of the sample and of the points of bodies, then what is computed from these alone.
     Numbers,
     /// Numbers of a lane and of its contacts: [`LaneLayout`].
     Lane,
@@ -204,6 +204,16 @@ impl Memory {
     /// Zeros for so many numbers in each block.
     pub fn new(lanes: usize, lengths: [usize; BLOCKS]) -> Self {
         Self { lanes, blocks: lengths.map(|length| Aligned::zeros(length * lanes)) }
+    }
+
+    /// Makes room for so many numbers of each lane in a block, zeros behind what is there.
+    pub fn lengthen(&mut self, block: Block, length: usize) {
+        let old = &mut self.blocks[block as usize];
+        if old.length < length * self.lanes {
+            let mut longer = Aligned::zeros(length * self.lanes);
+            longer.all()[..old.length].copy_from_slice(old.all());
+            *old = longer;
+        }
     }
 
     /// Number `index` of a block in a lane.

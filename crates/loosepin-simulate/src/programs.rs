@@ -12,7 +12,7 @@ use loosepin_math::integrate::System;
 use loosepin_math::{Numbers, Real};
 use loosepin_mechanics::dynamics::DepthRoot;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_tape::native::{Graph, Program, Slot, Value};
+use loosepin_tape::native::{Graph, Hoisted, NativeError, Program, Slot, Value};
 use loosepin_tape::trace::{Traced, record};
 
 /// Numbers of a lane that are said of an attempt.
@@ -33,6 +33,8 @@ const JUDGED: [usize; 11] = [
 /// A pass as straight-line programs on the blocks of [`Block`]: what machine code is made of, to be counted and timed.
 #[derive(Debug, Clone)]
 pub struct PassPrograms<P = Program> {
+    /// What depends on the numbers of a run alone, put behind them in [`Block::Numbers`]: runs whenever these numbers change.
+    pub prepare: P,
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
     pub slope: P,
     /// The slope, and the numbers read at an end of a step.
@@ -74,6 +76,7 @@ impl PassPrograms {
     /// What `make` makes of each program, those of a step first.
     pub(super) fn map<Q>(self, mut make: impl FnMut(Program) -> Q) -> PassPrograms<Q> {
         PassPrograms {
+            prepare: make(self.prepare),
             choose_step: make(self.choose_step),
             points: self.points.into_iter().map(&mut make).collect(),
             slope: make(self.slope),
@@ -124,34 +127,37 @@ pub struct Tracing<'t> {
 impl Tracing<'_> {
     /// Writes all programs down.
     pub fn programs(&self) -> PassPrograms {
-        let [slope, end] = [false, true].map(|with_reads| self.equations(with_reads));
-        let (points, judgement) = self.attempt();
-        let (dense_points, dense) = self.dense();
+        let hoisted = &mut Hoisted::new(Block::Numbers as u8, self.fixed.len());
+        let [slope, end] = [false, true].map(|with_reads| self.equations(hoisted, with_reads));
+        let (points, judgement) = self.attempt(hoisted);
+        let (dense_points, dense) = self.dense(hoisted);
         let hold_loops = Projection::<Traced>::is_needed(self.mechanism).then(|| {
-            self.written(|blocks| {
+            self.written(hoisted, |blocks| {
                 let (mut motion, _) = self.motion();
                 self.pass.hold_loops(blocks, &mut motion, &mut Projection::new(self.mechanism));
             })
         });
+        let Follow { deviations, readings } = self.follow;
         PassPrograms {
             slope,
             end,
-            choose_step: self.written(|blocks| self.pass.choose_step(blocks)),
+            choose_step: self.written(hoisted, |blocks| self.pass.choose_step(blocks)),
             points,
             judgement,
             dense_points,
             dense,
-            take_evaluation: self.written(|blocks| self.pass.take_evaluation(blocks)),
-            accept: self.written(|blocks| self.pass.accept(blocks)),
+            take_evaluation: self.written(hoisted, |blocks| self.pass.take_evaluation(blocks)),
+            accept: self.written(hoisted, |blocks| self.pass.accept(blocks)),
             hold_loops,
-            account: self.written(|blocks| self.pass.close_account(blocks)),
-            follow: (!self.follow.deviations.is_empty()).then(|| self.written(|blocks| self.pass.follow(blocks))),
-            look: (!self.follow.readings.is_empty()).then(|| self.written(|blocks| self.pass.look(blocks))),
+            account: self.written(hoisted, |blocks| self.pass.close_account(blocks)),
+            follow: (!deviations.is_empty()).then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
+            look: (!readings.is_empty()).then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
+            prepare: with_own_slots(hoisted.own_program()),
         }
     }
 
     /// The slope of the state in [`Block::Point`], and the reads of an end of a step.
-    fn equations(&self, with_reads: bool) -> Program {
+    fn equations(&self, hoisted: &mut Hoisted, with_reads: bool) -> Program {
         let (graph, outputs) = record(|| {
             let (mut motion, arms) = self.motion();
             let mut memory = self.inputs();
@@ -165,11 +171,11 @@ impl Tracing<'_> {
             }
             outputs
         });
-        program(&graph, &outputs)
+        program(hoisted, &graph, &outputs)
     }
 
     /// The points of a step, and what is said of it.
-    fn attempt(&self) -> (Vec<Program>, Program) {
+    fn attempt(&self, hoisted: &mut Hoisted) -> (Vec<Program>, Program) {
         let (graph, (points, judgement)) = record(|| {
             let (sample, _) = self.numbers();
             let mut memory = self.inputs();
@@ -180,11 +186,11 @@ impl Tracing<'_> {
             let places = JUDGED.map(|place| (slot(Block::Lane, place), blocks.lane[place].value()));
             (points.0, places)
         });
-        (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &judgement))
+        (points.iter().map(|point| program(hoisted, &graph, point)).collect(), program(hoisted, &graph, &judgement))
     }
 
     /// The further points of the dense output, and the dense output.
-    fn dense(&self) -> (Vec<Program>, Program) {
+    fn dense(&self, hoisted: &mut Hoisted) -> (Vec<Program>, Program) {
         let (graph, (points, dense)) = record(|| {
             let mut memory = self.inputs();
             let mut points = Points::default();
@@ -192,17 +198,17 @@ impl Tracing<'_> {
             self.pass.prepare_dense(&mut rows, lane, &mut points);
             (points.0, changes(&memory, &self.inputs()))
         });
-        (points.iter().map(|point| program(&graph, point)).collect(), program(&graph, &dense))
+        (points.iter().map(|point| program(hoisted, &graph, point)).collect(), program(hoisted, &graph, &dense))
     }
 
     /// The program of the operations of `work` on the blocks.
-    fn written(&self, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
+    fn written(&self, hoisted: &mut Hoisted, work: impl FnOnce(&mut Named<'_, Traced>)) -> Program {
         let (graph, outputs) = record(|| {
             let mut memory = self.inputs();
             work(&mut Named::new(memory.each_mut().map(|block| &mut block[..])));
             changes(&memory, &self.inputs())
         });
-        program(&graph, &outputs)
+        program(hoisted, &graph, &outputs)
     }
 
     /// All blocks as they are before a program runs.
@@ -283,8 +289,12 @@ fn changes(memory: &[Vec<Traced>; BLOCKS], inputs: &[Vec<Traced>; BLOCKS]) -> Ve
     changes
 }
 
-fn program(graph: &Graph, outputs: &[(Slot, Value)]) -> Program {
-    match Program::new(graph, outputs) {
+fn program(hoisted: &mut Hoisted, graph: &Graph, outputs: &[(Slot, Value)]) -> Program {
+    with_own_slots(hoisted.program(graph, outputs))
+}
+
+fn with_own_slots(program: Result<Program, NativeError>) -> Program {
+    match program {
         Ok(program) => program,
         Err(error) => unreachable!("each output has its own slot: {error}"),
     }

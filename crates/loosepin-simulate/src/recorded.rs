@@ -10,6 +10,9 @@ use loosepin_tape::native::{Level, Place, Routine, Sequence};
 
 /// What is done with all lanes.
 struct Sequences {
+    prepare: Sequence,
+    /// Numbers of a run with those that are prepared.
+    numbers: usize,
     restart: Sequence,
     attempt: Sequence,
     accept: Sequence,
@@ -21,6 +24,7 @@ struct Sequences {
 
 impl Sequences {
     fn new(programs: PassPrograms, pass: &Pass, level: Option<Level>, lanes: usize) -> Self {
+        let numbers = programs.prepare.values_per_block().get(Block::Numbers as usize).copied().unwrap_or(0);
         let mut all = Vec::new();
         let programs = programs.map(|program| {
             all.push(program);
@@ -62,6 +66,8 @@ impl Sequences {
             [Some(programs.accept), programs.hold_loops].into_iter().flatten().map(as_written).collect();
         let restart = [slope(programs.end, Block::Start, end_row), as_written(programs.take_evaluation)];
         Self {
+            prepare: sequence(&[as_written(programs.prepare)]),
+            numbers,
             restart: sequence(&restart),
             attempt: sequence(&attempt),
             accept: sequence(&accept),
@@ -126,9 +132,12 @@ impl<'a> Recorded<'a> {
             let programs = Tracing { mechanism, sample, arms, follow, fixed, pass, lengths }.programs();
             self.sequences = Sequences::new(programs, pass, self.level, self.lanes);
         }
+        memory.lengthen(Block::Numbers, self.sequences.numbers);
         for (index, value) in values.into_iter().enumerate() {
             memory.set(Block::Numbers, index, lane, value);
         }
+        // The other lanes are prepared again, to the same bits.
+        run(&self.sequences.prepare, memory, &mut self.scratch);
     }
 
     /// Evaluates at the start of the step, in the chosen lanes.

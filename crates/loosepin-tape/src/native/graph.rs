@@ -48,6 +48,19 @@ impl Graph {
         })
     }
 
+    /// A node of another graph, whose operands are here already: as it stands there, but for the order of what may change places.
+    pub(super) fn adopt(&mut self, node: Node) -> NodeIndex {
+        self.insert(match node {
+            Node::Binary { operation, left, right } if operation.is_commutative() => {
+                Node::Binary { operation, left: left.min(right), right: left.max(right) }
+            }
+            Node::MulAdd { first, second, addend, signs } => {
+                Node::MulAdd { first: first.min(second), second: first.max(second), addend, signs }
+            }
+            node => node,
+        })
+    }
+
     fn unary(&mut self, operation: UnaryOperation, operand: Value) -> Value {
         if let Some(constant) = self.constant_value(operand) {
             return self.constant(operation.apply(constant));

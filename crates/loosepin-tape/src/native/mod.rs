@@ -2,7 +2,8 @@
 //!
 //! A [`Graph`] is written down once, by the methods that the equations are made of; a [`Program`] is what some outputs need
 //! of it; a [`Kernel`] is the program as machine code for x86-64 processors. A [`Sequence`] runs programs one after the other, as
-//! machine code or, where none can be run, one operation at a time for all lanes (`evaluate`), with the same bits.
+//! machine code or, where none can be run, one operation at a time for all lanes (`evaluate`), with the same bits. What changes seldom
+//! is taken out of programs that run often by [`Hoisted`].
 //!
 //! The compiler is a line of phases, each a file: order the operations (`schedule`), write them as instructions on values
 //! (`lower`), give the values registers (`allocate`, `registers`), write bytes (`encode`, `assemble`), make them executable (`memory`).
@@ -39,6 +40,7 @@ mod encode;
 mod error;
 mod evaluate;
 mod graph;
+mod hoist;
 mod instruction;
 mod level;
 mod lower;
@@ -59,6 +61,7 @@ mod random_programs;
 pub use counts::OperationCounts;
 pub use error::NativeError;
 pub use graph::{Graph, Mask, Value};
+pub use hoist::Hoisted;
 pub use level::Level;
 pub use memory::Kernel;
 pub use node::Slot;

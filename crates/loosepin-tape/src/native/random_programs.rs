@@ -33,18 +33,24 @@ impl Random {
 }
 
 /// Operations and sizes of a random program.
-struct Shape {
-    nodes: usize,
-    inputs: usize,
-    outputs: usize,
+pub(super) struct Shape {
+    pub nodes: usize,
+    pub inputs: usize,
+    pub outputs: usize,
     /// Operands are taken from so many of the youngest values: more means more values alive.
-    reach: usize,
-    blocks: usize,
+    pub reach: usize,
+    pub blocks: usize,
     /// Some outputs take the place of inputs.
-    is_in_place: bool,
+    pub is_in_place: bool,
 }
 
 fn random_program(random: &mut Random, shape: &Shape) -> Program {
+    let (graph, outputs) = random_graph(random, shape);
+    Program::new(&graph, &outputs).expect("each output has its own slot")
+}
+
+/// Operations, and where some of the last ones go.
+pub(super) fn random_graph(random: &mut Random, shape: &Shape) -> (Graph, Vec<(Slot, Value)>) {
     let mut graph = Graph::new();
     let slot = |number: usize| Slot { block: (number % shape.blocks) as u8, index: (number / shape.blocks) as u32 };
     let mut values: Vec<Value> = (0..shape.inputs).map(|number| graph.input(slot(number))).collect();
@@ -114,7 +120,7 @@ fn random_program(random: &mut Random, shape: &Shape) -> Program {
             (slot(first_output + number), values[values.len() - 1 - random.below(values.len().min(2 * shape.outputs))])
         })
         .collect();
-    Program::new(&graph, &outputs).expect("each output has its own slot")
+    (graph, outputs)
 }
 
 /// The bits, with all numbers "not a number" alike.
