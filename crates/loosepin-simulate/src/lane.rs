@@ -136,6 +136,11 @@ pub enum Decision {
 }
 
 impl LaneRun {
+    /// Whether the step at hand ends with the run.
+    pub fn is_at_end(&self) -> bool {
+        self.reaches_stop && self.stop_s == self.window.end_s
+    }
+
     /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.
     fn gap_tolerance(&self, contact: usize, is_root: bool, event_tolerance_m: f64) -> f64 {
         match is_root {

@@ -5,6 +5,7 @@ use crate::follow::{Findings, FollowLayout};
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
+use loosepin_math::Quintic;
 
 impl Batch<'_> {
     /// Lets the recorded part of a run begin, or go on, at `time_s`.
@@ -32,7 +33,8 @@ impl Batch<'_> {
             core.follow();
             self.take_extremes(accepted & recorded);
         }
-        self.look_at_instants(due & recorded);
+        let left = self.look_at_even_pace(due & recorded);
+        self.look_at_instants(left);
         let Self { core, runs, .. } = self;
         for (lane, run) in of_lanes(runs, due & recorded) {
             core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
@@ -51,6 +53,26 @@ impl Batch<'_> {
         }
     }
 
+    /// Reads at the instants in steps that pass at an even pace, as all do but those of some contacts: each may hold many, and nothing is to be
+    /// solved. Gives the lanes that are left.
+    fn look_at_even_pace(&mut self, looking: u32) -> u32 {
+        let Self { core, runs, follow: layout, .. } = self;
+        let mut left = looking;
+        for (lane, run) in of_lanes(runs, looking) {
+            let time = core.jets(lane, ReadLayout::TIME).map(|end| end.jet);
+            if time.iter().all(|[_, pace, change]| (*pace, *change) == (1.0, 0.0)) {
+                let (length, is_last) = (core.number(lane, LaneLayout::STEP), run.is_at_end());
+                let reading = |reading| {
+                    let [start, end] = core.jets(lane, core.pass.reads.output(reading)).map(|end| end.jet);
+                    Quintic::new(start, end, length)
+                };
+                run.follow.take_instants(time.map(|[time_s, ..]| time_s), is_last, (0..layout.readings()).map(reading));
+                left &= !(1 << lane);
+            }
+        }
+        left
+    }
+
     /// Reads at the instants that lie in the steps at hand, in all lanes at once, one instant of each lane after the other.
     fn look_at_instants(&mut self, mut looking: u32) {
         let Self { core, runs, follow: layout, .. } = self;
@@ -58,8 +80,7 @@ impl Batch<'_> {
             let mut found = 0;
             for (lane, run) in of_lanes(runs, looking) {
                 let end_s = core.end_read(lane, ReadLayout::TIME);
-                let is_last = run.reaches_stop && run.stop_s == run.window.end_s;
-                if let Some(instant_s) = run.follow.instant_s(end_s, is_last) {
+                if let Some(instant_s) = run.follow.instant_s(end_s, run.is_at_end()) {
                     core.set_followed(lane, FollowLayout::INSTANT, instant_s);
                     found |= 1 << lane;
                 }

@@ -443,7 +443,7 @@ impl<'a> Batch<'a> {
         let Some(run) = &mut self.runs[lane] else { return };
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
-        if run.reaches_stop && run.stop_s == run.window.end_s {
+        if run.is_at_end() {
             return self.succeed(lane, queue);
         }
         if let Some(failure) = self.too_many_evaluations(lane) {

@@ -17,6 +17,8 @@ pub(crate) struct LaneFollow {
     piece_end_s: f64,
     /// Index of the next instant.
     next: usize,
+    /// The readings over the step at hand, where it passes at an even pace.
+    readings: Vec<Quintic>,
     findings: Findings,
 }
 
@@ -25,7 +27,8 @@ impl LaneFollow {
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
         let at_instants = Vec::with_capacity(run.instants_s.len() * layout.readings());
         let findings = Findings { at_instants, deviations: vec![DeviationRange::NONE; layout.deviations()] };
-        Self { run, window, piece_end_s: f64::INFINITY, next: 0, findings }
+        let readings = Vec::with_capacity(layout.readings());
+        Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
     }
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
@@ -124,6 +127,19 @@ impl LaneFollow {
     pub fn instant_s(&self, end_s: f64, is_last: bool) -> Option<f64> {
         let instant_s = self.run.instants_s.get(self.next).copied()?;
         (instant_s <= end_s || is_last).then_some(instant_s)
+    }
+
+    /// Takes in the `readings` at all instants in a step between `times_s`, which passes at an even pace: share and time are one.
+    pub fn take_instants(&mut self, times_s: [f64; 2], is_last: bool, readings: impl Iterator<Item = Quintic>) {
+        let [start_s, end_s] = times_s;
+        let mut own = std::mem::take(&mut self.readings);
+        own.clear();
+        own.extend(readings);
+        while let Some(instant_s) = self.instant_s(end_s, is_last) {
+            let share = ((instant_s - start_s) / (end_s - start_s)).clamp(0.0, 1.0);
+            self.take_instant(own.iter().map(|reading| reading.value(share)));
+        }
+        self.readings = own;
     }
 
     /// Takes in all readings at the instant.
