@@ -54,7 +54,8 @@ pub fn parts(case: &Case) -> Vec<Part> {
             .collect();
         let unknowns: Vec<_> = contacts
             .map(|contact| {
-                let root = DepthRoot { is_unknown: number(contact, 3), root: state[2 * n + 1 + contact] };
+                let (is_unknown, root) = (number(contact, 3), state[2 * n + 1 + contact]);
+                let root = DepthRoot { is_unknown, root, may_be_read: true };
                 ContactUnknowns { root: Some(root), bristle_m: None }
             })
             .collect();

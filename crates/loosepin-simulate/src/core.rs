@@ -42,6 +42,8 @@ pub struct Core<'a> {
     pub pass: Pass,
     memory: Memory,
     way: Way<'a>,
+    /// The lanes in which the penetration of some closed contact is read off the positions.
+    reading_depths: u32,
     /// Whether the dense output belongs to the step at hand.
     is_dense: bool,
 }
@@ -68,7 +70,7 @@ impl<'a> Core<'a> {
                 Way::Recorded(Box::new(recorded))
             }
         };
-        Self { mechanism, memory: Memory::new(lanes, lengths), way, is_dense: false, pass }
+        Self { mechanism, memory: Memory::new(lanes, lengths), way, reading_depths: 0, is_dense: false, pass }
     }
 
     /// Puts a run that begins at `state` (layout of [`super::motion::Layout`]) into a lane. It needs a restart.
@@ -83,8 +85,8 @@ impl<'a> Core<'a> {
     ) {
         self.load_numbers(lane, sample, arms);
         let tolerances = tolerances(self.mechanism, &self.pass.layout, sample, self.pass.local_m, rate_1_s, energy_j);
-        for (place, tolerance) in self.pass.lane.tolerances().zip(tolerances) {
-            self.memory.set(Block::Lane, place, lane, tolerance);
+        for (place, tolerance) in self.pass.lane.weights().zip(tolerances) {
+            self.memory.set(Block::Lane, place, lane, 1.0 / tolerance);
         }
         for (index, value) in state.iter().enumerate() {
             self.memory.set(Block::Start, index, lane, *value);
@@ -139,6 +141,11 @@ impl<'a> Core<'a> {
         for place in [self.pass.layout.roots[contact], self.pass.layout.bristles[contact]].into_iter().flatten() {
             self.set_state(lane, place, 0.0);
         }
+        let reads_depth = (0..self.pass.layout.roots.len()).any(|contact| {
+            let (state, has_root) = self.contact(lane, contact);
+            state.contact > 0.0 && !has_root
+        });
+        self.reading_depths = self.reading_depths & !(1 << lane) | u32::from(reads_depth) << lane;
     }
 
     /// The state of a contact in a lane, and whether the root of its penetration is an unknown.
@@ -255,10 +262,10 @@ impl<'a> Core<'a> {
     /// Chooses the next steps of all lanes, tries them, and says what happens with them.
     pub fn attempt(&mut self) {
         self.is_dense = false;
-        let Self { pass, memory, way, .. } = self;
+        let Self { pass, memory, way, reading_depths, .. } = self;
         match way {
             Way::Plain(plain) => plain.attempt(pass, memory),
-            Way::Recorded(recorded) => recorded.attempt(memory),
+            Way::Recorded(recorded) => recorded.attempt(memory, *reading_depths != 0),
         }
     }
 

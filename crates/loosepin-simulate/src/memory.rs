@@ -50,7 +50,7 @@ impl Turn {
 #[derive(Debug, Clone, Copy)]
 pub struct LaneLayout {
     contacts: usize,
-    tolerances: usize,
+    weights: usize,
     followed: usize,
 }
 
@@ -120,9 +120,9 @@ impl LaneLayout {
     /// Within the numbers of a contact: the root of that penetration, √m.
     pub const LARGEST_ROOT: usize = 7;
 
-    /// For so many contacts, so many tolerances and so many numbers of what is followed.
-    pub fn new(contacts: usize, tolerances: usize, followed: usize) -> Self {
-        Self { contacts, tolerances, followed }
+    /// For so many contacts, so many unknowns with a tolerance and so many numbers of what is followed.
+    pub fn new(contacts: usize, weights: usize, followed: usize) -> Self {
+        Self { contacts, weights, followed }
     }
 
     /// Where the numbers of a contact begin.
@@ -130,15 +130,15 @@ impl LaneLayout {
         Self::CONTACTS + Self::PER_CONTACT * contact
     }
 
-    /// Where the tolerances of the unknowns are.
-    pub fn tolerances(&self) -> std::ops::Range<usize> {
+    /// Where the weights of the errors of the unknowns are, one over their tolerances.
+    pub fn weights(&self) -> std::ops::Range<usize> {
         let first = Self::contact(self.contacts);
-        first..first + self.tolerances
+        first..first + self.weights
     }
 
     /// Where the numbers of what is followed are: `FollowLayout`.
     pub fn followed(&self) -> std::ops::Range<usize> {
-        let first = self.tolerances().end;
+        let first = self.weights().end;
         first..first + self.followed
     }
 

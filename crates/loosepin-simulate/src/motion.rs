@@ -161,7 +161,7 @@ impl<'a, T: Real> Motion<'a, T> {
     /// With every contact open.
     pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
         let layout = Layout::new(mechanism, sample);
-        let known = DepthRoot { is_unknown: T::zero(), root: T::zero() };
+        let known = DepthRoot { is_unknown: T::zero(), root: T::zero(), may_be_read: true };
         Self {
             dynamics: Dynamics::new(mechanism, sample),
             states: vec![PlayState::flight(); mechanism.contacts.len()],

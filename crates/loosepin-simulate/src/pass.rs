@@ -69,8 +69,8 @@ impl Pass {
 
     /// Tries the step of the lane; `system` reads at its end.
     pub fn attempt<T: Real>(&self, rows: &mut StepRows<'_, T>, lane: &mut [T], system: &mut impl System<T>) {
-        self.set_root_tolerances(rows, lane);
-        let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.tolerances()], system);
+        self.set_root_weights(rows, lane);
+        let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.weights()], system);
         lane[LaneLayout::ERROR] = error;
         lane[LaneLayout::GROWTH] = self.stepper.growth(error);
     }
@@ -268,7 +268,7 @@ impl Pass {
 
     /// The error of u = √δ that moves δ by the local error allowed: that over the root's size, the larger of both ends of the
     /// step before.
-    fn set_root_tolerances<T: Real>(&self, rows: &StepRows<'_, T>, lane: &mut [T]) {
+    fn set_root_weights<T: Real>(&self, rows: &StepRows<'_, T>, lane: &mut [T]) {
         let smallest = T::from_f64(2.0 * self.local_m.sqrt());
         let step = lane[LaneLayout::STEP];
         for place in self.layout.roots.iter().flatten() {
@@ -276,7 +276,7 @@ impl Pass {
             let start = rows.start[*place];
             let root = rows.stages[*place].mul_add(step, start).abs();
             let size = root + start.abs();
-            lane[self.lane.tolerances()][*place] = T::from_f64(self.local_m) / size.max(smallest);
+            lane[self.lane.weights()][*place] = size.max(smallest) * T::from_f64(1.0 / self.local_m);
         }
     }
 

@@ -37,6 +37,9 @@ pub struct PassPrograms<P = Program> {
     pub prepare: P,
     /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
     pub slope: P,
+    /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. Nothing where no root ever
+    /// is.
+    pub slope_by_roots: Option<P>,
     /// The slope, and the numbers read at an end of a step.
     pub end: P,
     /// The next step, by the attempt before.
@@ -80,6 +83,7 @@ impl PassPrograms {
             choose_step: make(self.choose_step),
             points: self.points.into_iter().map(&mut make).collect(),
             slope: make(self.slope),
+            slope_by_roots: self.slope_by_roots.map(&mut make),
             end: make(self.end),
             judgement: make(self.judgement),
             accept: make(self.accept),
@@ -128,18 +132,23 @@ impl Tracing<'_> {
     /// Writes all programs down.
     pub fn programs(&self) -> PassPrograms {
         let hoisted = &mut Hoisted::new(Block::Numbers as u8, self.fixed.len());
-        let [slope, end] = [false, true].map(|with_reads| self.equations(hoisted, with_reads));
+        let slope = self.equations(hoisted, Evaluated { reads: false, reads_depths: true });
+        let end = self.equations(hoisted, Evaluated { reads: true, reads_depths: true });
+        let has_roots = self.pass.layout.roots.iter().any(Option::is_some);
+        let slope_by_roots =
+            has_roots.then(|| self.equations(hoisted, Evaluated { reads: false, reads_depths: false }));
         let (points, judgement) = self.attempt(hoisted);
         let (dense_points, dense) = self.dense(hoisted);
         let hold_loops = Projection::<Traced>::is_needed(self.mechanism).then(|| {
             self.written(hoisted, |blocks| {
-                let (mut motion, _) = self.motion();
+                let (mut motion, _) = self.motion(true);
                 self.pass.hold_loops(blocks, &mut motion, &mut Projection::new(self.mechanism));
             })
         });
         let Follow { deviations, readings } = self.follow;
         PassPrograms {
             slope,
+            slope_by_roots,
             end,
             choose_step: self.written(hoisted, |blocks| self.pass.choose_step(blocks)),
             points,
@@ -157,15 +166,15 @@ impl Tracing<'_> {
     }
 
     /// The slope of the state in [`Block::Point`], and the reads of an end of a step.
-    fn equations(&self, hoisted: &mut Hoisted, with_reads: bool) -> Program {
+    fn equations(&self, hoisted: &mut Hoisted, evaluated: Evaluated) -> Program {
         let (graph, outputs) = record(|| {
-            let (mut motion, arms) = self.motion();
+            let (mut motion, arms) = self.motion(evaluated.reads_depths);
             let mut memory = self.inputs();
             let [_, _, _, slope, point, _, _, reads] = &mut memory;
             slope.fill(Traced::zero());
             motion.derivative(point, slope);
             let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
-            if with_reads {
+            if evaluated.reads {
                 motion.read(&self.follow.readings, &arms, reads);
                 outputs.extend(self::outputs(Block::EndReads, reads));
             }
@@ -237,8 +246,9 @@ impl Tracing<'_> {
         (sample, arms)
     }
 
-    /// The equations with their numbers and contacts as inputs; and the points of the bodies.
-    fn motion(&self) -> (Motion<'_, Traced>, Arms<Traced>) {
+    /// The equations with their numbers and contacts as inputs; and the points of the bodies. Penetrations may be read off the positions
+    /// where it `reads_depths`.
+    fn motion(&self, reads_depths: bool) -> (Motion<'_, Traced>, Arms<Traced>) {
         let (sample, arms) = self.numbers();
         let mut motion = Motion::new(self.mechanism, &sample);
         for (contact, (state, unknowns)) in motion.states.iter_mut().zip(&mut motion.unknowns).enumerate() {
@@ -247,11 +257,20 @@ impl Tracing<'_> {
                 (0..=LaneLayout::HAS_ROOT).map(|k| Traced::input(slot(Block::Lane, place + k))).collect();
             *state = play_state(&of_lane);
             if let Some(root) = &mut unknowns.root {
-                *root = DepthRoot { is_unknown: of_lane[LaneLayout::HAS_ROOT], root: root.root };
+                *root = DepthRoot { is_unknown: of_lane[LaneLayout::HAS_ROOT], may_be_read: reads_depths, ..*root };
             }
         }
         (motion, arms)
     }
+}
+
+/// What an evaluation of the equations gives.
+#[derive(Debug, Clone, Copy)]
+struct Evaluated {
+    /// The numbers read at an end of a step, too.
+    reads: bool,
+    /// Forces of contacts whose root is no unknown, too.
+    reads_depths: bool,
 }
 
 /// Notes the points at which slopes are asked for. Those are computed by a program of their own and are inputs here.

@@ -15,6 +15,8 @@ struct Sequences {
     numbers: usize,
     restart: Sequence,
     attempt: Sequence,
+    /// Where the root of every closed contact is an unknown.
+    attempt_by_roots: Sequence,
     accept: Sequence,
     close_account: Sequence,
     prepare_dense: Sequence,
@@ -47,16 +49,19 @@ impl Sequences {
             (program, places)
         };
         let end_row = pass.stepper.end_row();
-        let mut attempt = vec![as_written(programs.choose_step)];
-        for (before, point) in programs.points.iter().enumerate() {
-            attempt.push(as_written(*point));
-            attempt.push(if before + 1 < programs.points.len() {
-                slope(programs.slope, Block::Point, before + 1)
-            } else {
-                slope(programs.end, Block::End, end_row)
-            });
-        }
-        attempt.push(as_written(programs.judgement));
+        let attempt = |slope_within: usize| {
+            let mut calls = vec![as_written(programs.choose_step)];
+            for (before, point) in programs.points.iter().enumerate() {
+                calls.push(as_written(*point));
+                calls.push(if before + 1 < programs.points.len() {
+                    slope(slope_within, Block::Point, before + 1)
+                } else {
+                    slope(programs.end, Block::End, end_row)
+                });
+            }
+            calls.push(as_written(programs.judgement));
+            sequence(&calls)
+        };
         let mut dense = Vec::new();
         for (before, point) in programs.dense_points.iter().enumerate() {
             dense.extend([as_written(*point), slope(programs.slope, Block::Point, end_row + 1 + before)]);
@@ -69,7 +74,8 @@ impl Sequences {
             prepare: sequence(&[as_written(programs.prepare)]),
             numbers,
             restart: sequence(&restart),
-            attempt: sequence(&attempt),
+            attempt: attempt(programs.slope),
+            attempt_by_roots: attempt(programs.slope_by_roots.unwrap_or(programs.slope)),
             accept: sequence(&accept),
             close_account: sequence(&[as_written(programs.account)]),
             prepare_dense: sequence(&dense),
@@ -145,9 +151,10 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.restart, memory, &mut self.scratch);
     }
 
-    /// Tries the steps.
-    pub fn attempt(&mut self, memory: &mut Memory) {
-        run(&self.sequences.attempt, memory, &mut self.scratch);
+    /// Tries the steps; `reads_depths` where some closed contact has no root that is an unknown.
+    pub fn attempt(&mut self, memory: &mut Memory, reads_depths: bool) {
+        let Sequences { attempt, attempt_by_roots, .. } = &self.sequences;
+        run(if reads_depths { attempt } else { attempt_by_roots }, memory, &mut self.scratch);
     }
 
     /// Makes the end of the step the start of the next one and holds the loops of ideal joints, in the chosen lanes.

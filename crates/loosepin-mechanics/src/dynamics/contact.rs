@@ -62,6 +62,7 @@ impl<T: Real> PlayMotion<T> {
         let rate_m_s = contact.penetration_rate_m_s; // eq. (6)
         let mut force = match &unknowns.root {
             None => play.normal.force(penetration_m, rate_m_s, state), // eq. (8)
+            Some(unknown) if !unknown.may_be_read => play.normal.force_at_root(unknown.root, rate_m_s, state),
             Some(unknown) => {
                 let depth_root = penetration_m.max(T::zero()).sqrt();
                 let is_unknown = T::from_f64(0.5).less_than(unknown.is_unknown);

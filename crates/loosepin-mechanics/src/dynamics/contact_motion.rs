@@ -9,6 +9,9 @@ pub struct DepthRoot<T> {
     pub is_unknown: T,
     /// u, √m, where it is an unknown.
     pub root: T,
+    /// Whether any penetration may have to be read off the positions. Where none has, the root is an unknown, or the contact is open and
+    /// its root zero: the force is the same.
+    pub may_be_read: bool,
 }
 
 /// Unknowns of a contact in the state vector, beside the motion of its bodies.
