@@ -3,7 +3,7 @@
 use super::column::Arms;
 use super::depth_limit::DepthLimit;
 use super::execution::Execution;
-use super::follow::Follow;
+use super::follow::{Follow, FollowLayout};
 use super::gap::GapJet;
 use super::memory::{Block, LaneLayout, Memory, Named, Turn};
 use super::motion::{Watched, tolerances};
@@ -41,6 +41,8 @@ pub struct Core<'a> {
     /// The arithmetic, and where everything is.
     pub pass: Pass,
     memory: Memory,
+    /// What readings at instants need that wait for others: one instant in each lane, of whatever run.
+    waiting: Memory,
     way: Way<'a>,
     /// The lanes in which the penetration of some closed contact is read off the positions.
     reading_depths: u32,
@@ -70,7 +72,15 @@ impl<'a> Core<'a> {
                 Way::Recorded(Box::new(recorded))
             }
         };
-        Self { mechanism, memory: Memory::new(lanes, lengths), way, reading_depths: 0, is_dense: false, pass }
+        Self {
+            mechanism,
+            memory: Memory::new(lanes, lengths),
+            waiting: Memory::new(lanes, lengths),
+            way,
+            reading_depths: 0,
+            is_dense: false,
+            pass,
+        }
     }
 
     /// Puts a run that begins at `state` (layout of [`super::motion::Layout`]) into a lane. It needs a restart.
@@ -291,13 +301,34 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Reads at the instant of each lane within the step at hand.
-    pub fn look(&mut self) {
-        let Self { pass, memory, way, .. } = self;
-        match way {
-            Way::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
-            Way::Recorded(recorded) => recorded.look(memory),
+    /// Puts down, at `place` of the instants that wait, one within the step at hand of a lane.
+    pub fn await_instant(&mut self, place: usize, lane: usize, instant_s: f64) {
+        let Self { pass, memory, waiting, .. } = self;
+        let instant = pass.lane.followed().start + FollowLayout::INSTANT;
+        waiting.set(Block::Lane, instant, place, instant_s);
+        waiting.set(Block::Lane, LaneLayout::STEP, place, memory.get(Block::Lane, LaneLayout::STEP, lane));
+        let first = pass.reads.output(0);
+        let readings = first..first + 3 * pass.follow.readings();
+        for index in (ReadLayout::TIME..ReadLayout::TIME + 3).chain(readings) {
+            for block in [Block::StartReads, Block::EndReads] {
+                waiting.set(block, index, place, memory.get(block, index, lane));
+            }
         }
+    }
+
+    /// Reads at all instants that wait.
+    pub fn look(&mut self) {
+        let Self { pass, waiting, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.look(&mut Named::new(waiting.blocks())),
+            Way::Recorded(recorded) => recorded.look(waiting),
+        }
+    }
+
+    /// A reading at `place` of the instants that waited.
+    pub fn looked(&self, place: usize, reading: usize) -> f64 {
+        let values = self.pass.lane.followed().start + FollowLayout::VALUES;
+        self.waiting.get(Block::Lane, values + reading, place)
     }
 
     /// A number of what is followed in a lane: [`super::follow::FollowLayout`].

@@ -242,10 +242,10 @@ impl Follower {
                 }
             }
         }
-        while let Some(instant_s) = lane.instant_s(end_s, is_last) {
+        while let Some((index, instant_s)) = lane.next_instant(end_s, is_last) {
             numbers[FollowLayout::INSTANT] = instant_s;
             layout.look(numbers, &step);
-            lane.take_instant(numbers[FollowLayout::VALUES..][..layout.readings()].iter().copied());
+            lane.take_instant(index, numbers[FollowLayout::VALUES..][..layout.readings()].iter().copied());
         }
     }
 

@@ -73,32 +73,44 @@ impl Batch<'_> {
         left
     }
 
-    /// Reads at the instants that lie in the steps at hand, in all lanes at once, one instant of each lane after the other.
-    fn look_at_instants(&mut self, mut looking: u32) {
-        let Self { core, runs, follow: layout, .. } = self;
-        while looking != 0 {
-            let mut found = 0;
-            for (lane, run) in of_lanes(runs, looking) {
-                let end_s = core.end_read(lane, ReadLayout::TIME);
-                if let Some(instant_s) = run.follow.instant_s(end_s, run.is_at_end()) {
-                    core.set_followed(lane, FollowLayout::INSTANT, instant_s);
-                    found |= 1 << lane;
+    /// Puts down the instants that lie in the steps at hand, of each lane one after the other; where they fill all lanes, reads at them.
+    fn look_at_instants(&mut self, looking: u32) {
+        for lane in lanes_of(looking) {
+            let end_s = self.core.end_read(lane, ReadLayout::TIME);
+            while let Some((index, instant_s)) = self.next_instant(lane, end_s) {
+                self.core.await_instant(self.waiting.len(), lane, instant_s);
+                self.waiting.push((lane, index));
+                if self.waiting.len() == self.runs.len() {
+                    self.look_at_waiting();
                 }
             }
-            looking = found;
-            if looking == 0 {
-                return;
-            }
-            core.look();
-            for (lane, run) in of_lanes(runs, looking) {
-                let values = (0..layout.readings()).map(|reading| core.followed(lane, FollowLayout::VALUES + reading));
-                run.follow.take_instant(values);
+        }
+    }
+
+    /// The next instant within the step at hand of a lane that ends at `end_s`, and its number.
+    fn next_instant(&mut self, lane: usize, end_s: f64) -> Option<(usize, f64)> {
+        let run = self.runs[lane].as_mut()?;
+        let is_last = run.is_at_end();
+        run.follow.next_instant(end_s, is_last)
+    }
+
+    /// Reads at the instants that wait. Whoever ends a run does so before.
+    pub(super) fn look_at_waiting(&mut self) {
+        let Self { core, runs, follow: layout, waiting, .. } = self;
+        if waiting.is_empty() {
+            return;
+        }
+        core.look();
+        for (place, (lane, index)) in waiting.drain(..).enumerate() {
+            if let Some(run) = &mut runs[lane] {
+                run.follow.take_instant(index, (0..layout.readings()).map(|reading| core.looked(place, reading)));
             }
         }
     }
 
     /// Gives out what was found in the run of a lane that is over.
     pub(super) fn findings(&mut self, lane: usize) -> Findings {
+        self.look_at_waiting();
         let Self { core, runs, follow: layout, .. } = self;
         let run = runs[lane].as_mut();
         run.map_or_else(Findings::default, |run| run.follow.findings(layout, |place| core.followed(lane, place)))

@@ -59,6 +59,8 @@ pub(super) struct Batch<'a> {
     settings: Settings,
     /// Where everything is among the numbers of what is followed.
     follow: FollowLayout,
+    /// Instants that wait to be read at: the lane of each, and its number in the run.
+    waiting: Vec<(usize, usize)>,
     /// Lanes with a run; those whose derivative is to be evaluated again before the next step; those whose energy account begins then.
     active: u32,
     restarts: u32,
@@ -94,6 +96,7 @@ impl<'a> Batch<'a> {
             viewed: 0,
             started: 0,
             output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
+            waiting: Vec::with_capacity(execution.lanes()),
             settings: *settings,
             follow: FollowLayout::new(follow),
             active: 0,
@@ -490,6 +493,7 @@ impl<'a> Batch<'a> {
     }
 
     fn finish(&mut self, lane: usize, outcome: Result<RunReport, RunFailure>, queue: &mut dyn Seated) {
+        self.look_at_waiting();
         if let Some(run) = self.runs[lane].take() {
             queue.finished(run.observer, outcome);
         }

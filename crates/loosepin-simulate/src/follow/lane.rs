@@ -25,7 +25,7 @@ pub(crate) struct LaneFollow {
 impl LaneFollow {
     /// Nothing found yet.
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
-        let at_instants = Vec::with_capacity(run.instants_s.len() * layout.readings());
+        let at_instants = vec![f64::NAN; run.instants_s.len() * layout.readings()];
         let findings = Findings { at_instants, deviations: vec![DeviationRange::NONE; layout.deviations()] };
         let readings = Vec::with_capacity(layout.readings());
         Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
@@ -122,11 +122,16 @@ impl LaneFollow {
         self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
     }
 
-    /// The next instant, where it lies in a step that ends at `end_s`; any that is left where that `is_last`.
+    /// The next instant with its number, where it lies in a step that ends at `end_s`, and any that is left where that `is_last`; then
+    /// another one is the next.
     #[inline]
-    pub fn instant_s(&self, end_s: f64, is_last: bool) -> Option<f64> {
+    pub fn next_instant(&mut self, end_s: f64, is_last: bool) -> Option<(usize, f64)> {
         let instant_s = self.run.instants_s.get(self.next).copied()?;
-        (instant_s <= end_s || is_last).then_some(instant_s)
+        let is_within = instant_s <= end_s || is_last;
+        is_within.then(|| {
+            self.next += 1;
+            (self.next - 1, instant_s)
+        })
     }
 
     /// Takes in the `readings` at all instants in a step between `times_s`, which passes at an even pace: share and time are one.
@@ -135,18 +140,20 @@ impl LaneFollow {
         let mut own = std::mem::take(&mut self.readings);
         own.clear();
         own.extend(readings);
-        while let Some(instant_s) = self.instant_s(end_s, is_last) {
+        while let Some((index, instant_s)) = self.next_instant(end_s, is_last) {
             let share = ((instant_s - start_s) / (end_s - start_s)).clamp(0.0, 1.0);
-            self.take_instant(own.iter().map(|reading| reading.value(share)));
+            self.take_instant(index, own.iter().map(|reading| reading.value(share)));
         }
         self.readings = own;
     }
 
-    /// Takes in all readings at the instant.
-    pub fn take_instant(&mut self, values: impl Iterator<Item = f64>) {
-        // No negative zeros: programs leave out what is multiplied by zero.
-        self.findings.at_instants.extend(values.map(|value| value + 0.0));
-        self.next += 1;
+    /// Takes in all readings at an instant.
+    pub fn take_instant(&mut self, index: usize, values: impl ExactSizeIterator<Item = f64>) {
+        let first = index * values.len();
+        for (own, value) in self.findings.at_instants[first..].iter_mut().zip(values) {
+            // No negative zeros: programs leave out what is multiplied by zero.
+            *own = value + 0.0;
+        }
     }
 
     /// Gives out what was found; `get` reads the numbers of the lane.
