@@ -80,7 +80,7 @@ pub struct LaneRun {
     pub smallest_s: f64,
     /// The attempt at hand.
     pub phase: Phase,
-    /// Event after which the present step is the first: 0 for an onset, 1 for a separation.
+    /// The last event of a contact: 0 for an onset, 1 for a separation.
     pub last_event: Option<usize>,
     /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
     pub after_event: [f64; 2],

@@ -105,7 +105,11 @@ impl LaneLayout {
     pub const DUE: usize = 23;
     /// 1 where that is so in the last attempt.
     pub const IS_DUE: usize = 24;
-    const CONTACTS: usize = 25;
+    /// 1 until the first good step after a contact has begun or ended, one that no event cuts.
+    pub const IS_FIRST: usize = 25;
+    /// That step; 0 until there is one.
+    pub const FIRST_STEP: usize = 26;
+    const CONTACTS: usize = 27;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run, and how far it may go.
     const PER_CONTACT: usize = 8;

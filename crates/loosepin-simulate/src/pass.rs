@@ -91,8 +91,13 @@ impl Pass {
     /// Makes the end of the step the start of the next one, where the lane is chosen.
     pub fn accept<T: Real>(&self, blocks: &mut Named<'_, T>) {
         self.take_evaluation(blocks);
-        blocks.lane[LaneLayout::STEPS] += blocks.lane[LaneLayout::CHOSEN];
-        let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN]);
+        let lane = &mut *blocks.lane;
+        lane[LaneLayout::STEPS] += lane[LaneLayout::CHOSEN];
+        let is_chosen = is_set(lane[LaneLayout::CHOSEN]);
+        let (is_first, step) = (lane[LaneLayout::IS_FIRST], lane[LaneLayout::STEP]);
+        let first_step = lane[LaneLayout::FIRST_STEP];
+        lane[LaneLayout::FIRST_STEP] = T::select(is_set(is_first * lane[LaneLayout::CHOSEN]), step, first_step);
+        lane[LaneLayout::IS_FIRST] = T::select(is_chosen, T::zero(), is_first);
         for (start, end) in blocks.rows.start.iter_mut().zip(&*blocks.rows.end) {
             *start = T::select(is_chosen, *end, *start);
         }

@@ -207,6 +207,8 @@ impl<'a> Batch<'a> {
             (LaneLayout::EVALUATIONS, 0.0),
             (LaneLayout::STEPS, 0.0),
             (LaneLayout::REJECTIONS, 0.0),
+            (LaneLayout::IS_FIRST, 0.0),
+            (LaneLayout::FIRST_STEP, 0.0),
         ] {
             self.core.set_number(lane, place, number);
         }
@@ -236,7 +238,7 @@ impl<'a> Batch<'a> {
     /// Says which attempts of a lane are to be looked at.
     fn watch(&mut self, lane: usize) {
         let Some(run) = &self.runs[lane] else { return };
-        let is_watched = !matches!(run.phase, Phase::Stepping) || run.last_event.is_some() || run.stalled > 0;
+        let is_watched = !matches!(run.phase, Phase::Stepping) || run.stalled > 0;
         let awaited_s = if run.is_recorded { run.awaited_s } else { f64::INFINITY };
         self.core.set_number(lane, LaneLayout::IS_WATCHED, f64::from(u8::from(is_watched)));
         self.core.set_number(lane, LaneLayout::AWAITED, awaited_s);
@@ -255,7 +257,11 @@ impl<'a> Batch<'a> {
         let accepted = self.core.flags(LaneLayout::CHOSEN) & self.active;
         if accepted != 0 {
             self.follow(accepted, accepted & (watched | self.core.flags(LaneLayout::IS_DUE)));
+            let cut = self.hold_first(accepted & watched, &events);
             self.core.accept();
+            for lane in lanes_of(cut) {
+                self.core.set_number(lane, LaneLayout::IS_FIRST, 1.0);
+            }
             if self.view_projection.is_some() {
                 self.restart(accepted);
             }
@@ -271,6 +277,20 @@ impl<'a> Batch<'a> {
         if self.passes.is_multiple_of(PASSES_PER_QUESTION) {
             self.ask_whether_stopped(queue);
         }
+    }
+
+    /// Steps that an event or a stop has cut do not tell how long the first one after an event may be: the lanes among `looked` at in which
+    /// another step is to tell.
+    fn hold_first(&mut self, looked: u32, events: &[Option<Event>; 32]) -> u32 {
+        let mut cut = 0;
+        for lane in lanes_of(looked) {
+            let reaches_stop = self.runs[lane].as_ref().is_some_and(|run| run.reaches_stop);
+            if (events[lane].is_some() || reaches_stop) && self.core.is_set(lane, LaneLayout::IS_FIRST) {
+                self.core.set_number(lane, LaneLayout::IS_FIRST, 0.0);
+                cut |= 1 << lane;
+            }
+        }
+        cut
     }
 
     /// Looks at the attempt of a lane, and accepts it where it is good; gives the event at its end.
@@ -442,7 +462,6 @@ impl<'a> Batch<'a> {
 
     /// Goes on from an accepted step that was looked at.
     fn go_on(&mut self, lane: usize, event: Option<Event>, queue: &mut dyn Seated) {
-        let step = self.core.step(lane);
         let Some(run) = &mut self.runs[lane] else { return };
         let was_searching = !matches!(run.phase, Phase::Stepping);
         run.phase = Phase::Stepping;
@@ -458,9 +477,6 @@ impl<'a> Batch<'a> {
         }
         match event {
             None => {
-                if let Some(kind) = run.last_event.take() {
-                    run.after_event[kind] = step;
-                }
                 // After a search that found nothing the step that was good stays the next one.
                 if was_searching {
                     self.core.set_number(lane, LaneLayout::WAS_REJECTED, 0.0);

@@ -95,7 +95,13 @@ impl Batch<'_> {
         let pace = self.core.start_read(lane, ReadLayout::TIME + 1);
         let effective_mass_kg = if crossing == Crossing::Onset { self.effective_mass_kg(lane, contact) } else { 0.0 };
         let is_with_another = crossing == Crossing::Onset && self.begins_with_another(lane, contact);
+        let first_step = self.core.number(lane, LaneLayout::FIRST_STEP);
         let Some(run) = &mut self.runs[lane] else { return };
+        if let Some(kind) = run.last_event
+            && first_step > 0.0
+        {
+            run.after_event[kind] = first_step;
+        }
         run.phase = Phase::Stepping;
         run.stalled = 0;
         let had_root = run.root.is_some();
@@ -135,6 +141,8 @@ impl Batch<'_> {
             _ => cut_s,
         };
         run.last_event = Some(kind);
+        self.core.set_number(lane, LaneLayout::IS_FIRST, 1.0);
+        self.core.set_number(lane, LaneLayout::FIRST_STEP, 0.0);
         self.core.set_number(lane, LaneLayout::NEXT, next);
         if has_root {
             run.root = Some(contact);
