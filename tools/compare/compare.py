@@ -59,6 +59,7 @@ class Program:
     version: Callable[[], str]
     prepare: Callable[[], list[str]]
     limit_m: float = RIVAL_LIMIT_M
+    missing: Callable[[], str] = lambda: ""  # what this machine has not and the program needs
     command: list[str] = field(default_factory=list)
     error_m: float = float("nan")
     runs: int = 0
@@ -188,6 +189,18 @@ def build_ours() -> list[str]:
     return [str(build_example("slider_crank_batch"))]
 
 
+def build_lanes(*arguments: str) -> list[str]:
+    """Builds the kernel by hand on lanes, which takes `arguments` before all others."""
+    return [str(build_example("slider_crank_lanes")), *arguments]
+
+
+def missing_avx512() -> str:
+    """What keeps the kernel by hand from running here."""
+    information = Path("/proc/cpuinfo")
+    flags = information.read_text(encoding="utf-8").split() if information.is_file() else []
+    return "" if "avx512f" in flags else "the processor has no AVX-512"
+
+
 def compiler_version() -> str:
     """Which compiler, and how it was called."""
     number = run([COMPILER, "-dumpfullversion", "-dumpversion"], "name a compiler in CXX").strip()
@@ -205,6 +218,22 @@ def all_programs() -> list[Program]:
     """Everything that can be compared."""
     return [
         Program(OURS, "loosepin, 1e-8 m", lambda: f"commit {commit()}", build_ours, limit_m=OUR_LIMIT_M),
+        Program(
+            "lanes",
+            "a kernel by hand on AVX-512 lanes, the same work",
+            lambda: f"commit {commit()}",
+            build_lanes,
+            limit_m=OUR_LIMIT_M,
+            missing=missing_avx512,
+        ),
+        Program(
+            "lanes-bare",
+            "the same kernel without readings and energy account",
+            lambda: f"commit {commit()}",
+            lambda: build_lanes("--bare"),
+            limit_m=OUR_LIMIT_M,
+            missing=missing_avx512,
+        ),
         Program("cpp", "C++, own Dormand-Prince", compiler_version, lambda: compile_cpp("cpp_program")),
         Program(
             "cpp-fine",
@@ -396,6 +425,12 @@ def compare() -> None:
     programs = all_programs()
     arguments = read_arguments([program.name for program in programs])
     chosen = [program for program in programs if program.name in arguments.only]
+    for program in chosen:
+        if reason := program.missing():
+            say(f"{program.name} is left out: {reason}")
+    chosen = [program for program in chosen if not program.missing()]
+    if not chosen:
+        raise Refusal("no program is left to compare", "name others with --only")
     for program in chosen:
         program.command = program.prepare()
     reference = read_reference()

@@ -6,7 +6,7 @@ use crate::equations::{
 };
 use crate::event::{first_rise, separation};
 use crate::model::SliderCrank;
-use crate::step::{Allowed, End, STAGES, attempt};
+use crate::step::{End, STAGES, Stepper, attempt};
 use crate::vector::{Lanes, Mask, WIDTH};
 use std::f64::consts::TAU;
 
@@ -88,7 +88,6 @@ struct Run {
 struct Batch<'p, const G: usize, const ACCOUNT: bool> {
     model: &'p SliderCrank,
     plan: &'p Plan,
-    allowed: Allowed,
     start: State<G>,
     slope: State<G>,
     gap_m2: [Lanes<G>; 3],
@@ -116,7 +115,6 @@ pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &
     let mut batch = Batch::<G, ACCOUNT> {
         model,
         plan,
-        allowed: Allowed { local_m: plan.local_m },
         start: [zero; LENGTH],
         slope: [zero; LENGTH],
         gap_m2: [zero; 3],
@@ -143,7 +141,7 @@ pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &
     for lane in 0..G * WIDTH {
         batch.begin(lane);
     }
-    let mut stages = [[zero; LENGTH]; STAGES];
+    let mut stepper = Stepper { model, local_m: plan.local_m, stages: [[zero; LENGTH]; STAGES] };
     let mut end = End::zero();
     let mut ended = (0, 0);
     for pass in 0.. {
@@ -154,7 +152,7 @@ pub fn conduct<const G: usize, const ACCOUNT: bool>(model: &SliderCrank, plan: &
             ended = (batch.conducted.runs.len(), pass);
         }
         assert!(pass - ended.1 < MOST_PASSES, "a run does not come to its end");
-        batch.pass(&mut stages, &mut end);
+        batch.pass(&mut stepper, &mut end);
     }
     batch.conducted.runs.sort_by_key(|run| run.index);
     batch.conducted
@@ -251,9 +249,8 @@ impl<const G: usize, const ACCOUNT: bool> Batch<'_, G, ACCOUNT> {
 
     /// Tries a step in every lane and acts on it.
     #[target_feature(enable = "avx512f")]
-    fn pass(&mut self, stages: &mut [State<G>; STAGES], end: &mut End<G>) {
-        let Self { model, contact, allowed, start, slope, step, .. } = &*self;
-        attempt::<G, ACCOUNT>(model, contact, allowed, start, slope, *step, stages, end);
+    fn pass(&mut self, stepper: &mut Stepper<'_, G>, end: &mut End<G>) {
+        attempt::<G, ACCOUNT>(stepper, &self.contact, &self.start, &self.slope, self.step, end);
         self.conducted.evaluations += 12 * u64::from(self.active.count_ones());
         let zero = Lanes::all(0.0);
         let good = end.error.is_below(Lanes::all(1.0)).bits() & self.active;

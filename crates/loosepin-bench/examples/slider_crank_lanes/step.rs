@@ -87,11 +87,14 @@ impl<const G: usize> End<G> {
 /// The next step is this share of the longest one that the error allows: with the usual 0.9 a fifth of all steps is tried in vain.
 const SAFETY: f64 = 0.765;
 
-/// Local errors allowed.
-#[derive(Debug, Clone, Copy)]
-pub struct Allowed {
-    /// Of lengths, m; of speeds, m/rad.
+/// What steps need apart from the runs.
+pub struct Stepper<'m, const G: usize> {
+    /// The mechanism.
+    pub model: &'m SliderCrank,
+    /// Local error allowed in lengths, m, and in speeds, m/rad.
     pub local_m: f64,
+    /// Derivatives of the stages times the step.
+    pub stages: [State<G>; STAGES],
 }
 
 /// Sums over stages, one after the other: `sums` plus the coefficients of `row` times the stages listed.
@@ -107,15 +110,14 @@ macro_rules! add_stages {
 /// Tries the step `step` from `start`, where the derivatives are `slope`.
 #[target_feature(enable = "avx512f")]
 pub fn attempt<const G: usize, const ACCOUNT: bool>(
-    model: &SliderCrank,
+    stepper: &mut Stepper<'_, G>,
     contact: &Contact<G>,
-    allowed: &Allowed,
     start: &State<G>,
     slope: &State<G>,
     step: Lanes<G>,
-    stages: &mut [State<G>; STAGES],
     end: &mut End<G>,
 ) {
+    let Stepper { model, local_m, stages } = stepper;
     let scaled = Contact { stiffness: contact.stiffness.times(step), half: contact.half.times(step), ..*contact };
     for unknown in 0..LENGTH {
         stages[0][unknown] = slope[unknown].times(step);
@@ -159,8 +161,8 @@ pub fn attempt<const G: usize, const ACCOUNT: bool>(
     }
 
     let root_size = start[ROOT].abs().plus(start[ROOT].plus(stages[0][ROOT]).abs());
-    let least_root_size = Lanes::all(2.0 * allowed.local_m.sqrt());
-    let one_over_local = 1.0 / allowed.local_m;
+    let least_root_size = Lanes::all(2.0 * local_m.sqrt());
+    let one_over_local = 1.0 / *local_m;
     let mut fifth = Lanes::all(0.0);
     let mut third = Lanes::all(f64::MIN_POSITIVE);
     for (unknown, scale) in [
