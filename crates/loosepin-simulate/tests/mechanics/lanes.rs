@@ -362,7 +362,7 @@ fn pinned_counts_of_reference_cases() {
 }
 
 /// Operations of an evaluation of the equations of the slider-crank, counted in the programs that its machine code is made of:
-/// within a step, and at its end, where the slider's position is read. `docs/performance.md` holds time against them.
+/// within a step, with and without penetrations that are read off the positions, and at its end, where the slider's position is read. `docs/performance.md` holds time against them.
 #[test]
 fn pinned_operations_of_the_slider_crank() {
     let Case { mechanism, readings, .. } = case("slider_crank_5000");
@@ -371,28 +371,38 @@ fn pinned_operations_of_the_slider_crank() {
     let arms = Arms::new(&mechanism, &nominal);
     let programs =
         PassPrograms::new(&mechanism, &sample, &arms, &Follow::readings(&readings[..1]), &Settings::for_study());
-    let PassPrograms { slope, end, hold_loops, .. } = programs;
+    let PassPrograms { slope, slope_by_roots, end, hold_loops, .. } = programs;
     assert!(hold_loops.is_none(), "no loop of ideal joints is to be held");
     let expected = OperationCounts {
         multiply_adds: 51,
         additions: 27,
-        multiplications: 61,
-        divisions: 4,
+        multiplications: 59,
+        divisions: 3,
         square_roots: 2,
         choices: 21,
         signs: 7,
-        inputs: 22,
+        inputs: 24,
         constants: 24,
         outputs: 9,
     };
     assert_eq!(slope.counts(), expected, "within a step");
+    let by_roots = OperationCounts {
+        additions: 25,
+        multiplications: 58,
+        divisions: 2,
+        square_roots: 1,
+        choices: 19,
+        inputs: 21,
+        ..expected
+    };
+    assert_eq!(slope_by_roots.map(|program| program.counts()), Some(by_roots), "with no penetration off the positions");
     let expected = OperationCounts {
         multiply_adds: 64,
         additions: 39,
-        multiplications: 93,
-        divisions: 6,
+        multiplications: 90,
+        divisions: 5,
         choices: 24,
-        inputs: 23,
+        inputs: 26,
         constants: 26,
         outputs: 21,
         ..expected
