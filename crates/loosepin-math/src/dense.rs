@@ -3,6 +3,7 @@
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
 //! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
 
+use crate::four_rows::FourTriangleRows;
 use crate::fused::on_vectors;
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
@@ -16,24 +17,11 @@ pub struct Cholesky {
 impl Cholesky {
     /// Factorises `matrix` (row by row, `order` x `order`); nothing where it is not positive definite to round-off.
     pub fn new(mut matrix: Vec<f64>, order: usize) -> Option<Self> {
-        for j in 0..order {
-            for i in j..order {
-                let (row_i, row_j) = (&matrix[i * order..i * order + j], &matrix[j * order..j * order + j]);
-                let sum = matrix[i * order + j] - dot(row_i, row_j);
-                if i == j {
-                    if sum <= 0.0 || !sum.is_finite() {
-                        return None;
-                    }
-                    matrix[i * order + j] = sum.sqrt();
-                } else {
-                    matrix[i * order + j] = sum / matrix[j * order + j];
-                }
-            }
-            for i in 0..j {
-                matrix[i * order + j] = 0.0;
-            }
-        }
-        Some(Self { order, factor: matrix })
+        let is_definite = on_vectors(
+            #[inline(always)]
+            || factorise(&mut matrix, order),
+        );
+        is_definite.then_some(Self { order, factor: matrix })
     }
 
     /// ln det of the matrix.
@@ -61,9 +49,19 @@ impl Cholesky {
     pub fn inverse_factor(&self) -> LowerTriangle {
         let order = self.order;
         let mut entries = vec![0.0; order * order];
-        // Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii.
+        on_vectors(
+            #[inline(always)]
+            || self.invert_into(&mut entries),
+        );
+        LowerTriangle { order, four_rows: FourTriangleRows::new(&entries, order), entries }
+    }
+
+    /// Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii; all of them are zero before.
+    #[inline(always)]
+    fn invert_into(&self, rows: &mut [f64]) {
+        let order = self.order;
         for i in 0..order {
-            let (done, rest) = entries.split_at_mut(i * order);
+            let (done, rest) = rows.split_at_mut(i * order);
             let row = &mut rest[..=i];
             row[i] = 1.0;
             for (j, known) in done.chunks(order).enumerate() {
@@ -76,7 +74,6 @@ impl Cholesky {
                 *entry /= self.factor[i * order + i];
             }
         }
-        LowerTriangle { order, entries }
     }
 
     /// The inverse, row by row.
@@ -97,21 +94,14 @@ pub struct LowerTriangle {
     order: usize,
     /// Rows, full storage, zero above the diagonal.
     entries: Vec<f64>,
+    /// The same for products with vectors.
+    four_rows: FourTriangleRows,
 }
 
 impl LowerTriangle {
     /// T x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; self.order];
-        on_vectors(
-            #[inline(always)]
-            || {
-                for (i, (row, entry)) in self.rows().zip(&mut product).enumerate() {
-                    *entry = dot_in_lanes(&row[..=i], &vector[..=i]);
-                }
-            },
-        );
-        product
+        self.four_rows.multiply(vector)
     }
 
     /// Tᵀ x
@@ -160,6 +150,29 @@ impl LowerTriangle {
     fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.entries.chunks(self.order.max(1))
     }
+}
+
+/// Puts the factor L in the place of `matrix`; whether it is positive definite to round-off.
+#[inline(always)]
+fn factorise(matrix: &mut [f64], order: usize) -> bool {
+    for j in 0..order {
+        for i in j..order {
+            let (row_i, row_j) = (&matrix[i * order..i * order + j], &matrix[j * order..j * order + j]);
+            let sum = matrix[i * order + j] - dot_in_lanes(row_i, row_j);
+            if i == j {
+                if sum <= 0.0 || !sum.is_finite() {
+                    return false;
+                }
+                matrix[i * order + j] = sum.sqrt();
+            } else {
+                matrix[i * order + j] = sum / matrix[j * order + j];
+            }
+        }
+        for i in 0..j {
+            matrix[i * order + j] = 0.0;
+        }
+    }
+    true
 }
 
 /// Scalar product, in eight partial sums so that it can be vectorised, always in this order.

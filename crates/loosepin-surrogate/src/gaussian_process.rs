@@ -3,12 +3,18 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
-use loosepin_math::dense::{Cholesky, LowerTriangle, dot};
+use loosepin_math::FourRows;
+use loosepin_math::dense::{Cholesky, LowerTriangle};
 
 /// Matérn's correlation with ν = 5/2 (two derivatives) by s = √5 r: (1 + s + s²/3) exp(-s), and its factor exp(-s).
 pub fn matern_five_halves(s: f64) -> (f64, f64) {
     let decay = libm::exp(-s);
-    ((1.0 + s + s * s / 3.0) * decay, decay)
+    (matern_five_halves_of(s, decay), decay)
+}
+
+/// The same where the factor exp(-s) is known.
+pub fn matern_five_halves_of(s: f64, decay: f64) -> f64 {
+    (1.0 + s + s * s / 3.0) * decay
 }
 
 /// V factorised, with the trend whitened.
@@ -18,6 +24,9 @@ pub struct Whitened {
     pub whitening: LowerTriangle,
     /// B, column by column.
     pub trend: Vec<Vec<f64>>,
+    /// B and Bᵀ for products with vectors.
+    by_point: FourRows,
+    by_column: FourRows,
     /// ln det V
     pub ln_determinant: f64,
 }
@@ -31,22 +40,25 @@ impl Whitened {
     ) -> Option<Self> {
         let cholesky = Cholesky::new(covariance, order)?;
         let whitening = cholesky.inverse_factor();
-        let trend = trend.into_iter().map(|column| whitening.multiply(column)).collect();
-        Some(Self { whitening, trend, ln_determinant: cholesky.ln_determinant() })
+        let trend: Vec<Vec<f64>> = trend.into_iter().map(|column| whitening.multiply(column)).collect();
+        let by_point: Vec<f64> = (0..order).flat_map(|point| trend.iter().map(move |column| column[point])).collect();
+        Some(Self {
+            by_point: FourRows::new(&by_point, trend.len()),
+            by_column: FourRows::new(&trend.concat(), order),
+            whitening,
+            trend,
+            ln_determinant: cholesky.ln_determinant(),
+        })
     }
 
     /// Bᵀ w of a whitened vector.
     pub fn products(&self, white: &[f64]) -> Vec<f64> {
-        self.trend.iter().map(|column| dot(column, white)).collect()
+        self.by_column.multiply(white)
     }
 
     /// Takes B b out of a whitened vector.
     pub fn take_out(&self, white: &mut [f64], coefficients: &[f64]) {
-        for (coefficient, column) in coefficients.iter().zip(&self.trend) {
-            for (entry, value) in white.iter_mut().zip(column) {
-                *entry -= coefficient * value;
-            }
-        }
+        self.by_point.take_out(white, coefficients);
     }
 
     /// Columns of Wᵀ B.

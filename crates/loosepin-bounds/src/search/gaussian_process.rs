@@ -12,8 +12,9 @@
 use std::sync::OnceLock;
 
 use super::trend::Trend;
-use loosepin_math::dense::{Cholesky, dot, gram, multiply};
-use loosepin_surrogate::{Whitened, matern_five_halves};
+use loosepin_math::dense::{Cholesky, dot, gram};
+use loosepin_math::{FourRows, exponentials};
+use loosepin_surrogate::{Whitened, matern_five_halves_of};
 
 /// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,29 +59,34 @@ impl Kernel {
     pub fn covariance(&self, points: &[Vec<f64>]) -> Vec<f64> {
         let mut covariance = Vec::with_capacity(points.len() * points.len());
         for (i, point) in points.iter().enumerate() {
-            covariance.extend(points[..=i].iter().map(|other| self.correlation(point, other)));
+            let distances: Vec<f64> = points[..=i].iter().map(|other| distance(point, other)).collect();
+            covariance.extend(self.at_distances(&distances));
             covariance.resize((i + 1) * points.len(), 0.0);
         }
         covariance
     }
 
-    fn correlation(&self, a: &[f64], b: &[f64]) -> f64 {
-        self.at_distance(distance(a, b))
-    }
-
-    fn at_distance(&self, distance: f64) -> f64 {
-        let r = distance / self.length_scale;
-        match self.smoothness {
-            Smoothness::Once => {
-                let s = 3.0_f64.sqrt() * r;
-                (1.0 + s) * libm::exp(-s)
-            }
-            Smoothness::Twice => matern_five_halves(5.0_f64.sqrt() * r).0,
+    /// Correlations of places at these distances.
+    fn at_distances(&self, distances: &[f64]) -> Vec<f64> {
+        let factor = match self.smoothness {
+            Smoothness::Once => 3.0_f64.sqrt(),
+            Smoothness::Twice => 5.0_f64.sqrt(),
+            Smoothness::FourTimes => 3.0,
+        };
+        let of = match self.smoothness {
+            Smoothness::Once => |s: f64, decay: f64| (1.0 + s) * decay,
+            Smoothness::Twice => matern_five_halves_of,
             Smoothness::FourTimes => {
-                let s = 3.0 * r;
-                (1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)))) * libm::exp(-s)
+                |s, decay| (1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)))) * decay
             }
+        };
+        let negated: Vec<f64> = distances.iter().map(|distance| -(factor * (distance / self.length_scale))).collect();
+        let mut correlations = vec![0.0; distances.len()];
+        exponentials(&negated, &mut correlations);
+        for (correlation, negated) in correlations.iter_mut().zip(negated) {
+            *correlation = of(-negated, *correlation);
         }
+        correlations
     }
 }
 
@@ -93,7 +99,7 @@ pub(crate) struct Model {
     /// W and B
     whitened: Whitened,
     /// G
-    trend_covariance: Vec<f64>,
+    trend_covariance: FourRows,
     /// P_ii
     projection_diagonal: Vec<f64>,
     /// ln det V + ln det FᵀV⁻¹F
@@ -103,9 +109,9 @@ pub(crate) struct Model {
 
 /// Predictions at many places, as far as the estimates have no part in them.
 struct AtPlaces {
-    /// c and r of each place, row by row.
-    correlations: Vec<f64>,
-    rest: Vec<f64>,
+    /// c and r of each place, a row each.
+    correlations: FourRows,
+    rest: FourRows,
     /// For σ = 1.
     deviations: Vec<f64>,
 }
@@ -141,13 +147,13 @@ impl Model {
         let whitened = Whitened::try_new(covariance, &columns, count)?;
         let by_point: Vec<f64> = (0..count).flat_map(|i| whitened.trend.iter().map(move |column| column[i])).collect();
         let information = Cholesky::new(gram(&by_point, size), size)?;
-        let trend_covariance = information.inverse();
+        let trend_covariance = FourRows::new(&information.inverse(), size);
         // Rows of WᵀB give the part of P_ii that the polynomial takes away.
         let projected = whitened.projected_trend();
         let mut projection_diagonal = whitened.whitening.column_squares();
         for (i, entry) in projection_diagonal.iter_mut().enumerate() {
             let row: Vec<f64> = projected.iter().map(|column| column[i]).collect();
-            *entry -= dot(&row, &multiply(&trend_covariance, &row));
+            *entry -= dot(&row, &trend_covariance.multiply(&row));
         }
         Some(Self {
             points: points.to_vec(),
@@ -218,7 +224,7 @@ impl Model {
             return values.to_vec();
         }
         let mut rest = self.whitened.whitening.multiply(values);
-        let shares = multiply(&self.trend_covariance, &self.whitened.products(&rest));
+        let shares = self.trend_covariance.multiply(&self.whitened.products(&rest));
         self.whitened.take_out(&mut rest, &shares);
         rest
     }
@@ -229,7 +235,7 @@ impl Model {
             return (values.to_vec(), vec![0.0; self.whitened.trend.len()]);
         }
         let white = self.whitened.whitening.multiply(values);
-        let of_trend = multiply(&self.trend_covariance, &self.whitened.products(&white));
+        let of_trend = self.trend_covariance.multiply(&self.whitened.products(&white));
         (white, of_trend)
     }
 
@@ -240,14 +246,14 @@ impl Model {
     }
 
     fn predict(&self, place: &[f64]) -> Prediction {
-        let correlations: Vec<f64> = self.points.iter().map(|point| self.kernel.correlation(point, place)).collect();
-        self.predict_from(&correlations, &self.trend.terms(place))
+        let distances: Vec<f64> = self.points.iter().map(|point| distance(point, place)).collect();
+        self.predict_from(&self.kernel.at_distances(&distances), &self.trend.terms(place))
     }
 
     /// From the correlations of a place with the points, and the terms of the polynomial there.
     fn predict_from(&self, correlations: &[f64], terms: &[f64]) -> Prediction {
         let (correlations, rest) = self.whitened.at_place(correlations, terms);
-        let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &multiply(&self.trend_covariance, &rest));
+        let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &self.trend_covariance.multiply(&rest));
         Prediction { correlations, rest, variance: variance.max(0.0) }
     }
 
@@ -255,22 +261,17 @@ impl Model {
     fn at_places(&self, seen: &SeenPlaces) -> &AtPlaces {
         self.at_places.get_or_init(|| {
             let (count, size) = (self.points.len(), self.whitened.trend.len());
-            let mut at = AtPlaces {
-                correlations: Vec::with_capacity(seen.places.len() * count),
-                rest: Vec::with_capacity(seen.places.len() * size),
-                deviations: Vec::with_capacity(seen.places.len()),
-            };
-            let mut correlations = vec![0.0; count];
+            let mut correlations = Vec::with_capacity(seen.places.len() * count);
+            let mut rest = Vec::with_capacity(seen.places.len() * size);
+            let mut deviations = Vec::with_capacity(seen.places.len());
             for (distances, terms) in seen.distances.chunks_exact(count).zip(seen.terms.chunks_exact(size)) {
-                for (correlation, &distance) in correlations.iter_mut().zip(distances) {
-                    *correlation = self.kernel.at_distance(distance);
-                }
-                let own = self.predict_from(&correlations, terms);
-                at.correlations.extend_from_slice(&own.correlations);
-                at.rest.extend_from_slice(&own.rest);
-                at.deviations.push(own.variance.sqrt());
+                let own = self.predict_from(&self.kernel.at_distances(distances), terms);
+                correlations.extend_from_slice(&own.correlations);
+                rest.extend_from_slice(&own.rest);
+                deviations.push(own.variance.sqrt());
             }
-            at
+            let (correlations, rest) = (FourRows::new(&correlations, count), FourRows::new(&rest, size));
+            AtPlaces { correlations, rest, deviations }
         })
     }
 
@@ -280,8 +281,11 @@ impl Model {
             return vec![0.0; seen.places.len()];
         }
         let at = self.at_places(seen);
-        let of_polynomial = multiply(&at.rest, of_trend);
-        multiply(&at.correlations, white).iter().zip(&of_polynomial).map(|(process, own)| process + own).collect()
+        let mut means = at.correlations.multiply(white);
+        for (mean, of_polynomial) in means.iter_mut().zip(at.rest.multiply(of_trend)) {
+            *mean += of_polynomial;
+        }
+        means
     }
 
     /// Deviations for σ = 1 at all `seen` places in their order; the places must be the same at every call.

@@ -2,7 +2,7 @@
 
 use super::broken_reach::reach_of_break;
 use super::models::{Branch, Search};
-use super::prediction::Allowance;
+use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
 use super::target::Target;
 use super::target_model::TargetModel;
@@ -55,12 +55,18 @@ impl Search<'_> {
 /// How far the model lets its target go in `direction`, with an `allowance`, over all candidates and points in `region`.
 pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
     let sign = direction.sign();
-    // Nearly all models are plain ones: what is asked at thousands of places is then one straight loop.
+    // Nearly all models are plain ones: what is asked at thousands of places is then one straight loop, where nothing is rough without
+    // a question.
     let (optimistic, expected) = match model {
         TargetModel::Plain(fit) => {
             let all_in = fit.are_all_in(region);
-            let ends = fit.at_places(allowance).map(|at| (sign * at.moved(allowance, sign), sign * at.mean));
-            furthest(ends, |place| all_in || region.holds(&fit.places()[place]))
+            let is_held = |place: usize| all_in || region.holds(&fit.places()[place]);
+            let ends = |at: Prediction| (sign * at.moved(allowance, sign), sign * at.mean);
+            if allowance.concedes_roughness() && fit.is_rough() {
+                furthest(fit.at_places(allowance).map(ends), is_held)
+            } else {
+                furthest(fit.smooth_at_places().map(ends), is_held)
+            }
         }
         _ => {
             let at_places = model.at_places(allowance);

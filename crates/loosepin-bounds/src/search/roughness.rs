@@ -14,7 +14,8 @@
 
 use super::gaussian_process::Model;
 use super::prediction::Roughness;
-use loosepin_math::dense::{Cholesky, dot, gram, multiply};
+use loosepin_math::dense::{Cholesky, gram, multiply};
+use loosepin_math::{FourRows, exponentials};
 
 /// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
@@ -63,8 +64,9 @@ struct Slopes {
 pub(super) struct Regressors {
     /// ū
     centre: Vec<f64>,
-    /// 1, u - ū of each point.
-    rows: Vec<f64>,
+    /// 1, u - ū of each point, and the same for products with vectors.
+    by_point: Vec<f64>,
+    rows: FourRows,
     /// (XᵀX)⁻¹; nothing where the points are too few or all alike.
     covariance: Option<Vec<f64>>,
 }
@@ -76,11 +78,12 @@ impl Regressors {
         let dimensions = seen.first().map_or(0, Vec::len);
         let centre: Vec<f64> =
             (0..dimensions).map(|axis| seen.iter().map(|point| point[axis]).sum::<f64>() / count).collect();
-        let rows: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
+        let by_point: Vec<f64> = seen.iter().flat_map(|point| row(point, &centre)).collect();
         let size = dimensions + 1;
         let is_enough = seen.len() >= LEAST_POINTS_OF_A_PARAMETER * size;
-        let factor = is_enough.then(|| Cholesky::new(gram(&rows, size), size)).flatten();
-        Self { centre, rows, covariance: factor.map(|factor| factor.inverse()) }
+        let factor = is_enough.then(|| Cholesky::new(gram(&by_point, size), size)).flatten();
+        let rows = FourRows::new(&by_point, size);
+        Self { centre, by_point, rows, covariance: factor.map(|factor| factor.inverse()) }
     }
 }
 
@@ -127,18 +130,16 @@ impl Scatter {
 impl Slopes {
     /// The likeliest ones, with what they gain in -2 ln likelihood against the same variance everywhere.
     fn fit(seen: &[Vec<f64>], regressors: &Regressors, ratios: &[f64]) -> Option<(Self, f64)> {
-        let Regressors { centre, rows, covariance } = regressors;
+        let Regressors { centre, by_point, rows, covariance } = regressors;
         let covariance = covariance.as_ref()?;
         let (count, size) = (ratios.len() as f64, centre.len() + 1);
         // Also 1/v at every point, which the slopes of the misfit need where a step is taken.
         let misfit = |coefficients: &[f64], reciprocals: &mut [f64]| -> f64 {
-            let each = rows.chunks(size).zip(ratios).zip(reciprocals);
-            let of = |((row, ratio), reciprocal): ((&[f64], &f64), &mut f64)| {
-                let ln_variance = dot(row, coefficients);
-                *reciprocal = libm::exp(-ln_variance);
-                ln_variance + ratio * *reciprocal
-            };
-            each.map(of).sum()
+            let mut negated = rows.multiply(coefficients);
+            negated.iter_mut().for_each(|ln_variance| *ln_variance = -*ln_variance);
+            exponentials(&negated, reciprocals);
+            let each = negated.iter().zip(ratios).zip(reciprocals);
+            each.map(|((negated, ratio), reciprocal)| -negated + ratio * *reciprocal).sum()
         };
         let mean = ratios.iter().sum::<f64>() / count;
         if !(mean > 0.0 && mean.is_finite()) {
@@ -151,7 +152,7 @@ impl Slopes {
         let mut least = even;
         for _ in 0..MOST_STEPS {
             let mut slope = vec![0.0; size];
-            for ((row, ratio), reciprocal) in rows.chunks(size).zip(ratios).zip(&reciprocals) {
+            for ((row, ratio), reciprocal) in by_point.chunks(size).zip(ratios).zip(&reciprocals) {
                 let excess = ratio * reciprocal - 1.0;
                 for (slope, entry) in slope.iter_mut().zip(row) {
                     *slope += entry * excess;

@@ -376,23 +376,37 @@ impl Fit<'_> {
 
     /// Predictions of S at every place, with what an allowance asks for: first the candidates, then the points.
     pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = Prediction> {
+        let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
+        let seen = self.smoother.seen_places.places.iter();
+        seen.zip(self.smooth_at_places())
+            .map(move |(seen, at)| Prediction { roughness: self.rough_at(rough, seen), ..at })
+    }
+
+    /// The same without what is rough.
+    pub fn smooth_at_places(&self) -> impl Iterator<Item = Prediction> {
         let seen = &self.smoother.seen_places;
         let means = self.means.get_or_init(|| self.model.means(seen, (&self.whitened.0, &self.whitened.1)));
-        let found = means.iter().copied().zip(self.model.deviations(seen).iter().copied());
-        seen.places.iter().zip(found).map(move |(seen, found)| self.prediction(seen, found, allowance))
+        let (centre, own) = (self.centre, self.deviation);
+        let of = move |(mean, deviation): (&f64, &f64)| Prediction {
+            mean: centre + mean,
+            deviation: own * deviation,
+            roughness: Roughness::default(),
+        };
+        means.iter().zip(self.model.deviations(seen)).map(of)
     }
 
     /// Prediction of S at `place`, with what an allowance asks for.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
         let seen = self.smoother.axes.seen(place);
         let found = self.model.mean_and_deviation(&seen, (&self.whitened.0, &self.whitened.1));
-        self.prediction(&seen, found, allowance)
+        let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
+        let (mean, deviation) = (self.centre + found.0, self.deviation * found.1);
+        Prediction { mean, deviation, roughness: self.rough_at(rough, &seen) }
     }
 
-    fn prediction(&self, seen: &[f64], (mean, deviation): (f64, f64), allowance: Allowance) -> Prediction {
-        let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
-        let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen));
-        Prediction { mean: self.centre + mean, deviation: self.deviation * deviation, roughness }
+    /// The `rough` part at a place in the coordinates of the models.
+    fn rough_at(&self, rough: Option<&Rough>, seen: &[f64]) -> Roughness {
+        rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen))
     }
 }
 

@@ -1,0 +1,186 @@
+//! Matrices for products with vectors, four rows beside one another.
+//!
+//! The scalar product of a short row waits for each of its additions, and longest for the sum of its eight partial sums. Here the same
+//! entry of four rows lies in one vector: four products are formed at once, each by the additions of [`super::dense::dot`] in their order.
+
+use core::array::from_fn;
+
+use crate::fused::on_vectors;
+
+/// An entry of each of four rows.
+type Four = [f64; 4];
+
+/// Partial sums of a scalar product.
+const PARTS: usize = 8;
+
+/// A rectangular matrix.
+#[derive(Debug, Clone)]
+pub struct FourRows {
+    rows: usize,
+    columns: usize,
+    /// Four rows behind four rows, of the last ones those that are missing are zero.
+    entries: Vec<Four>,
+}
+
+/// A lower triangular matrix.
+#[derive(Debug, Clone)]
+pub(crate) struct FourTriangleRows {
+    order: usize,
+    /// Three rows, then four rows behind four rows, to the end of the longest of them: rows of 8k to 8k + 3 entries, and of 8k + 4 to
+    /// 8k + 7, have as many entries in all partial sums.
+    entries: Vec<Four>,
+}
+
+impl FourRows {
+    /// The `matrix` (row by row) with so many `columns`.
+    pub fn new(matrix: &[f64], columns: usize) -> Self {
+        let rows = if columns == 0 { 0 } else { matrix.len() / columns };
+        let mut entries = Vec::with_capacity(rows.div_ceil(4) * columns);
+        for first in (0..rows).step_by(4) {
+            let entry = |row: usize, column: usize| if row < rows { matrix[row * columns + column] } else { 0.0 };
+            entries.extend((0..columns).map(|column| from_fn(|row| entry(first + row, column))));
+        }
+        Self { rows, columns, entries }
+    }
+
+    /// A x
+    pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; self.rows];
+        on_vectors(
+            #[inline(always)]
+            || {
+                for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(product.chunks_mut(4)) {
+                    let found = scalar_products(entries, &vector[..self.columns]);
+                    own.iter_mut().zip(found).for_each(|(own, found)| *own = found);
+                }
+            },
+        );
+        product
+    }
+
+    /// Takes A x out of `from`, column by column.
+    pub fn take_out(&self, from: &mut [f64], vector: &[f64]) {
+        on_vectors(
+            #[inline(always)]
+            || {
+                for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(from.chunks_mut(4)) {
+                    let mut rest = [0.0; 4];
+                    rest[..own.len()].copy_from_slice(own);
+                    for (four, value) in entries.iter().zip(vector) {
+                        rest = from_fn(|row| rest[row] - value * four[row]);
+                    }
+                    own.copy_from_slice(&rest[..own.len()]);
+                }
+            },
+        );
+    }
+}
+
+impl FourTriangleRows {
+    /// The triangle of a square `matrix` (row by row), whose other entries are zero.
+    pub fn new(matrix: &[f64], order: usize) -> Self {
+        let mut entries = Vec::with_capacity(order * (order + 4) / 8);
+        for last in (2..order + 3).step_by(4) {
+            // The row before the first one has no entries.
+            let entry = |row: usize, column: usize| if row < order { matrix[row * order + column] } else { 0.0 };
+            let of = |column: usize| from_fn(|row| (last + row).checked_sub(3).map_or(0.0, |row| entry(row, column)));
+            entries.extend((0..order.min(last + 1)).map(of));
+        }
+        Self { order, entries }
+    }
+
+    /// T x
+    pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; self.order];
+        on_vectors(
+            #[inline(always)]
+            || {
+                let mut entries = &self.entries[..];
+                for last in (2..self.order + 3).step_by(4) {
+                    let (own, behind) = entries.split_at(self.order.min(last + 1));
+                    entries = behind;
+                    let found = scalar_products(own, &vector[..own.len()]);
+                    let first = (last + 1).saturating_sub(4);
+                    let rows = &mut product[first..self.order.min(last + 1)];
+                    rows.iter_mut().zip(&found[first + 3 - last..]).for_each(|(own, found)| *own = *found);
+                }
+            },
+        );
+        product
+    }
+}
+
+/// The scalar products of four rows with a vector.
+#[inline(always)]
+fn scalar_products(rows: &[Four], vector: &[f64]) -> Four {
+    let mut sums = [[0.0; 4]; PARTS];
+    let (row_blocks, blocks) = (rows.chunks_exact(PARTS), vector.chunks_exact(PARTS));
+    // What an empty sum is.
+    let mut rest = [-0.0; 4];
+    for (four, value) in row_blocks.remainder().iter().zip(blocks.remainder()) {
+        rest = from_fn(|row| rest[row] + four[row] * value);
+    }
+    for (rows, values) in row_blocks.zip(blocks) {
+        for part in 0..PARTS {
+            sums[part] = from_fn(|row| sums[part][row] + rows[part][row] * values[part]);
+        }
+    }
+    let [a, b, c, d, e, f, g, h] = sums;
+    let add = |x: Four, y: Four| -> Four { from_fn(|row| x[row] + y[row]) };
+    add(add(add(add(a, b), add(c, d)), add(add(e, f), add(g, h))), rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FourRows, FourTriangleRows};
+    use crate::dense::dot;
+
+    /// Numbers of both signs, none of which is a short binary fraction.
+    fn number(i: usize) -> f64 {
+        libm::sin(1.7 * i as f64 + 0.3) * libm::exp(0.1 * (i % 90) as f64)
+    }
+
+    fn bits(values: impl IntoIterator<Item = f64>) -> Vec<u64> {
+        values.into_iter().map(f64::to_bits).collect()
+    }
+
+    #[test]
+    fn identity_every_product_has_the_bits_of_its_own_scalar_product() {
+        for columns in 1..27 {
+            for rows in 0..10 {
+                let matrix: Vec<f64> = (0..rows * columns).map(number).collect();
+                let vector: Vec<f64> = (0..columns).map(|i| number(1000 + i)).collect();
+                let expected = bits(matrix.chunks(columns).map(|row| dot(row, &vector)));
+                assert_eq!(bits(FourRows::new(&matrix, columns).multiply(&vector)), expected, "{rows} x {columns}");
+            }
+        }
+        assert_eq!(FourRows::new(&[], 0).multiply(&[]), [] as [f64; 0]);
+    }
+
+    #[test]
+    fn identity_every_product_of_a_triangle_has_the_bits_of_its_own_scalar_product() {
+        for order in 0..40 {
+            let entry = |k: usize| if k % order <= k / order { number(k) } else { 0.0 };
+            let matrix: Vec<f64> = (0..order * order).map(entry).collect();
+            let vector: Vec<f64> = (0..order).map(|i| number(1000 + i)).collect();
+            let rows = matrix.chunks(order.max(1)).enumerate();
+            let expected = bits(rows.map(|(i, row)| dot(&row[..=i], &vector[..=i])));
+            assert_eq!(bits(FourTriangleRows::new(&matrix, order).multiply(&vector)), expected, "{order}");
+        }
+    }
+
+    #[test]
+    fn identity_what_is_taken_out_is_taken_out_column_by_column() {
+        for rows in 0..10 {
+            let columns = 6;
+            let matrix: Vec<f64> = (0..rows * columns).map(number).collect();
+            let vector: Vec<f64> = (0..columns).map(|i| number(1000 + i)).collect();
+            let mut found: Vec<f64> = (0..rows).map(|i| number(2000 + i)).collect();
+            let own = found.iter().zip(matrix.chunks(columns));
+            let rest = own.map(|(value, row)| row.iter().zip(&vector).fold(*value, |rest, (a, x)| rest - x * a));
+            let expected = bits(rest);
+            FourRows::new(&matrix, columns).take_out(&mut found, &vector);
+            assert_eq!(bits(found), expected, "{rows}");
+        }
+    }
+}
