@@ -1,5 +1,7 @@
 //! Exponentials of many numbers at once, with the bits of `libm::exp`.
 
+use core::f64::consts::LOG2_E;
+
 use crate::fused::on_vectors;
 
 /// Arguments up to this in size take the same way, and their exponentials are normal numbers.
@@ -10,9 +12,8 @@ const REDUCED: f64 = f64::from_bits(0x3fd6_2e43_0000_0000);
 /// Below this in size 1 + x is all.
 const LINEAR: f64 = f64::from_bits(0x3e30_0001_0000_0000);
 
-/// ln 2 as the sum of two numbers, and 1/ln 2.
+/// ln 2 as the sum of two numbers.
 const LN_2_PARTS: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
-const RECIPROCAL_LN_2: f64 = 1.442_695_040_888_963_4;
 
 // Minimax coefficients of fdlibm's `e_exp.c`.
 const COEFFICIENTS: [f64; 5] = [
@@ -40,7 +41,7 @@ pub fn exponentials(arguments: &[f64], results: &mut [f64]) {
     );
     // Rare: overflow, underflow, and what is not a number.
     for (result, argument) in results.iter_mut().zip(arguments) {
-        if !(argument.abs() <= LARGEST) {
+        if argument.abs() > LARGEST || argument.is_nan() {
             *result = libm::exp(*argument);
         }
     }
@@ -50,7 +51,7 @@ pub fn exponentials(arguments: &[f64], results: &mut [f64]) {
 #[inline(always)]
 fn within_range(x: f64) -> f64 {
     let is_reduced = x.abs() >= REDUCED;
-    let multiples = if is_reduced { (RECIPROCAL_LN_2 * x + 0.5_f64.copysign(x)).trunc() } else { 0.0 };
+    let multiples = if is_reduced { (LOG2_E * x + 0.5_f64.copysign(x)).trunc() } else { 0.0 };
     let (high, low) = (x - multiples * LN_2_PARTS[0], multiples * LN_2_PARTS[1]);
     let rest = high - low;
     let square = rest * rest;

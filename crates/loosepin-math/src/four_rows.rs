@@ -34,7 +34,7 @@ pub(crate) struct FourTriangleRows {
 impl FourRows {
     /// The `matrix` (row by row) with so many `columns`.
     pub fn new(matrix: &[f64], columns: usize) -> Self {
-        let rows = if columns == 0 { 0 } else { matrix.len() / columns };
+        let rows = matrix.len().checked_div(columns).unwrap_or(0);
         let mut entries = Vec::with_capacity(rows.div_ceil(4) * columns);
         for first in (0..rows).step_by(4) {
             let entry = |row: usize, column: usize| if row < rows { matrix[row * columns + column] } else { 0.0 };
