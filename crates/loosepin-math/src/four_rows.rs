@@ -67,7 +67,9 @@ impl FourRows {
                     let mut rest = [0.0; 4];
                     rest[..own.len()].copy_from_slice(own);
                     for (four, value) in entries.iter().zip(vector) {
-                        rest = from_fn(|row| rest[row] - value * four[row]);
+                        for row in 0..4 {
+                            rest[row] -= value * four[row];
+                        }
                     }
                     own.copy_from_slice(&rest[..own.len()]);
                 }
@@ -118,16 +120,24 @@ fn scalar_products(rows: &[Four], vector: &[f64]) -> Four {
     // What an empty sum is.
     let mut rest = [-0.0; 4];
     for (four, value) in row_blocks.remainder().iter().zip(blocks.remainder()) {
-        rest = from_fn(|row| rest[row] + four[row] * value);
+        for row in 0..4 {
+            rest[row] += four[row] * value;
+        }
     }
     for (rows, values) in row_blocks.zip(blocks) {
         for part in 0..PARTS {
-            sums[part] = from_fn(|row| sums[part][row] + rows[part][row] * values[part]);
+            for row in 0..4 {
+                sums[part][row] += rows[part][row] * values[part];
+            }
         }
     }
     let [a, b, c, d, e, f, g, h] = sums;
-    let add = |x: Four, y: Four| -> Four { from_fn(|row| x[row] + y[row]) };
-    add(add(add(add(a, b), add(c, d)), add(add(e, f), add(g, h))), rest)
+    let mut products = [0.0; 4];
+    for row in 0..4 {
+        let (first, last) = ((a[row] + b[row]) + (c[row] + d[row]), (e[row] + f[row]) + (g[row] + h[row]));
+        products[row] = first + last + rest[row];
+    }
+    products
 }
 
 #[cfg(test)]
