@@ -6,7 +6,7 @@ use loosepin::contact::PlayState;
 use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
 use loosepin::math::{Numbers, Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
-use loosepin::native::{Program, Slot};
+use loosepin::native::{Hoisted, Program, Slot};
 use loosepin::simulate::{Arms, Block, Follow, LaneLayout, PassPrograms, Settings};
 use loosepin::trace::{Traced, record};
 
@@ -78,12 +78,14 @@ pub fn parts(case: &Case) -> Vec<Part> {
             ("inertia, gravity, solution for the accelerations", accelerations),
         ]
     });
+    // As in a batch: what depends on the numbers of a run alone is computed before.
+    let mut hoisted = Hoisted::new(Block::Numbers as u8, numbers.len() + arms.numbers().len());
     let mut parts: Vec<Part> = outputs
         .into_iter()
         .map(|(name, values)| {
             let slots = values.iter().enumerate().map(|(k, value)| (slot(Block::Stages, k), value.value()));
             let outputs: Vec<_> = slots.collect();
-            Part { name, programs: vec![Program::new(&graph, &outputs).expect("each output has its own slot")] }
+            Part { name, programs: vec![hoisted.program(&graph, &outputs).expect("each output has its own slot")] }
         })
         .collect();
     let whole =
@@ -91,6 +93,8 @@ pub fn parts(case: &Case) -> Vec<Part> {
     let mut push = |name, programs| parts.push(Part { name, programs });
     push("energy account, pace of the time", vec![whole.slope]);
     push("reading at the end of a step", vec![whole.end]);
+    push("an evaluation without penetrations off positions", whole.slope_by_roots.into_iter().collect());
+    push("what depends on the numbers of a run alone", vec![whole.prepare]);
     push("sums of the stages", whole.points);
     push("error, what may have happened", vec![whole.judgement]);
     push("taking over a step", vec![whole.accept]);

@@ -41,10 +41,10 @@ pub struct Core<'a> {
     /// The arithmetic, and where everything is.
     pub pass: Pass,
     memory: Memory,
-    /// What readings at instants need that wait for others: one instant in each lane, of whatever run.
+    /// What the instants that wait are read from: at each place one instant, of any lane's run.
     waiting: Memory,
     way: Way<'a>,
-    /// The lanes in which the penetration of some closed contact is read off the positions.
+    /// The lanes in which the penetration of some closed contact that may have a root of its own is read off the positions.
     reading_depths: u32,
     /// Whether the dense output belongs to the step at hand.
     is_dense: bool,
@@ -153,9 +153,15 @@ impl<'a> Core<'a> {
         }
         let reads_depth = (0..self.pass.layout.roots.len()).any(|contact| {
             let (state, has_root) = self.contact(lane, contact);
-            state.contact > 0.0 && !has_root
+            self.pass.layout.roots[contact].is_some() && state.contact > 0.0 && !has_root
         });
         self.reading_depths = self.reading_depths & !(1 << lane) | u32::from(reads_depth) << lane;
+    }
+
+    /// Leaves a lane empty.
+    pub fn leave(&mut self, lane: usize) {
+        self.set_step(lane, 0.0);
+        self.reading_depths &= !(1 << lane);
     }
 
     /// The state of a contact in a lane, and whether the root of its penetration is an unknown.

@@ -251,7 +251,7 @@ impl Pass {
         self.follow.follow(own, &step, is_chosen);
     }
 
-    /// Reads at an instant within the step at hand: [`FollowLayout::look`].
+    /// Reads at an instant within a step: [`FollowLayout::look`].
     pub fn look<T: Real>(&self, blocks: &mut Named<'_, T>) {
         let (own, step) = self.followed(blocks);
         self.follow.look(own, &step);
@@ -271,8 +271,8 @@ impl Pass {
         self.stepper.prepare_dense(rows, lane[LaneLayout::STEP], system);
     }
 
-    /// The error of u = √δ that moves δ by the local error allowed: that over the root's size, the larger of both ends of the
-    /// step before.
+    /// Weights of errors of u = √δ, one over the error that moves δ by the local error allowed: that is the local error over 2u, with the mean
+    /// of the root's sizes at both ends of the step.
     fn set_root_weights<T: Real>(&self, rows: &StepRows<'_, T>, lane: &mut [T]) {
         let smallest = T::from_f64(2.0 * self.local_m.sqrt());
         let step = lane[LaneLayout::STEP];

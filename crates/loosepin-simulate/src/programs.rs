@@ -269,7 +269,7 @@ impl Tracing<'_> {
 struct Evaluated {
     /// The numbers read at an end of a step, too.
     reads: bool,
-    /// Forces of contacts whose root is no unknown, too.
+    /// Forces of contacts that may have a root and have none now, too.
     reads_depths: bool,
 }
 

@@ -172,7 +172,7 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.follow, memory, &mut self.scratch);
     }
 
-    /// Reads at an instant of each lane within the step at hand.
+    /// Reads at the instants that wait in `memory`, one in each place, of whatever step and run.
     pub fn look(&mut self, memory: &mut Memory) {
         run(&self.sequences.look, memory, &mut self.scratch);
     }
@@ -183,7 +183,7 @@ impl<'a> Recorded<'a> {
     }
 }
 
-/// Runs on the blocks of `memory`, which have the lengths that the programs were written for.
+/// Runs on the blocks of `memory`, which have at least the lengths that the programs need.
 fn run(sequence: &Sequence, memory: &mut Memory, scratch: &mut Vec<f64>) {
     if let Err(error) = sequence.run(&mut memory.blocks(), scratch) {
         unreachable!("{error}");

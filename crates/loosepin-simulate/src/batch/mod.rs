@@ -516,7 +516,7 @@ impl<'a> Batch<'a> {
         self.active &= !(1 << lane);
         self.restarts &= !(1 << lane);
         self.openings &= !(1 << lane);
-        self.core.set_step(lane, 0.0);
+        self.core.leave(lane);
     }
 
     fn counters(&self, lane: usize, events: u64) -> Counters {

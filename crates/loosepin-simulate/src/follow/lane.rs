@@ -141,7 +141,8 @@ impl LaneFollow {
         own.clear();
         own.extend(readings);
         while let Some((index, instant_s)) = self.next_instant(end_s, is_last) {
-            let share = ((instant_s - start_s) / (end_s - start_s)).clamp(0.0, 1.0);
+            // A step in which the time does not move is at its start: what is no number becomes zero.
+            let share = f64::max((instant_s - start_s) / (end_s - start_s), 0.0).min(1.0);
             self.take_instant(index, own.iter().map(|reading| reading.value(share)));
         }
         self.readings = own;
@@ -166,5 +167,33 @@ impl LaneFollow {
             range.integral_of_square = get(first + FollowLayout::INTEGRAL_OF_SQUARE);
         }
         std::mem::take(&mut self.findings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FollowLayout, FollowedRun, LaneFollow};
+    use crate::column::Reading;
+    use crate::follow::Follow;
+    use crate::settings::Window;
+    use loosepin_math::Quintic;
+    use loosepin_mechanics::model::BodyId;
+
+    #[test]
+    fn analytic_instants_are_read_in_a_step_of_even_pace_and_at_one_in_which_time_stands_still() {
+        let layout = FollowLayout::new(&Follow::readings(&[Reading::Angle(BodyId(0))]));
+        let followed = FollowedRun { instants_s: vec![2.0, 2.25, 3.0], ..FollowedRun::default() };
+        let mut lane = LaneFollow::new(&layout, followed, Window { start_s: 2.0, end_s: 3.0 });
+        // An angle of 5 rad at 2 s that grows by 4 rad/s.
+        let reading = |length_s: f64| Quintic::new([5.0, 4.0, 0.0], [5.0 + 4.0 * length_s, 4.0, 0.0], length_s);
+        lane.take_instants([2.0, 2.0], false, std::iter::once(reading(0.0)));
+        lane.take_instants([2.0, 2.5], false, std::iter::once(reading(0.5)));
+        // The last one counts although the step ends a little before it.
+        lane.take_instants(
+            [2.5, 3.0 - 1e-15],
+            true,
+            std::iter::once(Quintic::new([7.0, 4.0, 0.0], [9.0, 4.0, 0.0], 0.5)),
+        );
+        assert_eq!(lane.findings(&layout, |_| 0.0).at_instants, [5.0, 6.0, 9.0]);
     }
 }

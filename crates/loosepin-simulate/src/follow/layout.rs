@@ -136,7 +136,7 @@ impl FollowLayout {
         numbers[Self::IS_EXTREME] = is_extreme;
     }
 
-    /// Reads at the instant of the lane, which lies within the step.
+    /// Reads at the instant, which lies within the step.
     pub fn look<T: Real>(&self, numbers: &mut [T], step: &StepEnds<'_, T>) {
         let share = share_of(numbers[Self::INSTANT], step.time, step.length);
         for reading in 0..self.readings {
