@@ -31,6 +31,7 @@ const UNIT_DIGIT: f64 = (1_u64 << 52) as f64;
 /// Puts the exponentials of `arguments` into `results`, one for each, with the bits of `libm::exp`: the same operations in the same
 /// order, without branches, so that they are done for several numbers at once.
 pub fn exponentials(arguments: &[f64], results: &mut [f64]) {
+    debug_assert_eq!(arguments.len(), results.len(), "one result for each argument");
     on_vectors(
         #[inline(always)]
         || {

@@ -60,13 +60,14 @@ impl FourRows {
 
     /// Takes A x out of `from`, column by column.
     pub fn take_out(&self, from: &mut [f64], vector: &[f64]) {
+        debug_assert!(self.columns == 0 || from.len() == self.rows, "one entry for each row");
         on_vectors(
             #[inline(always)]
             || {
                 for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(from.chunks_mut(4)) {
                     let mut rest = [0.0; 4];
                     rest[..own.len()].copy_from_slice(own);
-                    for (four, value) in entries.iter().zip(vector) {
+                    for (four, value) in entries.iter().zip(&vector[..self.columns]) {
                         for row in 0..4 {
                             rest[row] -= value * four[row];
                         }

@@ -92,7 +92,8 @@ pub fn errors_m(model: &SliderCrank, runs: usize) -> Vec<f64> {
     let mut errors_m: Vec<f64> = pairs
         .map(|(coarse, fine)| {
             let half_turn = coarse.readings.iter().zip(&fine.readings).take(READINGS_PER_TURN / 2 + 1);
-            half_turn.map(|(coarse, fine)| (coarse - fine).abs()).fold(0.0, f64::max)
+            // A reading that is no number is the largest error.
+            half_turn.map(|(coarse, fine)| (coarse - fine).abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN)
         })
         .collect();
     errors_m.sort_by(f64::total_cmp);
