@@ -32,7 +32,7 @@ lint:
     cargo clippy --workspace --all-targets --locked -- -D warnings
 
 # The documentation builds; a broken link or a missing page is an error.
-docs:
+docs: site
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked
 
 # Rewrites the tables of keys, units and contact laws in docs; a test fails where they are stale.
