@@ -5,6 +5,7 @@ use super::ocvirk::OcvirkFilm;
 use super::pressure::{FilmBearing, FilmPressure};
 use super::reynolds::Reynolds;
 use loosepin_math::{Real, factor_ldl, numbers, sin_cos, solve_ldl};
+use std::cell::RefCell;
 
 /// κ, from which on a bearing counts as long: κ Λ² against 1 + X.
 const CROSSOVER: f64 = 0.5;
@@ -62,7 +63,7 @@ impl FiniteLengthFilm<f64> {
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {
         let length_ratio = 0.5 * bearing.length_m / bearing.radius_m;
-        Self { short: OcvirkFilm::new(bearing), ..Self::with_length(length_ratio) }
+        Self { short: OcvirkFilm::new(bearing), ..solved(length_ratio) }
     }
 
     /// For Λ, with forces in units of μ L R³/c².
@@ -134,6 +135,28 @@ impl FiniteLengthFilm<f64> {
             }
         }
     }
+}
+
+thread_local! {
+    /// The last films of this thread, latest first: runs that differ in play, viscosity or load share Λ, and to solve for it
+    /// takes longer than a run.
+    static SOLVED: RefCell<Vec<(f64, FiniteLengthFilm<f64>)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// The film for Λ, solved once for a thread while no [`KEPT`] others come between.
+fn solved(length_ratio: f64) -> FiniteLengthFilm<f64> {
+    /// More bearings than a mechanism has, each of 1.5 kB.
+    const KEPT: usize = 8;
+    SOLVED.with_borrow_mut(|films| {
+        let at = films.iter().position(|(solved_for, _)| solved_for.to_bits() == length_ratio.to_bits());
+        let film = match at {
+            Some(at) => films.remove(at).1,
+            None => FiniteLengthFilm::with_length(length_ratio),
+        };
+        films.truncate(KEPT - 1);
+        films.insert(0, (length_ratio, film));
+        film
+    })
 }
 
 /// Where in the sums a motion is.

@@ -270,3 +270,22 @@ fn analytic_the_film_is_smooth_at_its_cap_and_where_it_fades() {
     assert_eq!(force(1.0 + 1.01 * thinnest), 0.0);
     assert!(force(1.0) < force(0.9), "it pushes harder where it is thinner");
 }
+
+/// Films are kept for each thread: what a bearing gets must not depend on those that were solved before.
+#[test]
+fn identity_a_film_has_the_same_bits_whatever_was_solved_before() {
+    let force = |length_m: f64, viscosity_pa_s: f64| {
+        let film = FiniteLengthFilm::new(&FilmBearing { length_m, viscosity_pa_s, ..BEARING });
+        film.force(&motion(0.7, 0.4, 1.1))
+    };
+    let bits = |force: FilmForce<f64>| [force.radial_n, force.tangential_n].map(f64::to_bits);
+    let alone = std::thread::scope(|scope| scope.spawn(|| bits(force(0.017, 0.4))).join().expect("it is solved"));
+    // More lengths than are kept, so that the first one is solved again.
+    for k in 0..10 {
+        force(0.01 + 0.003 * f64::from(k), 0.4);
+    }
+    assert_eq!(bits(force(0.017, 0.4)), alone, "solved again");
+    assert_eq!(bits(force(0.017, 0.4)), alone, "kept");
+    let thick = force(0.017, 0.8);
+    assert!((thick.radial_n / f64::from_bits(alone[0]) - 2.0).abs() < 1e-15, "another oil");
+}
