@@ -169,7 +169,7 @@ impl Smoother {
         let may_be_rough = !noise.replicates.is_empty();
         let levels = if may_be_rough || of_noise > 0.0 { self.levels.len() } else { 1 };
         let assessed = self.assess(levels, &residual, freedom, floor);
-        let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
+        let (smooth, mut rough): (Vec<Assessed<'_, '_>>, Vec<Assessed<'_, '_>>) =
             assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let honest = if may_be_rough { least_honest(&rough, freedom) } else { None };
         let rough = honest.and_then(|Honest { index, errors, .. }| {
@@ -183,8 +183,7 @@ impl Smoother {
             // Models without noise are always allowed: where none is chosen, no misfit is a number.
             let unknown = || {
                 let model = &self.level(0)[0];
-                let rest = model.whitened_rest(&residual);
-                Assessed { model, rest, variance: f64::INFINITY, misfit: f64::INFINITY }
+                Assessed { model, residual: &residual, variance: f64::INFINITY, misfit: f64::INFINITY }
             };
             let own = cautious(smooth).unwrap_or_else(unknown);
             let scatter = Scatter::even(&own.errors(), freedom);
@@ -210,7 +209,7 @@ impl Smoother {
     }
 
     /// All models that are worth it, held against `residual`.
-    fn assess(&self, levels: usize, residual: &[f64], freedom: f64, floor: f64) -> Vec<Assessed<'_>> {
+    fn assess<'m, 'v>(&'m self, levels: usize, residual: &'v [f64], freedom: f64, floor: f64) -> Vec<Assessed<'m, 'v>> {
         let mut assessed = Vec::new();
         let mut least = f64::INFINITY;
         for level in 0..levels {
@@ -221,7 +220,7 @@ impl Smoother {
                 let ln_variance = if variance > 0.0 { libm::log(variance) } else { 0.0 };
                 let misfit = freedom * ln_variance + model.ln_determinants();
                 least_of_level = least_of_level.min(misfit);
-                assessed.push(Assessed { model, rest, variance, misfit });
+                assessed.push(Assessed { model, residual, variance, misfit });
             }
             least = least.min(least_of_level);
             if least_of_level > least + HOPELESS_MISFIT {
@@ -263,17 +262,18 @@ impl Rough {
 }
 
 /// A model held against values.
-struct Assessed<'a> {
-    model: &'a Model,
-    /// What the model leaves of the values, whitened.
-    rest: Vec<f64>,
+struct Assessed<'m, 'v> {
+    model: &'m Model,
+    /// The values, less the polynomial. What the model leaves of them is worked out again for the few that are asked for it: to keep
+    /// it for all takes longer.
+    residual: &'v [f64],
     /// σ²
     variance: f64,
     /// -2 ln likelihood
     misfit: f64,
 }
 
-impl Assessed<'_> {
+impl Assessed<'_, '_> {
     fn is_noisy(&self) -> bool {
         self.model.noise_ratio() > NOISE_RATIOS[0]
     }
@@ -286,7 +286,7 @@ impl Assessed<'_> {
     /// The errors of predicting each estimate from the others, in standard deviations.
     fn errors(&self) -> Vec<f64> {
         let of = |error: f64| if self.variance > 0.0 { error / self.variance.sqrt() } else { 0.0 };
-        self.model.errors(&self.rest).into_iter().map(of).collect()
+        self.model.errors(&self.model.whitened_rest(self.residual)).into_iter().map(of).collect()
     }
 }
 
@@ -300,7 +300,7 @@ struct Honest {
 }
 
 /// The model that is likeliest with the variance that must be stated for it.
-fn least_honest(assessed: &[Assessed<'_>], freedom: f64) -> Option<Honest> {
+fn least_honest(assessed: &[Assessed<'_, '_>], freedom: f64) -> Option<Honest> {
     let misfit = |index: usize| assessed[index].misfit;
     let mut by_misfit: Vec<usize> = (0..assessed.len()).filter(|&index| !misfit(index).is_nan()).collect();
     by_misfit.sort_by(|&a, &b| misfit(a).total_cmp(&misfit(b)));
@@ -320,7 +320,7 @@ fn least_honest(assessed: &[Assessed<'_>], freedom: f64) -> Option<Honest> {
 }
 
 /// Of the models that cannot be told apart the one to be taken.
-fn cautious(mut assessed: Vec<Assessed<'_>>) -> Option<Assessed<'_>> {
+fn cautious<'m, 'v>(mut assessed: Vec<Assessed<'m, 'v>>) -> Option<Assessed<'m, 'v>> {
     let least = assessed.iter().fold(f64::INFINITY, |least, own| least.min(own.misfit));
     assessed.retain(|own| own.misfit <= least + TOLERATED_MISFIT);
     let noisiest = assessed.iter().fold(0.0_f64, |most, own| most.max(own.model.noise_ratio()));
