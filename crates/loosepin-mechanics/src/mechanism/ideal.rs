@@ -15,6 +15,8 @@ use loosepin_math::{Dual, solve_square};
 const NEWTON_STEPS: usize = 30;
 /// Residual, relative to the size of the mechanism, from which one more Newton step reaches round-off.
 const NEARLY_CLOSED: f64 = 1e-9;
+/// Residual, relative to the size of the mechanism, that is round-off already.
+const CLOSED: f64 = 1e-14;
 /// Pivot ratio of the loop equations below which a position counts as singular.
 const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 
@@ -32,6 +34,8 @@ pub struct IdealMotion<'a> {
     coordinates: Vec<f64>,
     rates: Vec<f64>,
     accelerations: Vec<f64>,
+    /// The state before the present one.
+    before: Option<Before>,
     driven_accelerations: Vec<f64>,
     kinematics: Kinematics<f64>,
     residuals: Vec<f64>,
@@ -43,6 +47,15 @@ pub struct IdealMotion<'a> {
     pivot_ratio: f64,
     /// Constraint rows that are solved. Where joints repeat each other, which rows carry the motion changes along the way.
     rows: Vec<usize>,
+}
+
+/// Free coordinates at an earlier time, with their rates and accelerations.
+#[derive(Debug, Clone)]
+struct Before {
+    time_s: f64,
+    coordinates: Vec<f64>,
+    rates: Vec<f64>,
+    accelerations: Vec<f64>,
 }
 
 impl<'a> IdealMotion<'a> {
@@ -62,6 +75,7 @@ impl<'a> IdealMotion<'a> {
             coordinates: mechanism.ideal_start.clone(),
             rates: vec![0.0; tree.coordinates()],
             accelerations: vec![0.0; n],
+            before: None,
             driven_accelerations: vec![0.0; tree.drives.len()],
             kinematics: Kinematics::new(tree),
             residuals: vec![0.0; rows],
@@ -73,7 +87,7 @@ impl<'a> IdealMotion<'a> {
             rows: mechanism.ideal_rows().to_vec(),
         };
         motion.close(0.0)?;
-        motion.set_rates_and_accelerations();
+        motion.set_rates_and_accelerations()?;
         Ok(motion)
     }
 
@@ -91,14 +105,50 @@ impl<'a> IdealMotion<'a> {
         let start_s = self.time_s;
         for step in 1..=steps {
             let next_s = if step == steps { time_s } else { start_s + span * step as f64 / steps as f64 };
-            let h = next_s - self.time_s;
-            for k in 0..self.mechanism.ideal.free {
-                self.coordinates[k] += h * (self.rates[k] + 0.5 * h * self.accelerations[k]);
-            }
+            self.predict(next_s);
             self.close(next_s)?;
-            self.set_rates_and_accelerations();
+            self.set_rates_and_accelerations()?;
         }
         Ok(())
+    }
+
+    /// Guesses the free coordinates at `next_s`: by the polynomial of degree five through the present state and the one before it,
+    /// or by that of degree two through the present one where the step is much longer than the last, or goes back.
+    ///
+    /// ```text
+    /// q(τ) = q + q' τ + q'' τ²/2 + τ³ (c + (τ + d)(c' + (τ + d) c'')),   τ = t - present, d = present - before
+    /// c, c', c'' such that q(-d), q'(-d), q''(-d) are those before
+    /// ```
+    fn predict(&mut self, next_s: f64) {
+        /// The longest step that the last one tells about, in units of it: the error grows with its sixth power.
+        const FURTHEST: f64 = 2.0;
+        let (free, h) = (self.mechanism.ideal.free, next_s - self.time_s);
+        let mut before = self.before.take().unwrap_or_else(|| Before {
+            time_s: self.time_s,
+            coordinates: vec![0.0; free],
+            rates: vec![0.0; free],
+            accelerations: vec![0.0; free],
+        });
+        let d = self.time_s - before.time_s;
+        let is_told = d != 0.0 && (0.0..=FURTHEST).contains(&(h / d));
+        for k in 0..free {
+            let (q, rate, acceleration) = (self.coordinates[k], self.rates[k], self.accelerations[k]);
+            self.coordinates[k] += h * (rate + 0.5 * h * acceleration);
+            if is_told {
+                // What degree two leaves of the state before.
+                let left = before.coordinates[k] - (q - d * (rate - 0.5 * d * acceleration));
+                let left_rate = before.rates[k] - (rate - d * acceleration);
+                let left_acceleration = before.accelerations[k] - acceleration;
+                let cube = d * d * d;
+                let c0 = -left / cube;
+                let c1 = (3.0 * d * d * c0 - left_rate) / cube;
+                let c2 = (6.0 * d * (d * c1 - c0) - left_acceleration) / (2.0 * cube);
+                self.coordinates[k] += h * h * h * (c0 + (h + d) * (c1 + (h + d) * c2));
+            }
+            (before.coordinates[k], before.rates[k], before.accelerations[k]) = (q, rate, acceleration);
+        }
+        before.time_s = self.time_s;
+        self.before = Some(before);
     }
 
     /// Uses the pieces that motions have at `time_s` at all times, or those of each time: within a step that ends where two
@@ -196,22 +246,14 @@ impl<'a> IdealMotion<'a> {
                 }
             }
             let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
-            if polished || n == 0 {
+            if polished || n == 0 || worst <= CLOSED * self.mechanism.size_m {
                 return if worst <= NEARLY_CLOSED * self.mechanism.size_m { Ok(()) } else { Err(self.cannot_close()) };
             }
             polished = worst <= NEARLY_CLOSED * self.mechanism.size_m;
-            let mut matrix = std::mem::take(&mut self.matrix);
-            self.copy_matrix(&mut matrix);
             for (row, &independent) in self.rows.iter().enumerate() {
                 self.right_hand_side[row] = -self.residuals[independent];
             }
-            self.pivot_ratio = solve_square(&mut matrix, n, &mut self.right_hand_side);
-            self.matrix = matrix;
-            // Pivots of lengths and of angles differ by the size of the mechanism too: without dimension they tell.
-            let is_singular = |jacobian: &[f64]| eliminate_free(tree, jacobian, self.mechanism.size_m).rank() < n;
-            if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) && is_singular(&self.jacobian) {
-                return Err(SampleError::Singular { time_s });
-            }
+            self.solve()?;
             for k in 0..n {
                 self.coordinates[k] += self.right_hand_side[k];
             }
@@ -219,21 +261,35 @@ impl<'a> IdealMotion<'a> {
         Err(self.cannot_close())
     }
 
+    /// Solves the independent loop equations for the right-hand side.
+    fn solve(&mut self) -> Result<(), SampleError> {
+        let tree = &self.mechanism.ideal;
+        let n = tree.free;
+        let mut matrix = std::mem::take(&mut self.matrix);
+        self.copy_matrix(&mut matrix);
+        self.pivot_ratio = solve_square(&mut matrix, n, &mut self.right_hand_side);
+        self.matrix = matrix;
+        // Pivots of lengths and of angles differ by the size of the mechanism too: without dimension they tell.
+        let is_singular = || eliminate_free(tree, &self.jacobian, self.mechanism.size_m).rank() < n;
+        if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) && is_singular() {
+            return Err(SampleError::Singular { time_s: self.time_s });
+        }
+        Ok(())
+    }
+
     #[inline(always)]
     fn set_positions(&mut self) {
         self.kinematics.set_positions(&self.mechanism.ideal, &self.geometry, &self.coordinates);
     }
 
-    fn set_rates_and_accelerations(&mut self) {
+    fn set_rates_and_accelerations(&mut self) -> Result<(), SampleError> {
         let tree = &self.mechanism.ideal;
         let (n, columns) = (tree.free, tree.coordinates());
-        let mut matrix = std::mem::take(&mut self.matrix);
         for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] =
                 -(n..columns).map(|c| self.jacobian[independent * columns + c] * self.rates[c]).sum::<f64>();
         }
-        self.copy_matrix(&mut matrix);
-        solve_square(&mut matrix, n, &mut self.right_hand_side);
+        self.solve()?;
         self.rates[..n].copy_from_slice(&self.right_hand_side);
 
         self.kinematics.set_velocities(tree, &self.rates);
@@ -242,10 +298,9 @@ impl<'a> IdealMotion<'a> {
         for (row, &independent) in self.rows.iter().enumerate() {
             self.right_hand_side[row] = -self.residuals[independent];
         }
-        self.copy_matrix(&mut matrix);
-        solve_square(&mut matrix, n, &mut self.right_hand_side);
+        self.solve()?;
         self.accelerations.copy_from_slice(&self.right_hand_side);
-        self.matrix = matrix;
+        Ok(())
     }
 
     #[inline(always)]
