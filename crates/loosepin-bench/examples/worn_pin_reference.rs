@@ -116,7 +116,7 @@ fn check(study: &Study, runs: &mut FreshRuns<'_>, seed: u64) {
     let mechanisms = (0..inputs[0].len()).map(|row| inputs.iter().map(|values| values[row]).collect()).collect();
     let sample = &runs.at(&[middle], &Mechanisms::given(mechanisms), |_| {})[0];
     for (ask, (reduction, values)) in study.asks.iter().zip(REDUCTIONS.iter().zip(&sample.columns)) {
-        let output = &study.model.outputs[ask.output].name;
+        let output = &study.outputs[ask.output].name;
         let expected = double_loop(&conducted, &format!("{output} total {}", reduction.word()));
         assert_eq!(*values, expected, "{}: the numbers of the study", reduction.word());
     }

@@ -65,7 +65,7 @@ impl Case {
             })
             .map(|quantity| (quantity, nominal[quantity]))
             .collect();
-        let position = columns(&mechanism).into_iter().find(|column| column.reading.is_position());
+        let position = columns(&mechanism.model).into_iter().find(|column| column.reading.is_position());
         let reading = position.unwrap_or_else(|| panic!("{name} has no output that is a position")).reading;
         Self { name: name.to_owned(), mechanism, turn_s, reading, clearances }
     }

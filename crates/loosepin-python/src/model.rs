@@ -63,7 +63,7 @@ impl Model {
     fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
         let values = self.0.set_values(&[]).map_err(raise)?.values;
         let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.complaint(&self.0)))?;
-        let outputs = columns(&mechanism).into_iter();
+        let outputs = columns(&mechanism.model).into_iter();
         Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
     }
 

@@ -41,8 +41,7 @@ pub enum Reading {
 }
 
 /// All columns of a model, in file order.
-pub fn columns(mechanism: &Mechanism) -> Vec<Column> {
-    let model = &mechanism.model;
+pub fn columns(model: &Model) -> Vec<Column> {
     let mut columns = Vec::new();
     for (output, written) in model.outputs.iter().enumerate() {
         for (reading, suffix) in readings(&written.kind) {

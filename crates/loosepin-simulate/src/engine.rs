@@ -231,15 +231,11 @@ impl Follower {
         let time = [start_s, end_s].map(|time_s| [time_s, 1.0, 0.0]);
         let step =
             StepEnds { length: end_s - start_s, time, readings: readings.each_ref().map(|readings| &readings[..]) };
-        if layout.deviations() > 0 {
+        if layout.reduces() {
             lane.take_piece(layout, end_s, |place, number| numbers[place] = number);
             layout.follow(numbers, &step, true);
             if numbers[FollowLayout::IS_EXTREME] > 0.5 {
-                for deviation in 0..layout.deviations() {
-                    for (place, extreme) in layout.extremes(deviation, |place| numbers[place]) {
-                        numbers[place] = extreme;
-                    }
-                }
+                layout.take_extremes(numbers, |numbers, place| numbers[place], |numbers, place, e| numbers[place] = e);
             }
         }
         while let Some((index, instant_s)) = lane.next_instant(end_s, is_last) {

@@ -60,7 +60,7 @@ impl Plan {
         }
         let states = if self.with_states { NUMBERS_OF_A_STATE * mechanism.model.bodies.len() } else { 0 };
         // The ideal values stand beside those of the run.
-        let numbers = 2 * columns(mechanism).len() + mechanism.contacts.len() + states + NUMBERS_OF_A_ROW;
+        let numbers = 2 * columns(&mechanism.model).len() + mechanism.contacts.len() + states + NUMBERS_OF_A_ROW;
         if rows * numbers as f64 > MOST_NUMBERS as f64 {
             return Err(RunFailure::TooManyNumbers { rows, numbers, most: MOST_NUMBERS });
         }
@@ -225,7 +225,7 @@ impl<'a> Recorder<'a> {
         plan: &Plan,
         window: &Window,
     ) -> Self {
-        let columns = columns(mechanism);
+        let columns = columns(&mechanism.model);
         let rows = (plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64).round().max(1.0) as usize;
         let span_s = window.end_s - window.start_s;
         let at =

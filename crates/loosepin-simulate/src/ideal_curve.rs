@@ -155,6 +155,15 @@ impl IdealCurve {
         self.quintic(reading, piece).value((share - from) / (to - from))
     }
 
+    /// Value, rate and acceleration of a reading at `share` in [0, 1] of the recorded part, which lasts `span_s`.
+    pub fn jet(&self, reading: usize, share: f64, span_s: f64) -> [f64; 3] {
+        let piece = self.nodes.piece(share);
+        let [from, to] = piece.shares;
+        let (place, per_s, quintic) =
+            ((share - from) / (to - from), 1.0 / ((to - from) * span_s), self.quintic(reading, piece));
+        [quintic.value(place), quintic.slope(place) * per_s, quintic.curvature(place) * per_s * per_s]
+    }
+
     /// A reading over a piece of a curve with these nodes.
     pub fn quintic(&self, reading: usize, piece: Piece) -> &Quintic {
         &self.quintics[reading][piece.index]

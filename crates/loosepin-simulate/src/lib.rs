@@ -27,6 +27,7 @@ mod motion;
 mod observer;
 mod pace;
 mod pass;
+mod path_error;
 mod period;
 mod plain;
 mod programs;
@@ -55,7 +56,8 @@ pub use execution::Execution;
 pub use failure::RunFailure;
 pub use flight::FlightClock;
 pub use follow::{
-    DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, GAUSS, extremes_within, points_within,
+    DeviationRange, Findings, Follow, FollowedDeviation, FollowedPath, FollowedRun, GAUSS, extremes_within,
+    points_within,
 };
 pub use free_motion::FreeMotion;
 pub use history::{BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_until};
@@ -66,6 +68,7 @@ pub use loosepin_result::simulation::REPEAT_SHARE;
 pub use lyapunov::{ExponentPlan, largest_exponent};
 pub use memory::{Block, LaneLayout};
 pub use observer::{Observer, Onset, Separation, Step};
+pub use path_error::path_error;
 pub use period::{period_turns, section, section_sizes};
 pub use programs::PassPrograms;
 pub use reference::IdealReference;

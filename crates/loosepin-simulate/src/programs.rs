@@ -145,7 +145,6 @@ impl Tracing<'_> {
                 self.pass.hold_loops(blocks, &mut motion, &mut Projection::new(self.mechanism));
             })
         });
-        let Follow { deviations, readings } = self.follow;
         PassPrograms {
             slope,
             slope_by_roots,
@@ -159,8 +158,8 @@ impl Tracing<'_> {
             accept: self.written(hoisted, |blocks| self.pass.accept(blocks)),
             hold_loops,
             account: self.written(hoisted, |blocks| self.pass.close_account(blocks)),
-            follow: (!deviations.is_empty()).then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
-            look: (!readings.is_empty()).then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
+            follow: self.pass.follow.reduces().then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
+            look: (self.pass.follow.readings() > 0).then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
             prepare: with_own_slots(hoisted.own_program()),
         }
     }

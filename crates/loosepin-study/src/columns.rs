@@ -1,11 +1,10 @@
 //! The columns of a study's response: every number that one run must deliver.
 
 use super::file::{Ask, Deviation, Reduction, Requirement, Study, Where};
+use super::outputs::StudyOutput;
 use std::collections::HashMap;
 
 use loosepin_bounds::{Request, Statistic};
-use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_simulate::{Column, columns};
 
 /// Probabilities of the ends of the band that curves and treatments show.
 pub const BAND: [f64; 2] = [0.025, 0.975];
@@ -45,8 +44,6 @@ pub struct StudyColumn {
 pub struct PlannedAsk {
     /// The ask.
     pub ask: Ask,
-    /// Index in [`ColumnPlan::outputs`]; an ask for a path becomes two planned asks.
-    pub output: usize,
     /// Its columns, in the order of the poses.
     pub columns: Vec<usize>,
 }
@@ -63,8 +60,8 @@ pub struct PlannedRequirement {
 /// All columns of a study, and which ask uses which.
 #[derive(Debug, Clone)]
 pub struct ColumnPlan {
-    /// Columns of the model that are used.
-    pub outputs: Vec<Column>,
+    /// What can be asked of the model.
+    pub outputs: Vec<StudyOutput>,
     /// The numbers of a run.
     pub columns: Vec<StudyColumn>,
     /// The asks.
@@ -98,9 +95,9 @@ impl ColumnPlan {
     }
 
     /// Lays out what `study` asks for.
-    pub fn new(study: &Study, mechanism: &Mechanism, drive_start_rad: f64, drive_sign: f64) -> Self {
+    pub fn new(study: &Study, drive_start_rad: f64, drive_sign: f64) -> Self {
         let mut plan = Self {
-            outputs: columns(mechanism),
+            outputs: study.outputs.clone(),
             columns: Vec::new(),
             asks: Vec::new(),
             requirements: Vec::new(),
@@ -139,15 +136,13 @@ impl ColumnPlan {
             }
         };
         for ask in &study.asks {
-            for output in plan.outputs_of(ask.output) {
-                let columns = plan.add(output, ask.deviation, &spots(&ask.location));
-                plan.asks.push(PlannedAsk { ask: ask.clone(), output, columns });
-            }
+            let columns = plan.add(ask.output, ask.deviation, &spots(&ask.location));
+            plan.asks.push(PlannedAsk { ask: ask.clone(), columns });
         }
         // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
         let whole = [Spot::Reduced(Reduction::MaximumAbsolute)];
         for k in 0..plan.asks.len() {
-            let (output, deviation) = (plan.asks[k].output, plan.asks[k].ask.deviation);
+            let (output, deviation) = (plan.asks[k].ask.output, plan.asks[k].ask.deviation);
             let is_at_poses = !matches!(plan.asks[k].ask.location, Where::Reduced(_));
             if is_at_poses && deviation != Deviation::Value {
                 let columns = plan.add(output, deviation, &whole);
@@ -155,20 +150,14 @@ impl ColumnPlan {
             }
         }
         for requirement in &study.requirements {
-            for output in plan.outputs_of(requirement.output) {
-                let spots = match &requirement.location {
-                    Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
-                    other => spots(other),
-                };
-                let columns = plan.add(output, requirement.deviation, &spots);
-                plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), columns });
-            }
+            let spots = match &requirement.location {
+                Where::Cycle => vec![Spot::Reduced(requirement.limit.reduction())],
+                other => spots(other),
+            };
+            let columns = plan.add(requirement.output, requirement.deviation, &spots);
+            plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), columns });
         }
         plan
-    }
-
-    fn outputs_of(&self, model_output: usize) -> Vec<usize> {
-        (0..self.outputs.len()).filter(|&k| self.outputs[k].output == model_output).collect()
     }
 
     fn add(&mut self, output: usize, deviation: Deviation, spots: &[Spot]) -> Vec<usize> {

@@ -124,7 +124,8 @@ impl StudyError {
                 PrepareError::Law(_)
                 | PrepareError::TooManyLaws { .. }
                 | PrepareError::TooManyColumns { .. }
-                | PrepareError::PoseNotRecorded { .. },
+                | PrepareError::PoseNotRecorded { .. }
+                | PrepareError::PathStandsStill { .. },
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {

@@ -11,7 +11,7 @@ fn target(study: &Study, place: usize, planned: &PlannedAsk, statistic: Statisti
     if planned.ask.rare.iter().any(|(rare, _)| *rare == statistic) {
         return None;
     }
-    let of_output = study.model.outputs[planned.ask.output].kind.dimension();
+    let of_output = study.outputs[planned.ask.output].dimension;
     let dimension = if statistic.is_probability() { Dimension::NUMBER } else { of_output };
     let concerns = |target: &&AccuracyTarget| {
         target.dimension == dimension

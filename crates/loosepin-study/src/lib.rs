@@ -33,6 +33,7 @@ mod lanes;
 mod learned;
 mod loosened;
 mod memory_at_hand;
+mod outputs;
 mod part;
 mod plans;
 mod problem;

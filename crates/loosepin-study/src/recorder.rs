@@ -4,11 +4,14 @@
 
 use super::columns::{ColumnPlan, Spot};
 use super::file::{Deviation, Reduction};
+use super::outputs::Seen;
+use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
+use loosepin_result::study::PathError;
 use loosepin_simulate::{
-    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedRun, FreeMotion, GAUSS, IdealCurve,
-    IdealReference, Observer, Reading, Step, Window, extremes_within, points_within,
+    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedPath, FollowedRun, FreeMotion, GAUSS,
+    IdealCurve, IdealReference, Observer, Reading, Step, Window, extremes_within, path_error, points_within,
 };
 use std::sync::Arc;
 
@@ -19,6 +22,10 @@ enum Origin {
     Instant { reading: usize, instant: usize },
     /// A deviation that is followed on the lanes: its index in [`Follow::deviations`].
     Followed { deviation: usize, reduction: Reduction },
+    /// A part of the error of a point at an instant: indices of x and y in [`Follow::readings`], and that of the instant.
+    PathInstant { readings: [usize; 2], part: PathError, instant: usize },
+    /// The same followed on the lanes: its index in [`Follow::paths`], and that of the part.
+    FollowedPath { path: usize, part: usize, reduction: Reduction },
     /// A look inside a step at a pose.
     Look,
     /// A deviation that is followed by looks inside the steps: its index in [`Recorder::looked`].
@@ -55,7 +62,13 @@ pub struct Shared {
 /// The outputs of `plan` that are positions, those that any column uses, in order.
 pub fn positions(plan: &ColumnPlan) -> Vec<Reading> {
     let used = plan.outputs.iter().enumerate().filter(|(output, _)| plan.is_used(*output));
-    used.map(|(_, output)| output.reading).filter(Reading::is_position).collect()
+    let mut positions: Vec<Reading> = Vec::new();
+    for reading in used.flat_map(|(_, output)| output.seen.readings()).filter(Reading::is_position) {
+        if !positions.contains(&reading) {
+            positions.push(reading);
+        }
+    }
+    positions
 }
 
 impl Shared {
@@ -77,31 +90,33 @@ impl Shared {
         instants_turns.dedup();
         let mut origins = Vec::with_capacity(plan.columns.len());
         for (index, column) in plan.columns.iter().enumerate() {
-            let own = plan.outputs[column.output].reading;
-            let reading = follow.readings.iter().position(|reading| *reading == own);
-            origins.push(match (column.spot, reading) {
-                (Spot::Pose { turns, .. }, Some(reading)) => {
-                    Origin::Instant { reading, instant: instants_turns.partition_point(|&instant| instant < turns) }
-                }
-                (Spot::Pose { .. }, None) => {
+            let place = |own: Reading| follow.readings.iter().position(|reading| *reading == own);
+            let instant = |turns: f64| instants_turns.partition_point(|&instant| instant < turns);
+            let of = column.deviation;
+            let followed = match plan.outputs[column.output].seen {
+                Seen::Reading(reading) => place(reading).map(|reading| match column.spot {
+                    Spot::Pose { turns, .. } => Origin::Instant { reading, instant: instant(turns) },
+                    Spot::Reduced(reduction) => follow_deviation(&mut follow.deviations, (reading, of), reduction),
+                }),
+                Seen::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| match column.spot {
+                    Spot::Pose { turns, .. } => Origin::PathInstant { readings: [x, y], part, instant: instant(turns) },
+                    Spot::Reduced(reduction) => follow_path(&mut follow.paths, ([x, y], of), part, reduction),
+                }),
+            };
+            origins.push(followed.unwrap_or_else(|| match column.spot {
+                Spot::Pose { .. } => {
                     looks.push(index);
                     Origin::Look
                 }
-                (Spot::Reduced(reduction), Some(reading)) => {
-                    let deviation = place_of(&mut follow.deviations, (reading, column.deviation));
-                    let is_integral = matches!(reduction, Reduction::Mean | Reduction::RootMeanSquare);
-                    follow.deviations[deviation].is_integrated |= is_integral;
-                    Origin::Followed { deviation, reduction }
-                }
-                (Spot::Reduced(reduction), None) => {
-                    let own = (column.output, column.deviation);
+                Spot::Reduced(reduction) => {
+                    let own = (column.output, of);
                     let deviation = looked.iter().position(|known| *known == own).unwrap_or_else(|| {
                         looked.push(own);
                         looked.len() - 1
                     });
                     Origin::Looked { deviation, reduction }
                 }
-            });
+            }));
         }
         looks.sort_by(|&a, &b| pose_turns(&plan, a).total_cmp(&pose_turns(&plan, b)).then(a.cmp(&b)));
         let mut of_own = plan
@@ -109,7 +124,8 @@ impl Shared {
             .iter()
             .filter(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
         let needs_own_ideal = of_own.clone().next().is_some();
-        let needs_own_reference = of_own.any(|column| !plan.outputs[column.output].reading.is_position());
+        let is_position = |output: usize| plan.outputs[output].seen.readings().all(|reading| reading.is_position());
+        let needs_own_reference = of_own.any(|column| !is_position(column.output));
         Self {
             follow,
             instants_turns,
@@ -132,20 +148,49 @@ impl Shared {
 
     /// What is followed in a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
     pub fn followed(&self, own: Option<Arc<IdealCurve>>, window: &Window, turn_s: f64) -> FollowedRun {
-        let is_read = self.origins.iter().any(|origin| matches!(origin, Origin::Instant { .. }));
+        let is_read =
+            self.origins.iter().any(|origin| matches!(origin, Origin::Instant { .. } | Origin::PathInstant { .. }));
         let instants = self.instants_turns.iter().filter(|_| is_read);
         let instants_s = instants.map(|turns| window.start_s + turns * turn_s).collect();
         FollowedRun { instants_s, nominal: Some(self.nominal_curve.clone()), own }
     }
 }
 
-/// The place of a deviation among those that are followed, which it joins.
-fn place_of(known: &mut Vec<FollowedDeviation>, (reading, deviation): (usize, Deviation)) -> usize {
+/// A number of a deviation, which joins those that are followed.
+fn follow_deviation(
+    known: &mut Vec<FollowedDeviation>,
+    (reading, deviation): (usize, Deviation),
+    reduction: Reduction,
+) -> Origin {
     let found = known.iter().position(|one| one.reading == reading && one.deviation == deviation);
-    found.unwrap_or_else(|| {
+    let place = found.unwrap_or_else(|| {
         known.push(FollowedDeviation { reading, deviation, is_integrated: false });
         known.len() - 1
-    })
+    });
+    known[place].is_integrated |= is_integral(reduction);
+    Origin::Followed { deviation: place, reduction }
+}
+
+/// A number of a part of the error of a point, which joins those that are followed.
+fn follow_path(
+    known: &mut Vec<FollowedPath>,
+    (readings, deviation): ([usize; 2], Deviation),
+    part: PathError,
+    reduction: Reduction,
+) -> Origin {
+    let found = known.iter().position(|one| one.readings == readings && one.deviation == deviation);
+    let path = found.unwrap_or_else(|| {
+        known.push(FollowedPath { readings, deviation, parts: [false; 4], is_integrated: false });
+        known.len() - 1
+    });
+    let part = PathError::ALL.iter().position(|known| *known == part).unwrap_or(0);
+    known[path].parts[part] = true;
+    known[path].is_integrated |= is_integral(reduction);
+    Origin::FollowedPath { path, part, reduction }
+}
+
+fn is_integral(reduction: Reduction) -> bool {
+    matches!(reduction, Reduction::Mean | Reduction::RootMeanSquare)
 }
 
 /// Turns of the pose of a column; not a number of a reduced one.
@@ -225,10 +270,30 @@ impl<'r> Recorder<'r> {
                 Origin::Followed { deviation, reduction } => {
                     reduced(&findings.deviations[deviation], reduction, span_s)
                 }
+                Origin::PathInstant { readings: own, part, instant } => {
+                    let share = (shared.instants_turns[instant] / turns).min(1.0);
+                    let at = |reading| findings.at_instants.get(instant * readings + reading).copied();
+                    let actual = own.map(|reading| at(reading).unwrap_or(f64::NAN));
+                    self.path_error(column.deviation, part, (own, actual), share)
+                }
+                Origin::FollowedPath { path, part, reduction } => {
+                    reduced(&findings.paths[path][part], reduction, span_s)
+                }
                 Origin::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
                 Origin::Look => self.values[index],
             };
         }
+    }
+
+    /// A part of the error of a point whose coordinates are the readings `own`, and which is at `actual`, at a share of the recorded part.
+    fn path_error(&self, of: Deviation, part: PathError, (own, actual): ([usize; 2], [f64; 2]), share: f64) -> f64 {
+        let span_s = self.window.end_s - self.window.start_s;
+        let jets = |curve: &IdealCurve| own.map(|reading| curve.jet(reading, share, span_s));
+        let nominal = jets(&self.shared.nominal_curve);
+        let own = self.references.curve.as_ref().map_or([[f64::NAN; 3]; 2], |curve| jets(curve));
+        let error = [0, 1].map(|k| deviation(of, || actual[k], || own[k][0], || nominal[k][0]));
+        let [x, y] = if of == Deviation::Clearance { own } else { nominal };
+        path_error(part, Vec2::new(error[0], error[1]), Vec2::new(x[1], y[1]), Vec2::new(x[2], y[2]))
     }
 
     /// Largest difference between all poses at the end and one turn before, relative to `size_m` in positions and in rad for
@@ -250,7 +315,7 @@ impl<'r> Recorder<'r> {
         nominal: Option<f64>,
     ) -> f64 {
         let Self { shared, arms, references, failure, .. } = self;
-        let reading = shared.plan.outputs[output].reading;
+        let Seen::Reading(reading) = shared.plan.outputs[output].seen else { return f64::NAN };
         let mut ideal = |reference: &mut Option<IdealReference<'r>>, time_s: f64| match reference {
             Some(reference) => read(reference, failure, |dynamics| reading.value(arms, dynamics), time_s),
             None => f64::NAN,
@@ -290,7 +355,7 @@ impl<'r> Recorder<'r> {
 
     /// Value of an output without a polynomial, by a look inside a step.
     fn actual(&self, step: &mut Step<'_, '_>, output: usize, time_s: f64) -> f64 {
-        let reading = self.shared.plan.outputs[output].reading;
+        let Seen::Reading(reading) = self.shared.plan.outputs[output].seen else { return f64::NAN };
         let dynamics = if reading.needs_forces() { step.evaluate(time_s) } else { step.set_state(time_s) };
         reading.value(&self.arms, dynamics)
     }
@@ -406,10 +471,14 @@ fn poses(dynamics: &Dynamics<'_, f64>) -> Vec<[f64; 3]> {
 
 #[cfg(test)]
 mod tests {
+    use crate::Study;
     use crate::columns::Spot;
     use crate::file::Reduction;
     use crate::response::StudyResponse;
     use crate::texts::study_with;
+    use loosepin_result::study::PathError;
+    use loosepin_simulate::Execution;
+    use std::path::Path;
 
     /// The largest deviation of the slider in a turn that begins `transient` turns after the start, and the largest at its poses, m.
     fn largest_m(transient: &str) -> [f64; 2] {
@@ -435,6 +504,69 @@ mod tests {
             let [largest_m, at_poses_m] = largest_m(transient);
             // 180 poses may miss a part of a peak.
             assert!((1.0..1.25).contains(&(largest_m / at_poses_m)), "{transient}: {largest_m} m, {at_poses_m} m");
+        }
+    }
+
+    /// The rows of some runs of the coupler point, asked for every part of its error over the cycle and as numbers of the whole.
+    fn rows_of_path(samples_per_turn: usize, execution: Execution) -> (StudyResponse, Vec<Vec<f64>>) {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/four_bar_coupler_path/study.toml");
+        let mut texts = Study::from_path(&path).unwrap().texts();
+        let ask = |component: &str, of: &str, place: &str| {
+            format!(
+                "[[ask]]\noutput = \"tool\"\ncomponent = \"{component}\"\nof = \"{of}\"\n{place}\nstatistics = [\"mean\"]\n"
+            )
+        };
+        let places =
+            ["at = \"cycle\"", "reduce = \"maximum\"", "reduce = \"minimum\"", "reduce = \"rms\"", "reduce = \"mean\""];
+        let asks = ["total", "clearance", "dimensional"]
+            .map(|of| PathError::ALL.map(|part| places.map(|place| ask(part.word(), of, place)).concat()).concat());
+        let (head, _) = texts.study.1.split_once("# How far the tool").unwrap();
+        let head = head.replace("samples_per_turn = 90", &format!("samples_per_turn = {samples_per_turn}"));
+        texts.study.1 = head + &asks.concat();
+        let response = StudyResponse::new(&Study::from_texts(&texts).unwrap()).unwrap();
+        const CLEARANCES_M: [[f64; 2]; 3] = [[5e-5, 3e-5], [2e-5, 8e-5], [7e-5, 7e-5]];
+        let mut inputs = CLEARANCES_M.iter().enumerate();
+        let mut rows = vec![Vec::new(); 3];
+        let lengths_m = [0.08001, 0.26002, 0.17999];
+        let next = || inputs.next().map(|(index, clearances_m)| (index, &lengths_m[..], &clearances_m[..]));
+        response.run_all(0, execution, next, |index, row| rows[index] = row.unwrap());
+        (response, rows)
+    }
+
+    #[test]
+    fn identity_numbers_of_a_path_error_over_the_cycle_are_those_of_its_poses() {
+        let (response, rows) = rows_of_path(1600, Execution::best());
+        for ask in response.shared.plan.asks.chunks(5) {
+            let name = &response.shared.plan.outputs[ask[0].ask.output].name;
+            for row in &rows {
+                let poses: Vec<f64> = ask[0].columns.iter().map(|&column| row[column]).collect();
+                let [high, low, rms, mean] = [1, 2, 3, 4].map(|k| row[ask[k].columns[0]]);
+                let largest = poses.iter().fold(f64::NEG_INFINITY, |largest, own| largest.max(*own));
+                let smallest = poses.iter().fold(f64::INFINITY, |smallest, own| smallest.min(*own));
+                let count = poses.len() as f64;
+                let poses_mean = poses.iter().sum::<f64>() / count;
+                let poses_rms = (poses.iter().map(|own| own * own).sum::<f64>() / count).sqrt();
+                // Between poses an error changes by some hundredths of the play; the sums are those of rectangles.
+                let (within, least) = (0.02 * (high - low), -1e-9);
+                let told = format!("{name} {:?}: {high} {largest}, {low} {smallest}", ask[0].ask.deviation);
+                assert!((least..within).contains(&(high - largest)), "{told}");
+                assert!((least..within).contains(&(smallest - low)), "{told}");
+                assert!((mean - poses_mean).abs() < within && (rms - poses_rms).abs() < within, "{told}: {mean} {rms}");
+                assert!(high - low > 1e-6, "{told}: nothing to be seen");
+            }
+        }
+    }
+
+    #[test]
+    fn identity_path_errors_have_the_same_bits_alone_and_on_lanes() {
+        let bits = |execution| {
+            let rows = rows_of_path(24, execution).1;
+            rows.into_iter().flatten().map(f64::to_bits).collect::<Vec<u64>>()
+        };
+        let alone = bits(Execution::Scalar);
+        assert!(alone.iter().all(|bits| f64::from_bits(*bits).is_finite()));
+        for execution in Execution::available() {
+            assert_eq!(bits(execution), alone, "{}", execution.name());
         }
     }
 

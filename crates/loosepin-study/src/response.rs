@@ -4,6 +4,7 @@ use super::columns::{ColumnPlan, Spot};
 use super::extras::RunExtras;
 use super::file::{EpistemicSubject, MOST_POSES, Study, Where};
 use super::ideal_tables::IdealTables;
+use super::outputs::Seen;
 use super::recorder::{Shared, positions};
 use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
@@ -11,7 +12,8 @@ use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleErr
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
 };
-use loosepin_simulate::{Arms, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
+use loosepin_result::study::PathError;
+use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
@@ -58,10 +60,20 @@ problems! {
         TooManyLaws { combinations: usize } => Code::AskNotPossible,
             says("{combinations} combinations of contact laws; must be at most {MOST_LAWS}"),
             hint("shorten the lists of laws");
+        /// A path whose point stands still somewhere.
+        PathStandsStill { output: String, share_percent: f64 } => Code::AskNotPossible,
+            says("output '{output}': its point hardly moves after {share_percent:.1} % of the recorded part; its path has no direction there"),
+            hint("ask for component = \"magnitude\", or for x and y");
         /// The nominal run.
         Nominal { failure: RunFailure } => Problem::code(failure),
             says("the nominal mechanism, epistemic inputs in the middle of their intervals: {failure}"),
             hint_of(failure.hint());
+    }
+}
+
+impl From<SampleError> for PrepareError {
+    fn from(error: SampleError) -> Self {
+        RunFailure::from(error).into()
     }
 }
 
@@ -148,7 +160,7 @@ impl StudyResponse {
         let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
         let mechanism = &mechanisms[0];
         let nominal_input = study.model.input(study.cycle.span, &nominal);
-        let plan = ColumnPlan::new(study, mechanism, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
+        let plan = ColumnPlan::new(study, nominal_input.start_rad, nominal_input.speed_rad_s.signum());
         if plan.columns.len() > MOST_COLUMNS {
             return Err(PrepareError::TooManyColumns { columns: plan.columns.len() });
         }
@@ -348,6 +360,32 @@ fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
     Ok(())
 }
 
+/// A path has a direction wherever its point moves: where a part of its error counts that needs one, the point may be no slower than a share
+/// of its mean speed anywhere.
+fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, span_s: f64) -> Result<(), PrepareError> {
+    /// Speeds that are looked at, for each piece of the curve.
+    const LOOKS: usize = 4;
+    const LEAST_SHARE: f64 = 0.01;
+    for output in plan.outputs.iter().enumerate().filter(|(index, _)| plan.is_used(*index)).map(|(_, output)| output) {
+        let Seen::Path(readings, part) = output.seen else { continue };
+        let places = readings.map(|reading| positions.iter().position(|known| *known == reading));
+        let ([Some(x), Some(y)], true) = (places, part != PathError::Magnitude) else { continue };
+        let looks = LOOKS * curve.nodes.pieces().iter().sum::<usize>();
+        let speeds: Vec<[f64; 2]> = (0..=looks)
+            .map(|look| look as f64 / looks as f64)
+            .map(|share| {
+                let [x, y] = [x, y].map(|reading| curve.jet(reading, share, span_s)[1]);
+                [share, x.hypot(y)]
+            })
+            .collect();
+        let mean = speeds.iter().map(|[_, speed]| speed).sum::<f64>() / speeds.len() as f64;
+        if let Some([share, _]) = speeds.iter().find(|[_, speed]| !(*speed > LEAST_SHARE * mean)) {
+            return Err(PrepareError::PathStandsStill { output: output.name.clone(), share_percent: 100.0 * share });
+        }
+    }
+    Ok(())
+}
+
 /// The recorded part of a run.
 pub(super) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f64) -> Result<Window, RunFailure> {
     if !(input.speed_rad_s.abs() > 0.0) {
@@ -367,7 +405,7 @@ fn share_nominal(
     nominal_window: &Window,
     settings: &Settings,
     turns: f64,
-) -> Result<Shared, RunFailure> {
+) -> Result<Shared, PrepareError> {
     let arms = Arms::new(ideal, nominal);
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let positions = positions(&plan);
@@ -401,10 +439,14 @@ fn share_nominal(
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
     reference = fresh()?;
     for (at, index) in pose_order {
-        let reading = plan.outputs[plan.columns[index].output].reading;
         let time_s = nominal_window.start_s + at * span_s / turns;
         let dynamics = reference.at(time_s, true)?;
-        nominal_at_pose[index] = reading.value(&arms, dynamics);
+        nominal_at_pose[index] = match plan.outputs[plan.columns[index].output].seen {
+            Seen::Reading(reading) => reading.value(&arms, dynamics),
+            // The ideal motion has no error.
+            Seen::Path(..) => 0.0,
+        };
     }
+    check_paths(&plan, &positions, &nominal_curve, span_s)?;
     Ok(Shared::new(plan, nominal_curve, nominal_motion, nominal_at_pose))
 }

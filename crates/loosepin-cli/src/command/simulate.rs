@@ -26,7 +26,7 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
         claim(ResultKind::Simulation, &model.name, inputs(&model, arguments, &plan, &measured), &arguments.output);
     // Compiled first, so that a model that cannot run leaves no folder behind.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
-    let outputs = columns(&mechanism);
+    let outputs = columns(&mechanism.model);
     let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
     for table in &measured {
         table.check(&outputs)?;

@@ -7,6 +7,7 @@ mod command_line;
 mod failed_runs;
 mod import;
 mod pages;
+mod paths;
 mod resume;
 mod shards;
 mod simulate;

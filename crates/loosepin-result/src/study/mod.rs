@@ -8,6 +8,7 @@ mod deviation;
 mod draft;
 mod figures;
 mod inputs;
+mod path_error;
 mod promise;
 mod rare;
 mod reduction;
@@ -33,6 +34,7 @@ pub use inputs::{
 };
 
 pub use loosepin_terms::{Guarantee, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment};
+pub use path_error::PathError;
 pub use promise::{PromiseRecord, PromisedBand, PromisedEnd};
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
 pub use reduction::Reduction;

@@ -1,6 +1,7 @@
 //! What is followed in the runs on lanes.
 
 use super::{Batch, lanes_of};
+use crate::core::Core;
 use crate::follow::{Findings, FollowLayout};
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
@@ -25,7 +26,7 @@ impl Batch<'_> {
         if layout.readings() == 0 || accepted & recorded == 0 {
             return;
         }
-        if layout.deviations() > 0 {
+        if layout.reduces() {
             for (lane, run) in of_lanes(runs, due & recorded) {
                 let end_s = core.end_read(lane, ReadLayout::TIME);
                 run.follow.take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
@@ -45,11 +46,8 @@ impl Batch<'_> {
     fn take_extremes(&mut self, recorded: u32) {
         let Self { core, follow: layout, .. } = self;
         for lane in lanes_of(core.followed_flags(FollowLayout::IS_EXTREME) & recorded) {
-            for deviation in 0..layout.deviations() {
-                for (place, extreme) in layout.extremes(deviation, |place| core.followed(lane, place)) {
-                    core.set_followed(lane, place, extreme);
-                }
-            }
+            let set = |core: &mut Core<'_>, place, extreme| core.set_followed(lane, place, extreme);
+            layout.take_extremes(core, |core, place| core.followed(lane, place), set);
         }
     }
 

@@ -1,8 +1,6 @@
 //! Extremes of a deviation within a step.
 
-use super::layout::FollowLayout;
 use crate::search::maximum_within;
-use loosepin_math::Quintic;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;
@@ -31,19 +29,6 @@ pub fn extremes_within<const N: usize>(
         smallest = smallest.min(-maximum_within(&turned, |share| -f(share)).value);
     }
     [largest, smallest]
-}
-
-impl FollowLayout {
-    /// The largest and the smallest value of a deviation with those of the step at hand, each with its place among the numbers of the lane,
-    /// which `get` reads.
-    pub(crate) fn extremes(&self, deviation: usize, get: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
-        let first = self.deviation(deviation);
-        let polynomial = Quintic { coefficients: std::array::from_fn(|k| get(first + Self::POLYNOMIAL + k)) };
-        let [largest, smallest] = [first + Self::LARGEST, first + Self::SMALLEST];
-        let value = |share: f64| polynomial.value(share);
-        let found = extremes_within(&points_within(value), polynomial.limits(), [get(largest), get(smallest)], value);
-        [(largest, found[0]), (smallest, found[1])]
-    }
 }
 
 #[cfg(test)]

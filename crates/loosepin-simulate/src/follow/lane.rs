@@ -1,6 +1,7 @@
 //! What is followed in the run of a lane, beside its numbers: tables, instants, extremes.
 
 use super::layout::FollowLayout;
+use super::path::PathLayout;
 use super::plan::{DeviationRange, Findings, FollowedRun};
 use crate::ideal_curve::{IdealCurve, Piece};
 use crate::settings::Window;
@@ -26,29 +27,41 @@ impl LaneFollow {
     /// Nothing found yet.
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
         let at_instants = vec![f64::NAN; run.instants_s.len() * layout.readings()];
-        let findings = Findings { at_instants, deviations: vec![DeviationRange::NONE; layout.deviations()] };
+        let (deviations, paths) = (layout.deviations(), layout.paths().len());
+        let findings = Findings {
+            at_instants,
+            deviations: vec![DeviationRange::NONE; deviations],
+            paths: vec![[DeviationRange::NONE; 4]; paths],
+        };
         let readings = Vec::with_capacity(layout.readings());
         Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
     }
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
     pub fn begin(&mut self, layout: &FollowLayout, time_s: f64, mut set: impl FnMut(usize, f64)) {
-        if layout.deviations() == 0 {
+        if !layout.reduces() {
             return;
         }
+        let begin_range = |first: usize, set: &mut dyn FnMut(usize, f64)| {
+            for (k, number) in [f64::NEG_INFINITY, f64::INFINITY, 0.0, 0.0].into_iter().enumerate() {
+                set(first + k, number);
+            }
+        };
         for deviation in 0..layout.deviations() {
             let first = layout.deviation(deviation);
-            for (k, number) in self.reference(layout, deviation, time_s).into_iter().enumerate() {
+            for (k, number) in self.reference(layout.of(deviation), time_s).into_iter().enumerate() {
                 set(first + FollowLayout::BEFORE + k, number);
             }
-            for (place, number) in [
-                (FollowLayout::LARGEST, f64::NEG_INFINITY),
-                (FollowLayout::SMALLEST, f64::INFINITY),
-                (FollowLayout::INTEGRAL, 0.0),
-                (FollowLayout::INTEGRAL_OF_SQUARE, 0.0),
-            ] {
-                set(first + place, number);
+            begin_range(first + FollowLayout::LARGEST, &mut set);
+        }
+        for path in layout.paths() {
+            for reference in path.references() {
+                let jet = self.reference(reference.curve, time_s);
+                for (k, &number) in jet[3 - reference.derivatives..].iter().enumerate() {
+                    set(reference.before() + k, number);
+                }
             }
+            (0..4).for_each(|part| begin_range(path.part(part), &mut set));
         }
         self.take_another_piece(layout, time_s, set);
     }
@@ -70,18 +83,18 @@ impl LaneFollow {
         let [start_s, end_s] = piece.shares.map(|share| self.window.start_s + share * self.span_s());
         for deviation in 0..layout.deviations() {
             let first = layout.deviation(deviation) + FollowLayout::REFERENCE;
-            for (k, coefficient) in self.quintic(layout, deviation, piece).coefficients.into_iter().enumerate() {
-                set(first + k, coefficient);
-            }
+            set_all(first, self.quintic(layout.of(deviation), piece), &mut set);
+        }
+        for reference in layout.paths().iter().flat_map(PathLayout::references) {
+            set_all(reference.first, self.quintic(reference.curve, piece), &mut set);
         }
         set(FollowLayout::PIECE_START, start_s);
         set(FollowLayout::PIECE_RATE, 1.0 / (end_s - start_s));
         self.piece_end_s = if piece.shares[1] < 1.0 { end_s } else { f64::INFINITY };
     }
 
-    /// What a deviation is compared with, over a piece of the curves.
-    fn quintic(&self, layout: &FollowLayout, deviation: usize, piece: Piece) -> Quintic {
-        let (reading, of) = layout.of(deviation);
+    /// What a deviation of a reading is compared with, over a piece of the curves.
+    fn quintic(&self, (reading, of): (usize, Deviation), piece: Piece) -> Quintic {
         let of_curve = |curve: &Option<Arc<IdealCurve>>| {
             curve.as_ref().map_or([f64::NAN; 6], |curve| curve.quintic(reading, piece).coefficients)
         };
@@ -99,13 +112,13 @@ impl LaneFollow {
     }
 
     /// Value, rate and acceleration at `time_s` of what a deviation is compared with.
-    fn reference(&self, layout: &FollowLayout, deviation: usize, time_s: f64) -> [f64; 3] {
+    fn reference(&self, of: (usize, Deviation), time_s: f64) -> [f64; 3] {
         let Some(curve) = self.run.nominal.as_ref().or(self.run.own.as_ref()) else { return [0.0; 3] };
         let share = self.share(time_s);
         let piece = curve.nodes.piece(share);
         let [from, to] = piece.shares;
         let (at, length_s) = ((share - from) / (to - from), (to - from) * self.span_s());
-        let quintic = self.quintic(layout, deviation, piece);
+        let quintic = self.quintic(of, piece);
         [quintic.value(at), quintic.slope(at) / length_s, quintic.curvature(at) / (length_s * length_s)]
     }
 
@@ -159,14 +172,26 @@ impl LaneFollow {
 
     /// Gives out what was found; `get` reads the numbers of the lane.
     pub fn findings(&mut self, layout: &FollowLayout, get: impl Fn(usize) -> f64) -> Findings {
-        for (deviation, range) in self.findings.deviations.iter_mut().enumerate() {
-            let first = layout.deviation(deviation);
-            range.largest = get(first + FollowLayout::LARGEST) + 0.0;
-            range.smallest = get(first + FollowLayout::SMALLEST) + 0.0;
-            range.integral = get(first + FollowLayout::INTEGRAL);
-            range.integral_of_square = get(first + FollowLayout::INTEGRAL_OF_SQUARE);
+        let range = |first: usize| DeviationRange {
+            largest: get(first) + 0.0,
+            smallest: get(first + 1) + 0.0,
+            integral: get(first + 2),
+            integral_of_square: get(first + 3),
+        };
+        for (deviation, own) in self.findings.deviations.iter_mut().enumerate() {
+            *own = range(layout.deviation(deviation) + FollowLayout::LARGEST);
+        }
+        for (path, own) in layout.paths().iter().zip(&mut self.findings.paths) {
+            *own = [0, 1, 2, 3].map(|part| range(path.part(part)));
         }
         std::mem::take(&mut self.findings)
+    }
+}
+
+/// Puts down the coefficients of a polynomial from `first` on.
+fn set_all(first: usize, polynomial: Quintic, set: &mut impl FnMut(usize, f64)) {
+    for (k, coefficient) in polynomial.coefficients.into_iter().enumerate() {
+        set(first + k, coefficient);
     }
 }
 

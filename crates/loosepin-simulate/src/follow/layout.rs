@@ -1,13 +1,13 @@
 //! The arithmetic of what is followed, on the numbers of one lane. Written once over [`Real`]: done as it stands for one run, written
 //! down for many.
 
+use super::extremes::{extremes_within, points_within};
+use super::path::PathLayout;
 use super::plan::Follow;
+use super::step_ends::{GAUSS, StepEnds, array, deviation_at};
 use loosepin_math::{Quintic, Real};
 use loosepin_result::study::Deviation;
 
-/// Gauss's points and weights on [0, 1] for integrals over a step: exact to degree five.
-pub const GAUSS: [(f64, f64); 3] =
-    [(0.112_701_665_379_258_3, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 /// Newton's steps to an instant within a step, from a guess that is exact where the pace changes evenly.
 const NEWTON_STEPS: usize = 6;
 
@@ -16,22 +16,7 @@ const NEWTON_STEPS: usize = 6;
 pub(crate) struct FollowLayout {
     readings: usize,
     deviations: Vec<(usize, Deviation, bool)>,
-}
-
-/// The ends of a step: its length, time and derivatives, and those of the readings, over the variable of integration.
-pub(crate) struct StepEnds<'s, T> {
-    /// Length.
-    pub length: T,
-    /// Time at the start and at the end.
-    pub time: [[T; 3]; 2],
-    /// All readings at the start and at the end, three numbers each.
-    pub readings: [&'s [T]; 2],
-}
-
-impl<T: Copy> StepEnds<'_, T> {
-    fn reading(&self, reading: usize, side: usize) -> [T; 3] {
-        array(&self.readings[side][3 * reading..])
-    }
+    paths: Vec<PathLayout>,
 }
 
 impl FollowLayout {
@@ -49,14 +34,12 @@ impl FollowLayout {
     pub const REFERENCE: usize = 0;
     /// Value, rate and acceleration of that at the start of the step.
     pub const BEFORE: usize = 6;
-    /// Largest value so far.
+    /// Largest value so far; behind it the smallest one, the integral over time and that of the square.
     pub const LARGEST: usize = 9;
     /// Smallest value so far.
-    pub const SMALLEST: usize = 10;
-    /// Integral over time.
-    pub const INTEGRAL: usize = 11;
-    /// Integral of the square.
-    pub const INTEGRAL_OF_SQUARE: usize = 12;
+    pub const SMALLEST: usize = Self::LARGEST + 1;
+    const INTEGRAL: usize = Self::LARGEST + 2;
+    const INTEGRAL_OF_SQUARE: usize = Self::LARGEST + 3;
     /// The deviation over the step as a polynomial of its share.
     pub const POLYNOMIAL: usize = 13;
     const PER_DEVIATION: usize = 19;
@@ -64,7 +47,11 @@ impl FollowLayout {
     /// For what `follow` says.
     pub fn new(follow: &Follow) -> Self {
         let deviations = follow.deviations.iter().map(|one| (one.reading, one.deviation, one.is_integrated)).collect();
-        Self { readings: follow.readings.len(), deviations }
+        let mut layout = Self { readings: follow.readings.len(), deviations, paths: Vec::new() };
+        let first = layout.deviation(layout.deviations.len());
+        let paths = follow.paths.iter().enumerate();
+        layout.paths = paths.map(|(k, &path)| PathLayout { first: first + PathLayout::LENGTH * k, path }).collect();
+        layout
     }
 
     /// Readings.
@@ -75,6 +62,16 @@ impl FollowLayout {
     /// Deviations.
     pub fn deviations(&self) -> usize {
         self.deviations.len()
+    }
+
+    /// Paths.
+    pub fn paths(&self) -> &[PathLayout] {
+        &self.paths
+    }
+
+    /// Whether anything is reduced over the recorded part.
+    pub fn reduces(&self) -> bool {
+        !self.deviations.is_empty() || !self.paths.is_empty()
     }
 
     /// Which reading a deviation is of, and which deviation it is.
@@ -90,7 +87,8 @@ impl FollowLayout {
 
     /// How many numbers there are.
     pub fn length(&self) -> usize {
-        if self.readings == 0 { 0 } else { self.deviation(self.deviations.len()) }
+        let paths = PathLayout::LENGTH * self.paths.len();
+        if self.readings == 0 { 0 } else { self.deviation(self.deviations.len()) + paths }
     }
 
     /// Follows a step to its end, where `is_chosen`: integrals, the polynomials of the deviations, and whether their extremes may be new.
@@ -133,7 +131,36 @@ impl FollowLayout {
             }
             own[Self::POLYNOMIAL..].copy_from_slice(&polynomial.coefficients);
         }
+        for path in &self.paths {
+            is_extreme = is_extreme.max(path.follow(numbers, step, (share, rate), is_chosen));
+        }
         numbers[Self::IS_EXTREME] = is_extreme;
+    }
+
+    /// The largest and the smallest value of all that is reduced with those of the step at hand, each with its place among the numbers of the
+    /// lane, which `get` reads and `set` changes.
+    pub fn take_extremes<N>(&self, numbers: &mut N, get: impl Fn(&N, usize) -> f64, set: impl Fn(&mut N, usize, f64)) {
+        for deviation in 0..self.deviations.len() {
+            for (place, extreme) in self.extremes(deviation, |place| get(numbers, place)) {
+                set(numbers, place, extreme);
+            }
+        }
+        for path in &self.paths {
+            for (place, extreme) in path.extremes(|place| get(numbers, place)).into_iter().flatten() {
+                set(numbers, place, extreme);
+            }
+        }
+    }
+
+    /// The largest and the smallest value of a deviation with those of the step at hand, each with its place among the numbers of the lane,
+    /// which `get` reads.
+    fn extremes(&self, deviation: usize, get: impl Fn(usize) -> f64) -> [(usize, f64); 2] {
+        let first = self.deviation(deviation);
+        let polynomial = Quintic { coefficients: std::array::from_fn(|k| get(first + Self::POLYNOMIAL + k)) };
+        let [largest, smallest] = [first + Self::LARGEST, first + Self::SMALLEST];
+        let value = |share: f64| polynomial.value(share);
+        let found = extremes_within(&points_within(value), polynomial.limits(), [get(largest), get(smallest)], value);
+        [(largest, found[0]), (smallest, found[1])]
     }
 
     /// Reads at the instant, which lies within the step.
@@ -142,22 +169,6 @@ impl FollowLayout {
         for reading in 0..self.readings {
             let [start, end] = [0, 1].map(|side| step.reading(reading, side));
             numbers[Self::VALUES + reading] = Quintic::new(start, end, step.length).value(share);
-        }
-    }
-}
-
-/// A deviation at an end of a step with its derivatives over the variable of integration; `reference`: those of what it is compared with,
-/// over time.
-fn deviation_at<T: Real>(of: Deviation, reading: impl FnOnce() -> [T; 3], reference: [T; 3], time: [T; 3]) -> [T; 3] {
-    // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
-    let [value, rate, acceleration] = reference;
-    let over_step = [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]];
-    match of {
-        Deviation::Value => reading(),
-        Deviation::Dimensional => over_step,
-        Deviation::Total | Deviation::Clearance => {
-            let actual = reading();
-            [0, 1, 2].map(|k| actual[k] - over_step[k])
         }
     }
 }
@@ -176,8 +187,4 @@ fn share_of<T: Real>(time_s: T, [start, end]: [[T; 3]; 2], length: T) -> T {
         share = within(share - (time.value(share) - time_s) / time.slope(share).max(least));
     }
     share
-}
-
-fn array<T: Copy, const N: usize>(numbers: &[T]) -> [T; N] {
-    std::array::from_fn(|k| numbers[k])
 }

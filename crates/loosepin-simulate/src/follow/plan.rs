@@ -13,6 +13,8 @@ pub struct Follow {
     pub readings: Vec<Reading>,
     /// Deviations that are reduced over the recorded part.
     pub deviations: Vec<FollowedDeviation>,
+    /// Errors of points from their ideal paths that are reduced over the recorded part.
+    pub paths: Vec<FollowedPath>,
 }
 
 /// A deviation that is reduced over the recorded part.
@@ -23,6 +25,19 @@ pub struct FollowedDeviation {
     /// Which deviation.
     pub deviation: Deviation,
     /// Whether its integrals are asked for as well, not its extremes alone.
+    pub is_integrated: bool,
+}
+
+/// The error of a point from its ideal path, reduced over the recorded part. [`Deviation::Value`] has none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FollowedPath {
+    /// Indices in [`Follow::readings`] of x and y of the point.
+    pub readings: [usize; 2],
+    /// From which ideal path.
+    pub deviation: Deviation,
+    /// Whether each part is asked for, in the order of [`loosepin_result::study::PathError::ALL`].
+    pub parts: [bool; 4],
+    /// Whether integrals are asked for as well, not extremes alone.
     pub is_integrated: bool,
 }
 
@@ -45,6 +60,8 @@ pub struct Findings {
     pub at_instants: Vec<f64>,
     /// Deviations, in the order of [`Follow::deviations`].
     pub deviations: Vec<DeviationRange>,
+    /// The parts of each path, in the order of [`Follow::paths`] and [`loosepin_result::study::PathError::ALL`].
+    pub paths: Vec<[DeviationRange; 4]>,
 }
 
 /// A deviation over the recorded part of a run.
@@ -69,6 +86,6 @@ impl DeviationRange {
 impl Follow {
     /// Reads these at both ends of every step, and nothing more.
     pub fn readings(readings: &[Reading]) -> Self {
-        Self { readings: readings.to_vec(), deviations: Vec::new() }
+        Self { readings: readings.to_vec(), deviations: Vec::new(), paths: Vec::new() }
     }
 }

@@ -88,7 +88,8 @@ pub fn sweep(
     heard: &(dyn Fn(usize) + Sync),
     stop: &AtomicBool,
 ) -> Result<SweepRecord, SweepError> {
-    let outputs: Vec<Column> = columns(mechanism).into_iter().filter(|column| column.reading.is_position()).collect();
+    let outputs: Vec<Column> =
+        columns(&mechanism.model).into_iter().filter(|column| column.reading.is_position()).collect();
     let runs = SweepRuns { mechanism, ideal: mechanism.without_play(), set, plan, outputs: &outputs };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|source| SweepError::Threads { source })?;

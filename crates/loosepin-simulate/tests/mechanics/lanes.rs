@@ -140,7 +140,8 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, s
 /// All readings, their extremes and integrals.
 fn follow(case: &Case) -> Follow {
     let deviation = |reading| FollowedDeviation { reading, deviation: Deviation::Value, is_integrated: true };
-    Follow { readings: case.readings.clone(), deviations: (0..case.readings.len()).map(deviation).collect() }
+    let deviations = (0..case.readings.len()).map(deviation).collect();
+    Follow { readings: case.readings.clone(), deviations, paths: Vec::new() }
 }
 
 #[test]

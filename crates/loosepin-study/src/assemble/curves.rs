@@ -17,7 +17,7 @@ pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand])
 }
 
 fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], planned: &PlannedAsk) -> DeviationCurve {
-    let output = &material.plan().outputs[planned.output];
+    let output = &material.plan().outputs[planned.ask.output];
     let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let mut curve = DeviationCurve {
         output: output.name.clone(),

@@ -2,10 +2,11 @@
 
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::file::{EpistemicInput, Reduction, Study};
+use crate::outputs::Seen;
 use crate::rare::Rare;
 use crate::response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
-use loosepin_result::study::{BoundEnd, NumericalError, ResponsePoint, Statistic, Witness, WitnessValue};
+use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
 use loosepin_text::units::SiUnit;
 
 /// Everything that a result is made from.
@@ -100,7 +101,10 @@ impl Material<'_> {
 
     /// Whether the numbers of a column are magnitudes.
     fn is_never_negative(&self, column: usize) -> bool {
-        matches!(self.plan().columns[column].spot, Spot::Reduced(reduction) if reduction.is_never_negative())
+        let column = &self.plan().columns[column];
+        let is_distance = matches!(self.plan().outputs[column.output].seen, Seen::Path(_, PathError::Magnitude));
+        // The reductions of a distance are distances.
+        is_distance || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())
     }
 
     /// The unit of a column.

@@ -261,7 +261,7 @@ impl ExpectedReader<'_> {
         }
         let entry = table.get("output")?;
         let index = self.output(&entry)?;
-        let column = columns(&self.case.mechanism).swap_remove(index);
+        let column = columns(&self.case.mechanism.model).swap_remove(index);
         let is_quasi_static = matches!(kind, QuantityKind::WorstCase | QuantityKind::DimensionalStandardDeviation);
         let known: Vec<String> = position_outputs(&self.case.mechanism).into_iter().map(|output| output.name).collect();
         if is_quasi_static && !known.contains(&column.name) {
@@ -273,7 +273,7 @@ impl ExpectedReader<'_> {
 
     fn output(&mut self, entry: &Entry<'_>) -> Option<usize> {
         let name = self.reader.text(entry)?;
-        let known: Vec<String> = columns(&self.case.mechanism).into_iter().map(|column| column.name).collect();
+        let known: Vec<String> = columns(&self.case.mechanism.model).into_iter().map(|column| column.name).collect();
         let found = known.iter().position(|known| known == name);
         if found.is_none() {
             self.unknown(entry, "output", name, known);
@@ -361,7 +361,7 @@ impl ExpectedReader<'_> {
         };
         let (ours, due, words) = if let Some(entry) = table.get("output") {
             let index = self.output(&entry)?;
-            let column = columns(&self.case.mechanism).swap_remove(index);
+            let column = columns(&self.case.mechanism.model).swap_remove(index);
             (Ours::Output(index), dimension_of(&column.unit), column.name)
         } else {
             let entry = table.get("state")?;

@@ -143,7 +143,7 @@ impl Study {
     }
 
     fn parse_accuracy(&self, text: &str) -> Result<AccuracyTarget, (AccuracyProblem, Range<usize>)> {
-        let asked = askable(&self.asks, |output| self.model.outputs[output].kind.dimension());
+        let asked = askable(&self.asks, |output| self.outputs[output].dimension);
         let (named, value) = match text.split_once('=') {
             Some((named, value)) => (Some(named), value),
             None => (None, text),
@@ -195,7 +195,7 @@ impl Study {
     fn asked_output(&self, name: &str) -> Result<usize, AccuracyProblem> {
         let mut asked: Vec<&str> = Vec::new();
         for ask in &self.asks {
-            let of = self.model.outputs[ask.output].name.as_str();
+            let of = self.outputs[ask.output].name.as_str();
             if of == name {
                 return Ok(ask.output);
             }
@@ -295,7 +295,7 @@ impl StudyReader {
 
     /// What the accuracies mean for `asks`; of the question `of_ask` alone where they stand in one.
     pub fn targets(&mut self, written: WrittenAccuracies, asks: &[Ask], of_ask: Option<usize>) -> Vec<AccuracyTarget> {
-        let asked = askable(asks, |output| self.model.outputs[output].kind.dimension());
+        let asked = askable(asks, |output| self.outputs[output].dimension);
         let concerned: Vec<Askable> =
             asked.into_iter().filter(|bound| of_ask.is_none_or(|ask| bound.ask == ask)).collect();
         let mut targets = Vec::new();

@@ -9,6 +9,7 @@ use super::words::{
     DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
     SIMULTANEOUS_BAND, STATISTICS,
 };
+use crate::outputs::{COMPONENTS, Seen, StudyOutput};
 use crate::runs::named_angle_rad;
 use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::model::OutputKind;
@@ -94,11 +95,11 @@ impl StudyReader {
 
     fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
         let output = self.output(table);
-        let deviation = self.deviation(table);
+        let deviation = self.deviation(table, output);
         let location = self.location(table, "at", Some("reduce"), output.zip(deviation));
         // Without the output the dimension of limits is not known.
         let output = output?;
-        let statistics = self.statistics(table, self.model.outputs[output].kind.dimension());
+        let statistics = self.statistics(table, self.outputs[output].dimension);
         let entries = statistics?;
         let (deviation, location) = (deviation?, location?);
         // Of two places one is wrong, and which is not known.
@@ -147,13 +148,13 @@ impl StudyReader {
 
     fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
         let output = self.output(table);
-        let deviation = self.deviation(table);
+        let deviation = self.deviation(table, output);
         let location = self.location(table, "over", None, output.zip(deviation));
         let probability_at_least = self.reader.number(table, "probability_at_least");
         let output = output?;
         let limit = LIMITS.into_iter().find_map(|key| {
             let entry = table.get(key)?;
-            let dimension = self.model.outputs[output].kind.dimension();
+            let dimension = self.outputs[output].dimension;
             let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
             match key {
                 "below" => Some(Limit::Below(limit)),
@@ -186,15 +187,32 @@ impl StudyReader {
             let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
             return self.refused(&problem, entry.span);
         };
-        if matches!(outputs[index].kind, OutputKind::Path(_)) {
-            return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
+        let component = table.get("component");
+        if !matches!(outputs[index].kind, OutputKind::Path(_)) {
+            if let Some(component) = component {
+                let problem = StudyProblem::ComponentOfNoPath { entry: table.path.describe(), name };
+                return self.refused(&problem, component.key_span);
+            }
+            return self.outputs.iter().position(|output| output.output == index);
         }
-        Some(index)
+        let Some(component) = component else {
+            return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
+        };
+        let component = self.reader.choice(&component, &COMPONENTS.map(|name| (name, name)))?;
+        self.outputs.iter().position(|output| output.output == index && output.component == Some(component))
     }
 
-    fn deviation(&mut self, table: &Table<'_>) -> Option<Deviation> {
+    /// Which deviation of an output, where that is known.
+    fn deviation(&mut self, table: &Table<'_>, output: Option<usize>) -> Option<Deviation> {
         let entry = table.get("of")?;
         let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
+        if deviation == Deviation::Value
+            && let Some(StudyOutput { seen: Seen::Path(..), component: Some(component), .. }) =
+                output.map(|output| &self.outputs[output])
+        {
+            let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
+            return self.refused(&problem, entry.span);
+        }
         let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
         if deviation == Deviation::Clearance && !has_play {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::target::AccuracyTarget;
+use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
@@ -44,6 +45,8 @@ pub struct Study {
     pub correlation: Option<Correlation>,
     /// Epistemic inputs in file order.
     pub epistemic: Vec<EpistemicInput>,
+    /// What can be asked about, in file order.
+    pub outputs: Vec<StudyOutput>,
     /// What is asked, in file order.
     pub asks: Vec<Ask>,
     /// What is required, in file order.
@@ -312,7 +315,7 @@ pub enum Where {
 /// A question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ask {
-    /// Index in [`Model::outputs`].
+    /// Index in [`Study::outputs`].
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,
@@ -384,7 +387,7 @@ impl Limit {
 /// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
-    /// Index in [`Model::outputs`].
+    /// Index in [`Study::outputs`].
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,

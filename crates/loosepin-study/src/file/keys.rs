@@ -9,6 +9,7 @@ use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
 use super::words::{
     self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
 };
+use crate::outputs::COMPONENTS;
 
 /// What a double holds exactly, so that a seed survives every file format.
 const LARGEST_SEED: u64 = (1 << 53) - 1;
@@ -474,6 +475,8 @@ pub(super) static STATISTIC_KEYS: Keys = Keys::new(
 
 const DEVIATION_DOC: &str =
     "value: the output itself; dimensional: from lengths alone; clearance: from play alone; total: both";
+const COMPONENT_DOC: &str = "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
+    contour: its distance from the path whatever the timing";
 const POSES: Kind = Kind::Values(&Kind::List(&Kind::AnyQuantity));
 const POSES_EXAMPLE: &str = "{ crank = [\"60 deg\"] }";
 const POSES_DOC: &str = "angles of the drive that the cycle counts";
@@ -482,6 +485,7 @@ pub(super) static ASK_KEYS: Keys = Keys::new(
     "a question: statistics of an output",
     &[
         required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
+        optional("component", Kind::Choice(&COMPONENTS), "\"normal\"", COMPONENT_DOC),
         required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
         optional("at", Kind::Choice(&["cycle"]), "\"cycle\"", "the whole curve over the cycle"),
         optional("poses", POSES, POSES_EXAMPLE, POSES_DOC),
@@ -515,6 +519,7 @@ pub(super) static REQUIRE_KEYS: Keys = Keys::new(
     "a requirement that must hold for every value of the epistemic inputs",
     &[
         required("output", Kind::Reference("output"), "\"slider\"", "an output of the model"),
+        optional("component", Kind::Choice(&COMPONENTS), "\"normal\"", COMPONENT_DOC),
         required("of", Kind::Choice(&DEVIATIONS), "\"total\"", DEVIATION_DOC),
         optional(LIMITS[0], Kind::AnyQuantity, "\"0.6 mm\"", "limit of the magnitude"),
         optional(LIMITS[1], Kind::AnyQuantity, "\"2 kN\"", "the largest value that is allowed"),

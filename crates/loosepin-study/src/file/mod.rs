@@ -47,6 +47,7 @@ pub use target::AccuracyTarget;
 use words::READINGS;
 pub(super) use words::statistic_name;
 
+use crate::outputs::study_outputs;
 use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
@@ -156,8 +157,10 @@ fn read(
     });
     // Without the model no path, dimension or output of the study can be checked.
     let Some((model, model_path)) = opened else { return Err(reader.complaints) };
+    let outputs = study_outputs(&model);
     let mut file = StudyReader {
         reader,
+        outputs,
         model,
         random: Vec::new(),
         epistemic: Vec::new(),
@@ -212,6 +215,7 @@ fn read(
         random: file.random,
         correlation,
         epistemic: file.epistemic,
+        outputs: file.outputs,
         asks,
         requirements,
         allowances,

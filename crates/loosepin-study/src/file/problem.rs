@@ -142,8 +142,17 @@ problems! {
             }));
         /// A question about a path of a point.
         PathOutput { entry: String, name: String } => Code::AskNotPossible,
-            says("{entry}: output '{name}' is a path of two columns and has no single deviation"),
-            hint("give the model an output position_of the point along x or y, and ask for that");
+            says("{entry}: output '{name}' is a path, and not said is which part of it"),
+            hint("add component: normal or along is the error across the path and along it, magnitude the whole error, contour the \
+                  distance from the path whatever the timing, x or y a coordinate");
+        /// A component of an output that is one number.
+        ComponentOfNoPath { entry: String, name: String } => Code::AskNotPossible,
+            says("{entry}: output '{name}' is one number and has no components"),
+            hint("leave component out, or give the model an output path_of the point");
+        /// An error that is compared with nothing.
+        ValueOfPathError { entry: String, component: &'static str } => Code::AskNotPossible,
+            says("{entry}: component '{component}' is an error from the ideal path, not a value"),
+            hint("of = \"total\" compares with the drawing, of = \"clearance\" with the same lengths without play");
         /// Poses of a drive that the cycle does not count.
         WrongDrive { entry: String, name: String, due: String } => Code::AskNotPossible,
             says("{entry}: '{name}' is not the drive that the cycle counts; must be '{due}'");

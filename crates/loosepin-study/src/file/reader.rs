@@ -2,6 +2,7 @@
 
 use super::description::{EpistemicInput, RandomInput, RareMethod, Where};
 use super::problem::StudyProblem;
+use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
@@ -16,6 +17,8 @@ use std::sync::Arc;
 pub struct StudyReader {
     pub reader: Reader,
     pub model: Model,
+    /// What can be asked of the model.
+    pub outputs: Vec<StudyOutput>,
     pub random: Vec<RandomInput>,
     pub epistemic: Vec<EpistemicInput>,
     /// The one that answers first; never empty.

@@ -155,7 +155,7 @@ fn columns_that_are_no_outputs_and_rows_outside_are_told() {
     let text = find_template("slider-crank").expect("template").model;
     let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
     let mechanism = Mechanism::new(&model, &model.quantities.nominal()).expect("it compiles");
-    let outputs = columns(&mechanism);
+    let outputs = columns(&mechanism.model);
     let outputs: Vec<_> = outputs.iter().map(|column| (column.name.as_str(), &column.unit)).collect();
     let table =
         MeasuredTable::from_text("m.csv", "angle [deg], slidr [mm], pin_force [mm]\n0, 1, 2\n").expect("a table");

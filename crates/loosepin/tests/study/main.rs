@@ -7,6 +7,7 @@ mod epistemic_inputs;
 mod exact_bounds;
 mod inner_bands;
 mod kept_runs;
+mod paths;
 mod promise;
 mod study_accuracy;
 mod surrogates;

@@ -380,7 +380,7 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
         format_value(tried.turn_s, Dimension::TIME),
         counted(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
-    let columns = columns(mechanism);
+    let columns = columns(&mechanism.model);
     let width = columns.iter().map(|column| column.name.chars().count()).max().unwrap_or(0);
     for column in &columns {
         let _ = writeln!(text, "  {:width$}  {}", column.name, column.words);

@@ -1,0 +1,102 @@
+//! What a study can ask about: the columns of its model, and the errors of its paths.
+
+use loosepin_mechanics::model::{Model, OutputKind, PointId};
+use loosepin_result::study::PathError;
+use loosepin_simulate::{Reading, columns};
+use loosepin_text::units::{Dimension, SiUnit};
+
+/// One number of a model that a study can ask about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyOutput {
+    /// Index in [`Model::outputs`].
+    pub output: usize,
+    /// Name of the output; a path adds ` x`, ` y`, ` along`, ` normal`, ` magnitude` or ` contour`.
+    pub name: String,
+    /// Which part of a path it is; nothing where the output is one number.
+    pub component: Option<&'static str>,
+    /// Its quantity in words, for example `x of slider.pin`.
+    pub words: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// What is seen of a run.
+    pub seen: Seen,
+}
+
+/// What is seen of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Seen {
+    /// A number that can be read at any instant.
+    Reading(Reading),
+    /// A part of the error of a point from its ideal path; x and y of the point.
+    Path([Reading; 2], PathError),
+}
+
+impl Seen {
+    /// The readings that it is made of.
+    pub fn readings(&self) -> impl Iterator<Item = Reading> + use<> {
+        let (first, second) = match *self {
+            Self::Reading(reading) => (reading, None),
+            Self::Path([x, y], _) => (x, Some(y)),
+        };
+        std::iter::once(first).chain(second)
+    }
+}
+
+/// The names of a path's parts in study files: coordinates, then parts of the error.
+pub const COMPONENTS: [&str; 6] = {
+    let mut names = ["x", "y", "", "", "", ""];
+    let mut part = 0;
+    while part < PathError::ALL.len() {
+        names[2 + part] = PathError::ALL[part].word();
+        part += 1;
+    }
+    names
+};
+
+/// All that can be asked of a model, in file order; of a path in the order of [`COMPONENTS`].
+pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
+    let mut outputs = Vec::new();
+    let columns = columns(model);
+    for (index, output) in model.outputs.iter().enumerate() {
+        let dimension = output.kind.dimension();
+        let own: Vec<_> = columns.iter().filter(|column| column.output == index).collect();
+        let is_path = own.len() > 1;
+        for (place, column) in own.iter().enumerate() {
+            outputs.push(StudyOutput {
+                output: index,
+                name: column.name.clone(),
+                component: is_path.then(|| COMPONENTS[place]),
+                words: column.words.clone(),
+                unit: column.unit.clone(),
+                dimension,
+                seen: Seen::Reading(column.reading),
+            });
+        }
+        if let (OutputKind::Path(point), [x, y]) = (&output.kind, &own[..]) {
+            outputs.extend(PathError::ALL.map(|part| StudyOutput {
+                output: index,
+                name: format!("{} {}", output.name, part.word()),
+                component: Some(part.word()),
+                words: error_words(part, model, *point),
+                unit: x.unit.clone(),
+                dimension,
+                seen: Seen::Path([x.reading, y.reading], part),
+            }));
+        }
+    }
+    outputs
+}
+
+/// A part of the error of a point in words.
+fn error_words(part: PathError, model: &Model, point: PointId) -> String {
+    let body = &model.bodies[point.body.0];
+    let point = format!("{}.{}", body.name, body.points[point.point].name);
+    match part {
+        PathError::Along => format!("error of {point} along its path"),
+        PathError::Normal => format!("error of {point} across its path"),
+        PathError::Magnitude => format!("distance of {point} from where it should be"),
+        PathError::Contour => format!("distance of {point} from its path"),
+    }
+}
