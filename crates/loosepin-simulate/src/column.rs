@@ -3,7 +3,7 @@
 use loosepin_math::{Numbers, Real, Vec2};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Twist, acceleration_at};
-use loosepin_mechanics::model::{Axis, BodyId, Component, JointId, Model, OutputKind, PointId};
+use loosepin_mechanics::model::{Actuator, Axis, BodyId, Component, Effort, JointId, Model, OutputKind, PointId};
 use loosepin_text::units::SiUnit;
 
 /// One number that a model file asks for; a path is two of them.
@@ -38,6 +38,8 @@ pub enum Reading {
     AngularAcceleration(BodyId),
     /// Force of a joint on its second body, N.
     Force(JointId, Component),
+    /// Torque, N m, force, N, or power, W, of a drive or control.
+    Effort(Actuator, Effort),
 }
 
 /// All columns of a model, in file order.
@@ -62,6 +64,7 @@ pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
         OutputKind::AngularVelocity(body) => Reading::AngularVelocity(body),
         OutputKind::AngularAcceleration(body) => Reading::AngularAcceleration(body),
         OutputKind::Force { joint, component } => Reading::Force(joint, component),
+        OutputKind::Effort { actuator, effort } => Reading::Effort(actuator, effort),
         OutputKind::Path(point) => {
             return vec![(Reading::Position(point, Axis::X), " x"), (Reading::Position(point, Axis::Y), " y")];
         }
@@ -96,12 +99,23 @@ impl Reading {
                 };
                 format!("{part} in {}", model.joints[joint.0].name)
             }
+            Self::Effort(actuator, effort) => {
+                let part = match effort {
+                    Effort::Torque => "torque",
+                    Effort::Force => "force",
+                    Effort::Power => "power",
+                };
+                match actuator {
+                    Actuator::Drive(id) => format!("{part} of drive {}", model.drives[id.0].name),
+                    Actuator::Control(id) => format!("{part} of control {}", model.controls[id.0].name),
+                }
+            }
         }
     }
 
     /// Whether accelerations or forces are needed, not only positions and velocities.
     pub fn needs_forces(&self) -> bool {
-        matches!(self, Self::Acceleration(..) | Self::AngularAcceleration(_) | Self::Force(..))
+        matches!(self, Self::Acceleration(..) | Self::AngularAcceleration(_) | Self::Force(..) | Self::Effort(..))
     }
 
     /// Whether it is a position or an angle, so that its first two time derivatives are velocities and accelerations.
@@ -139,6 +153,13 @@ impl Reading {
                     Component::X => force_n.x,
                     Component::Y => force_n.y,
                     Component::Magnitude => force_n.length(),
+                }
+            }
+            Self::Effort(actuator, effort) => {
+                let [along, rate] = dynamics.effort_and_rate(actuator);
+                match effort {
+                    Effort::Torque | Effort::Force => along,
+                    Effort::Power => along * rate,
                 }
             }
         }

@@ -36,11 +36,11 @@ impl<T: Real> Dynamics<'_, T> {
             let numbers = &self.sample.controls[index];
             let motion =
                 self.sample.references.law_motion(&control.reference, index, self.time_s, &mut self.drive_room);
-            let [coordinate, rate] = numbers.measured.motion(&measured, &self.kinematics);
+            let [coordinate, speed] = numbers.measured.motion(&measured, &self.kinematics);
             let error = motion[0] - coordinate;
             let mut effort = match (&control.feed_forward, &numbers.feed_forward, &self.inverse) {
                 (FeedForward::Course(course), Some(course_numbers), _) => {
-                    course_numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_room)
+                    course_numbers.value(course, &[self.time_s, coordinate, speed], &mut self.function_room)
                 }
                 (FeedForward::InverseDynamics, _, Some(inverse)) => inverse.effort(model, index),
                 _ => T::zero(),
@@ -50,13 +50,13 @@ impl<T: Real> Dynamics<'_, T> {
                 effort = integral.mul_add(self.error_integrals[index], effort);
             }
             if let Some(derivative) = numbers.derivative {
-                effort = derivative.mul_add(motion[1] - rate, effort);
+                effort = derivative.mul_add(motion[1] - speed, effort);
             }
             if let Some(limit) = numbers.limit {
                 effort = effort.min(limit).max(-limit);
             }
-            let speed = numbers.actuated.motion(&actuated, &self.kinematics)[1];
-            self.controls_w = effort.mul_add(speed, self.controls_w);
+            let rate = numbers.actuated.motion(&actuated, &self.kinematics)[1];
+            self.controls_w = effort.mul_add(rate, self.controls_w);
             let mut on_second_n = Vec2::zero();
             let [i, j] = actuated.slots;
             if actuated.is_prismatic {
@@ -68,7 +68,7 @@ impl<T: Real> Dynamics<'_, T> {
                 self.add_force(i, Vec2::zero(), Vec2::zero(), -effort);
                 self.add_force(j, Vec2::zero(), Vec2::zero(), effort);
             }
-            self.actuators[index] = ActuatorForce { reference: motion[0], error, effort, on_second_n };
+            self.actuators[index] = ActuatorForce { reference: motion[0], error, effort, rate, on_second_n };
         }
     }
 }

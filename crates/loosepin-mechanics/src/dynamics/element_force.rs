@@ -39,6 +39,8 @@ pub struct ActuatorForce<T> {
     pub error: T,
     /// Torque on the journal's body, N m, or force on the slider along the guide, N; the other body gets the opposite.
     pub effort: T,
+    /// Rate of the coordinate of its joint, rad/s or m/s.
+    pub rate: T,
     /// Force on the slider, N, in the ground's frame; zero for a revolute joint.
     pub on_second_n: Vec2<T>,
 }
@@ -46,6 +48,7 @@ pub struct ActuatorForce<T> {
 impl<T: Real> ActuatorForce<T> {
     /// Of no evaluation yet.
     pub fn none() -> Self {
-        Self { reference: T::zero(), error: T::zero(), effort: T::zero(), on_second_n: Vec2::zero() }
+        let zero = T::zero();
+        Self { reference: zero, error: zero, effort: zero, rate: zero, on_second_n: Vec2::zero() }
     }
 }

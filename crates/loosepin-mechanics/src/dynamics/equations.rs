@@ -40,7 +40,7 @@ pub struct Dynamics<'a, T> {
     pub kinematics: Kinematics<T>,
     /// Coordinates and rates of the last evaluation, driven ones filled in.
     coordinates: Vec<T>,
-    rates: Vec<T>,
+    pub(super) rates: Vec<T>,
     driven_accelerations: Vec<T>,
     /// Slots of bearing body and journal body of each joint with play.
     pub(super) play_slots: Vec<[usize; 2]>,

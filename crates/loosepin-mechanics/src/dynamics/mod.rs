@@ -7,6 +7,7 @@ mod contact;
 mod contact_motion;
 mod control;
 mod corner;
+mod effort;
 mod element_force;
 mod energy;
 mod equations;

@@ -1,4 +1,4 @@
-//! References of a model: bodies, joints, contacts, drives and points by number; axes.
+//! References of a model: bodies, joints, contacts, drives, controls and points by number; axes.
 
 /// Index of a body in [`crate::model::Model::bodies`]; 0 is the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -15,6 +15,19 @@ pub struct ContactId(pub usize);
 /// Index of a drive in [`crate::model::Model::drives`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DriveId(pub usize);
+
+/// Index of a control in [`crate::model::Model::controls`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ControlId(pub usize);
+
+/// What acts along the coordinate of a joint: a drive, or the actuator of a control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Actuator {
+    /// A drive, which needs whatever its motion takes.
+    Drive(DriveId),
+    /// The actuator of a control.
+    Control(ControlId),
+}
 
 /// A point of a body: `body`, and the index in [`crate::model::Body::points`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

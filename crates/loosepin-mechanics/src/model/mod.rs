@@ -30,7 +30,7 @@ pub use cycle::{Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
 pub use drive::{Drive, DriveLaw};
 pub use function::Function;
-pub use ids::{Axis, BodyId, ContactId, DriveId, JointId, PointId};
+pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialValue};
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
@@ -46,6 +46,6 @@ pub use setting::{Setting, SettingError, SettingRange};
 pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
 pub use spring::{Elasticity, Spring, SpringCurve, SpringKind};
 pub use topology::{
-    Body, Clearance, Component, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Output, OutputKind,
-    Point, SlidingVelocity, SlotClearance, Stiffness,
+    Body, Clearance, Component, Contact, Effort, Friction, Guess, GuideClearance, Joint, JointKind, Model, Output,
+    OutputKind, Point, SlidingVelocity, SlotClearance, Stiffness,
 };

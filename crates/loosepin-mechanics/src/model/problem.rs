@@ -28,7 +28,7 @@ problems! {
             says("parameters are defined by one another: {}", circle.join(" -> "));
         UnknownReference {
             entry: String,
-            /// A body, point, joint, contact or drive.
+            /// A body, point, joint, contact, drive or control.
             what: &'static str,
             name: String,
             nearest: Option<String>,
@@ -46,6 +46,30 @@ problems! {
         NotAPoint { entry: String, text: String } => Code::UnknownReference,
             says("{entry} is '{text}'; must be body.point"),
             hint("for example \"crank.pin\": point 'pin' of body 'crank'");
+        NotAnActuator {
+            entry: String,
+            text: String,
+            /// The drive or control of this name, as it is written.
+            meant: Option<String>,
+        } => Code::UnknownReference,
+            says("{entry} is '{text}'; must be drive.NAME or control.NAME"),
+            hint_of(Some(match meant {
+                Some(meant) => format!("did you mean '{meant}'?"),
+                None => "for example \"drive.crank\": the drive 'crank'".to_owned(),
+            }));
+        WrongEffort {
+            entry: String,
+            /// With its name, in words.
+            actuator: String,
+            joint: String,
+            /// Whether the joint is a revolute one.
+            turns: bool,
+            /// The drive or control as it is written.
+            text: String,
+        } => Code::ConflictingKeys,
+            says("{entry}: {actuator} {} joint '{joint}'; it has a {}",
+                if *turns { "turns" } else { "pushes along" }, if *turns { "torque, not a force" } else { "force, not a torque" }),
+            hint("write {} = \"{text}\"", if *turns { "torque_of" } else { "force_of" });
         SameBody { entry: String, body: String } => Code::SameBody,
             says("{entry} connects body '{body}' to itself");
         StiffnessTwice { entry: String, material: &'static str, given: &'static str } => Code::ConflictingKeys,

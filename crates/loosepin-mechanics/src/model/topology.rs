@@ -4,7 +4,7 @@ use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
-use super::ids::{Axis, BodyId, ContactId, JointId, PointId};
+use super::ids::{Actuator, Axis, BodyId, ContactId, JointId, PointId};
 use super::initial::InitialValue;
 use super::load::Load;
 use super::quantity::{QuantityId, QuantityTable};
@@ -384,6 +384,7 @@ impl OutputKind {
             Self::AngularVelocity(_) => Dimension::ANGULAR_VELOCITY,
             Self::AngularAcceleration(_) => Dimension::ANGULAR_ACCELERATION,
             Self::Force { .. } => Dimension::FORCE,
+            Self::Effort { effort, .. } => effort.dimension(),
         }
     }
 }
@@ -425,8 +426,37 @@ pub enum OutputKind {
         /// Which component.
         component: Component,
     },
+    /// Torque, force or power of a drive or control.
+    Effort {
+        /// The drive or control.
+        actuator: Actuator,
+        /// Which of them.
+        effort: Effort,
+    },
     /// Path of a point: two columns, x and y, m.
     Path(PointId),
+}
+
+/// A measure of what a drive or control does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// Torque on the journal's body of a revolute joint, N m; the bearing's body gets the opposite.
+    Torque,
+    /// Force on the slider along the guide, or on the pin along its slot, N; the other body gets the opposite.
+    Force,
+    /// Power that it supplies, W: torque times angular velocity, or force times velocity, of its joint.
+    Power,
+}
+
+impl Effort {
+    /// Its dimension.
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Torque => Dimension::TORQUE,
+            Self::Force => Dimension::FORCE,
+            Self::Power => Dimension::POWER,
+        }
+    }
 }
 
 /// A component of a force.

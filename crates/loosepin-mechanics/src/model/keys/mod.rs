@@ -491,7 +491,7 @@ pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
 );
 
 /// Quantities that an output may measure.
-pub(in crate::model) const MEASURES: [&str; 8] = [
+pub(in crate::model) const MEASURES: [&str; 11] = [
     "position_of",
     "velocity_of",
     "acceleration_of",
@@ -499,6 +499,9 @@ pub(in crate::model) const MEASURES: [&str; 8] = [
     "angular_velocity_of",
     "angular_acceleration_of",
     "force_in",
+    "torque_of",
+    "force_of",
+    "power_of",
     "path_of",
 ];
 
@@ -512,7 +515,25 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
         optional(MEASURES[4], Kind::Reference("body"), "\"rod\"", "the angular velocity of a body"),
         optional(MEASURES[5], Kind::Reference("body"), "\"rod\"", "the angular acceleration of a body"),
         optional(MEASURES[6], Kind::Reference("joint"), "\"joint.gudgeon\"", "the force in a joint"),
-        optional(MEASURES[7], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
+        optional(
+            MEASURES[7],
+            Kind::Reference("drive or control"),
+            "\"drive.crank\"",
+            "the torque of a drive or control in a revolute joint",
+        ),
+        optional(
+            MEASURES[8],
+            Kind::Reference("drive or control"),
+            "\"drive.carriage\"",
+            "the force of a drive or control in a prismatic joint or a slot",
+        ),
+        optional(
+            MEASURES[9],
+            Kind::Reference("drive or control"),
+            "\"control.elbow\"",
+            "the power that a drive or control supplies",
+        ),
+        optional(MEASURES[10], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
         optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground"),
         optional("component", Kind::Choice(&["x", "y", "magnitude"]), "\"magnitude\"", "the component of a force"),
         optional(

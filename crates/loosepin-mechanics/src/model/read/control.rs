@@ -3,7 +3,7 @@
 use super::drive::Driven;
 use super::reader::ModelReader;
 use crate::model::control::{Control, FeedForward};
-use crate::model::ids::JointId;
+use crate::model::ids::{ControlId, JointId};
 use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
 use crate::model::keys::control::{CONTROL_KEYS, INVERSE_DYNAMICS};
 use crate::model::problem::ModelProblem;
@@ -17,7 +17,11 @@ impl ModelReader {
         for entry in self.reader.named(entry, "a control") {
             self.remember(&entry);
             let control = self.reader.table(&entry, &CONTROL_KEYS).and_then(|table| self.control(&entry, &table));
-            self.controls.extend(control);
+            let id = control.map(|control| {
+                self.controls.push(control);
+                ControlId(self.controls.len() - 1)
+            });
+            self.control_names.push((entry.name.to_owned(), id));
         }
     }
 

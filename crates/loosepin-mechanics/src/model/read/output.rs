@@ -1,12 +1,12 @@
 //! Outputs.
 
 use super::reader::ModelReader;
-use crate::model::ids::Axis;
+use crate::model::ids::{Actuator, Axis};
 use crate::model::keys::{MEASURES, OUTPUT_KEYS};
 use crate::model::problem::ModelProblem;
-use crate::model::topology::{Component, Output, OutputKind};
+use crate::model::topology::{Component, Effort, Output, OutputKind};
 use loosepin_text::document::{DocumentProblem, Entry, Table};
-use loosepin_text::units::ReadableUnit;
+use loosepin_text::units::{Dimension, ReadableUnit};
 
 impl ModelReader {
     /// Reads the table of outputs.
@@ -53,6 +53,9 @@ impl ModelReader {
                 let joint = self.named(&entry, "joint", name, |file| &file.joint_names)?;
                 Some(OutputKind::Force { joint, component: component? })
             }
+            "torque_of" => self.effort(&entry, Effort::Torque),
+            "force_of" => self.effort(&entry, Effort::Force),
+            "power_of" => self.effort(&entry, Effort::Power),
             "path_of" => self.point(&entry).map(OutputKind::Path),
             _ => {
                 let name = self.reader.text(&entry)?;
@@ -62,6 +65,46 @@ impl ModelReader {
                     "angular_velocity_of" => OutputKind::AngularVelocity(body),
                     _ => OutputKind::AngularAcceleration(body),
                 })
+            }
+        }
+    }
+
+    /// The effort of the drive or control that an entry names.
+    fn effort(&mut self, entry: &Entry<'_>, effort: Effort) -> Option<OutputKind> {
+        let actuator = self.actuator(entry)?;
+        let (what, name, joint) = match actuator {
+            Actuator::Drive(id) => ("drive", &self.drives[id.0].name, self.drives[id.0].joint),
+            Actuator::Control(id) => ("control", &self.controls[id.0].name, self.controls[id.0].joint),
+        };
+        let turns = self.coordinate_of(joint) == Dimension::ANGLE;
+        if (effort == Effort::Torque && !turns) || (effort == Effort::Force && turns) {
+            let problem = ModelProblem::WrongEffort {
+                entry: entry.path.describe(),
+                actuator: format!("{what} '{name}'"),
+                joint: self.joints[joint.0].name.clone(),
+                turns,
+                text: format!("{what}.{name}"),
+            };
+            return self.reader.refuse(&problem, entry.span);
+        }
+        Some(OutputKind::Effort { actuator, effort })
+    }
+
+    /// The drive or control that an entry names as `drive.NAME` or `control.NAME`.
+    fn actuator(&mut self, entry: &Entry<'_>) -> Option<Actuator> {
+        let text = self.reader.text(entry)?;
+        match text.split_once('.') {
+            Some(("drive", name)) => self.named(entry, "drive", name, |file| &file.drive_names).map(Actuator::Drive),
+            Some(("control", name)) => {
+                self.named(entry, "control", name, |file| &file.control_names).map(Actuator::Control)
+            }
+            _ => {
+                let drives = self.drive_names.iter().map(|(name, _)| ("drive", name));
+                let mut named = drives.chain(self.control_names.iter().map(|(name, _)| ("control", name)));
+                let meant = named.find(|(_, name)| *name == text).map(|(what, name)| format!("{what}.{name}"));
+                let problem =
+                    ModelProblem::NotAnActuator { entry: entry.path.describe(), text: text.to_owned(), meant };
+                self.reader.refuse(&problem, entry.span)
             }
         }
     }

@@ -4,7 +4,7 @@ use super::parameters::Parameters;
 use crate::model::control::Control;
 use crate::model::coupling::Coupling;
 use crate::model::drive::Drive;
-use crate::model::ids::{BodyId, ContactId, DriveId, JointId, PointId};
+use crate::model::ids::{BodyId, ContactId, ControlId, DriveId, JointId, PointId};
 use crate::model::load::Load;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, Quantity, QuantityId, QuantityTable};
@@ -41,6 +41,7 @@ pub(super) struct ModelReader {
     pub loads: Vec<Load>,
     pub drive_names: NamesOf<DriveId>,
     pub drives: Vec<Drive>,
+    pub control_names: NamesOf<ControlId>,
     pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
     pub tables: Vec<Arc<Source>>,
@@ -72,6 +73,7 @@ impl ModelReader {
             loads: Vec::new(),
             drive_names: Vec::new(),
             drives: Vec::new(),
+            control_names: Vec::new(),
             controls: Vec::new(),
             used_contacts: Vec::new(),
             tables: Vec::new(),
