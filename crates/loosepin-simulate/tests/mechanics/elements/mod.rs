@@ -4,6 +4,7 @@ mod cams;
 mod control;
 mod couplings;
 mod drives;
+mod efforts;
 mod initial;
 mod joint_friction;
 mod loads;
