@@ -8,7 +8,7 @@ use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::percent_of;
 use super::wording::named_words;
-use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_result::motion::{EffortMotion, MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
 
 /// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the
@@ -25,6 +25,9 @@ pub fn motion_page(record: &MotionRecord) -> String {
         sections.push(Section::new("scatter", "Effect of part scatter", scatter(record, &writer)));
     }
     sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
+    if !record.efforts.is_empty() {
+        sections.push(Section::new("efforts", "What the drives must do", efforts(record, &writer)));
+    }
     if !record.drawing.bodies.is_empty() {
         let figure = mechanism_figure(&record.drawing, &record.drive, "mechanism-figure");
         sections.push(Section::new("mechanism", "The mechanism", figure));
@@ -294,15 +297,44 @@ fn motion_chart(
     chart.y_label = format!("{what} of {}", output.name);
     chart.y_symbol = writer.symbol(&unit);
     chart.entries.push(Entry::line(&format!("ideal {what}"), Role::First, false, values_si, &unit, writer));
-    let ends = |values: &[f64]| {
-        (values.iter().copied().fold(f64::INFINITY, f64::min), values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-    };
-    let (lowest, highest) = ends(values_si);
-    let range = format!("between {} and {}", writer.value(lowest, &unit), writer.value(highest, &unit));
+    let range = range_words(values_si, &unit, writer);
     chart.caption =
         html! { strong { "Ideal " (what) " of " (named_words(&output.name, &output.words)) }  ": " (range) "." };
     chart.alternative =
         format!("Chart of the ideal {what} of {} over one cycle: {range}.", named_words(&output.name, &output.words));
+    chart.figure()
+}
+
+/// Between which values a history lies.
+fn range_words(values_si: &[f64], unit: &SiUnit, writer: &NumberWriter) -> String {
+    let lowest = values_si.iter().copied().fold(f64::INFINITY, f64::min);
+    let highest = values_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    format!("between {} and {}", writer.value(lowest, unit), writer.value(highest, unit))
+}
+
+fn efforts(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "What inertia, weight, springs, loads and friction in joints without play need to make the ideal motion. Play and impacts \
+             are not included: use " code { "simulate" } " for them."
+        }
+        @for (index, effort) in record.efforts.iter().enumerate() { (effort_chart(record, effort, index, writer)) }
+    }
+}
+
+fn effort_chart(record: &MotionRecord, effort: &EffortMotion, index: usize, writer: &NumberWriter) -> Markup {
+    let EffortMotion { name, words, unit, value_si } = effort;
+    if value_si.is_empty() {
+        return html! {};
+    }
+    let mut chart = angle_chart(record, format!("effort-{index}"), writer);
+    chart.height = 220;
+    chart.y_label.clone_from(name);
+    chart.y_symbol = writer.symbol(unit);
+    chart.entries.push(Entry::line(name, Role::First, false, value_si, unit, writer));
+    let range = range_words(value_si, unit, writer);
+    chart.caption = html! { strong { (named_words(name, words)) } ": " (range) "." };
+    chart.alternative = format!("Chart of {} over one cycle: {range}.", named_words(name, words));
     chart.figure()
 }
 

@@ -222,6 +222,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
         ]);
     }
     push_table(&mut text, &ranges);
+    push_table(&mut text, &effort_table(record, &writer));
     let mut contributors = table(&["output", "joint", "clearance", "part of the worst case", "share"], &[2, 3, 4]);
     for output in &record.outputs {
         let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
@@ -285,6 +286,25 @@ fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
         ]);
     }
     contacts
+}
+
+/// What the drives must do to make the ideal motion, and where they must do least and most.
+fn effort_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
+    let mut efforts = table(&["output", "smallest", "at", "largest", "at"], &[1, 2, 3, 4]);
+    for effort in &record.efforts {
+        let turned: Vec<f64> = effort.value_si.iter().map(|value| -value).collect();
+        let (low_rad, low_si) = motion_page::largest(record, &turned);
+        let (high_rad, high_si) = motion_page::largest(record, &effort.value_si);
+        let angle = |angle_rad: f64| writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest);
+        efforts.add_row([
+            named_words(&effort.name, &effort.words),
+            writer.value(-low_si, &effort.unit),
+            angle(low_rad),
+            writer.value(high_si, &effort.unit),
+            angle(high_rad),
+        ]);
+    }
+    efforts
 }
 
 /// The scatter of the dimensions where it moves each output most: their root of the sum of squares, and their parts.

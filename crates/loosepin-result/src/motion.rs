@@ -30,8 +30,11 @@ pub struct MotionRecord {
     /// Angle of the drive over one cycle, increasing.
     #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
-    /// One entry per output, in file order.
+    /// One entry per position or angle among the outputs, in file order.
     pub outputs: Vec<OutputMotion>,
+    /// One entry per torque, force or power of a drive among the outputs, in file order.
+    #[serde(default)]
+    pub efforts: Vec<EffortMotion>,
     /// The mechanism and its ideal poses.
     pub drawing: Drawing,
 }
@@ -72,6 +75,20 @@ pub struct OutputMotion {
     pub dimensional_standard_deviation_si: Vec<f64>,
     /// Shares of each scattering dimension in that variance; empty where there is none.
     pub dimensional_contributors: Vec<DimensionContributor>,
+}
+
+/// What a drive must do to make the ideal motion at its speed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EffortMotion {
+    /// Name of the output.
+    pub name: String,
+    /// What it is in words, for example `torque of drive crank`.
+    pub words: String,
+    /// Unit of the values.
+    pub unit: SiUnit,
+    /// Its value.
+    #[serde(with = "extended")]
+    pub value_si: Vec<f64>,
 }
 
 /// Quasi-static effect of all clearances on one output, to first order in the clearances.

@@ -7,6 +7,7 @@ mod check;
 mod complaint;
 mod cycle;
 mod dimension;
+mod efforts;
 mod error;
 mod loops;
 mod motion;

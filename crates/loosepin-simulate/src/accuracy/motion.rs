@@ -2,6 +2,7 @@
 
 use super::cycle::Cycle;
 use super::dimension::{DimensionDirection, dimension_direction};
+use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::play_reach::PlayReach;
@@ -105,6 +106,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,
+        efforts: ideal_efforts(mechanism, &sample, &cycle.states),
         drawing,
     })
 }

@@ -9,6 +9,7 @@ mod initial;
 mod joint_friction;
 mod loads;
 mod neighbours;
+mod power_balance;
 mod springs;
 
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
