@@ -6,6 +6,7 @@ use loosepin::units::{DisplayUnits, SiUnit};
 use super::kinematics::{CRANK_M, ROD_M, SPEED_RAD_S, Sample, angles_rad, drawing};
 
 const GUDGEON_CLEARANCE_M: f64 = 5e-4;
+const SLIDER_KG: f64 = 0.14;
 const CRANKPIN_CLEARANCE_M: f64 = 5e-5;
 
 /// The ideal slider-crank with play in two joints.
@@ -71,6 +72,13 @@ pub fn worn_pin() -> MotionRecord {
                 },
             ],
         }],
+        // The power that the slider takes is m a v.
+        efforts: vec![EffortMotion {
+            name: "torque".to_owned(),
+            words: "torque of drive crank".to_owned(),
+            unit: SiUnit::MOMENT,
+            value_si: over(&|angle| SLIDER_KG * acceleration(angle) * velocity(angle) / SPEED_RAD_S),
+        }],
         drawing: drawing(&sample, false),
         drive_angle_rad: angles,
     }
@@ -133,6 +141,7 @@ pub fn four_bar() -> MotionRecord {
     let gain = |angle: f64| (closed(angle, 1e-6).1 - rocker(angle)).abs() / 1e-6 + 2.0;
     MotionRecord {
         model: "four-bar with a worn rocker bearing".to_owned(),
+        efforts: Vec::new(),
         drawing: Drawing {
             bodies: vec![
                 body("ground", true, &[("a", 0.0, 0.0), ("d", GROUND_M, 0.0)]),
