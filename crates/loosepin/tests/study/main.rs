@@ -3,6 +3,7 @@
 mod allowed_fits;
 mod contact_law_lists;
 mod drafts;
+mod efforts;
 mod epistemic_inputs;
 mod exact_bounds;
 mod inner_bands;
