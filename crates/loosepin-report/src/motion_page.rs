@@ -79,7 +79,9 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         .collect();
     if sentences.is_empty() {
         let is_ideal = !record.outputs.iter().any(has_scatter);
-        let words = if is_ideal {
+        let words = if record.outputs.is_empty() {
+            "No output is a position or an angle: no effect of play is shown."
+        } else if is_ideal {
             "No joint has play and no part scatters: the motion is ideal."
         } else {
             "No joint has play."

@@ -243,7 +243,10 @@ fn pages_of_almost_nothing_are_still_pages() {
     motion.outputs.clear();
     motion.drive_angle_rad.clear();
     parsed("motion", &motion_page(&motion));
-    motion_text(&motion);
+    // Play may be there, but nothing that it moves is asked for.
+    let text = motion_text(&motion);
+    assert!(text.contains("No output is a position or an angle: no effect of play is shown."), "{text}");
+    assert!(!text.contains("is ideal"), "{text}");
 }
 
 #[test]
