@@ -149,39 +149,43 @@ pushing = { power_of = "drive.push" }
     assert_follows(&record, "pushing", |t| force(t) * (0.2 + 3.0 * t - 12.0 * t * t));
 }
 
-/// An actuator that pushes evenly: F is as stated, and its power F v = F² t / m.
+/// An actuator that pushes evenly, along a guide or a slot: F is as stated, and its power F v = F² t / m.
 #[test]
 fn analytic_a_control_that_pushes_evenly() {
-    let built = build(
-        r#"
+    let guide = "kind = \"prismatic\"\nguide = { point = \"ground.o\", angle = \"25 deg\" }\nslider = \"sled.shoe\"";
+    let slot = "kind = \"slot\"\nslot = { point = \"ground.o\", angle = \"25 deg\" }\npin = \"sled.shoe\"";
+    let start = "[initial.joint.rail]\nposition = \"4 mm\"\n[initial.body.sled]\nangle = \"10 deg\"";
+    for (joint, start) in [(guide, ""), (slot, start)] {
+        let built = build(&format!(
+            r#"
 name = "sled"
 gravity = "0 m/s^2"
 [body.ground]
-points = { o = ["7 mm", "-3 mm"] }
+points = {{ o = ["7 mm", "-3 mm"] }}
 [body.sled]
 mass = "0.8 kg"
 inertia = "1e-3 kg m^2"
 centre_of_mass = ["11 mm", "8 mm"]
-points = { shoe = ["0 mm", "5 mm"] }
+points = {{ shoe = ["11 mm", "8 mm"] }}
 [joint.rail]
-kind = "prismatic"
-guide = { point = "ground.o", angle = "25 deg" }
-slider = "sled.shoe"
+{joint}
 [control.push]
 joint = "rail"
 proportional = "0 N/m"
 feed_forward = "6 N"
-motion = { kind = "polynomial", coefficients = ["0 m"] }
+motion = {{ kind = "polynomial", coefficients = ["0 m"] }}
+{start}
 [cycle]
 duration = "0.3 s"
 samples_per_turn = 20
 [output]
-push = { force_of = "control.push" }
-power = { power_of = "control.push" }
-"#,
-    );
-    let record = simulated(&built).record;
-    assert_eq!(output(&record, "power").words, "power of control push");
-    assert_follows(&record, "push", |_| 6.0);
-    assert_follows(&record, "power", |time_s| 6.0 * 6.0 * time_s / 0.8);
+push = {{ force_of = "control.push" }}
+power = {{ power_of = "control.push" }}
+"#
+        ));
+        let record = simulated(&built).record;
+        assert_eq!(output(&record, "power").words, "power of control push");
+        assert_follows(&record, "push", |_| 6.0);
+        assert_follows(&record, "power", |time_s| 6.0 * 6.0 * time_s / 0.8);
+    }
 }
