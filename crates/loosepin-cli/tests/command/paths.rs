@@ -24,7 +24,7 @@ fn tool(history: &Columns) -> Vec<[f64; 4]> {
 #[test]
 fn peer_errors_of_a_path_are_those_of_two_histories() {
     let desk = Desk::with_model("four_bar_coupler_path");
-    let mut history = |folder: &str, clearance: &str| {
+    let history = |folder: &str, clearance: &str| {
         let set = ["crank_pin", "coupler_pin"].map(|joint| format!("joint.{joint}.radial_clearance={clearance}"));
         desk.succeed(&[
             "simulate",

@@ -13,7 +13,7 @@ pub(super) fn ideal_efforts(
     states: &[IdealMotion<'_>],
 ) -> Vec<EffortMotion> {
     let is_effort = |column: &Column| matches!(column.reading, Reading::Effort(..));
-    let columns: Vec<Column> = columns(mechanism).into_iter().filter(is_effort).collect();
+    let columns: Vec<Column> = columns(&mechanism.model).into_iter().filter(is_effort).collect();
     let ideal = mechanism.without_play();
     let mut dynamics = Dynamics::new(&ideal, &sample.clone().without_play());
     let mut values = vec![Vec::with_capacity(states.len()); columns.len()];

@@ -43,7 +43,7 @@ fn compiled(name: &str, text: &str) -> Case {
     let model = Model::from_text(name, text).unwrap_or_else(|complaints| panic!("{complaints}"));
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let readings = columns(&mechanism).iter().map(|column| column.reading).filter(Reading::is_position).collect();
+    let readings = columns(&mechanism.model).iter().map(|column| column.reading).filter(Reading::is_position).collect();
     let turn_s = model.cycle_input(&nominal).turn_s();
     Case { mechanism, readings, turn_s }
 }

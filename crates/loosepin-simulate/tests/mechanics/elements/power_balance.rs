@@ -58,7 +58,7 @@ fn with_two_clearances() -> [(Built, f64); 4] {
 
 /// The power outputs of a mechanism, which have names of their own.
 fn powers(built: &Built) -> Vec<Reading> {
-    let all = columns(&built.mechanism).into_iter();
+    let all = columns(&built.mechanism.model).into_iter();
     all.filter(|column| column.name.starts_with("power")).map(|column| column.reading).collect()
 }
 
