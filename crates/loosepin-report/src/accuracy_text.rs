@@ -1,7 +1,7 @@
 //! Required and reached accuracy of the bounds: sentences for pages and terminals.
 
-use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
+use super::wording::output_unit;
 use super::wording::{counted, deviation_words, place_words, statistic_words};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, Budget, StudyResult};
 use loosepin_text::units::format_number;

@@ -1,10 +1,9 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
-use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::told::{SENTENCE_DIGITS, between, largest, smallest, told};
 use super::wording::{
-    capitalised, counted, deviation_words, failed_words, is_by_surrogate, listed, output_words, place_words,
-    statistic_words, verdict_words,
+    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{
     BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PromiseRecord, Reduction,
@@ -12,19 +11,16 @@ use loosepin_result::study::{
 };
 use loosepin_text::units::SiUnit;
 
-/// Digits of a bound in a sentence.
-const SENTENCE_DIGITS: usize = 2;
-/// Further digits where both ends of a range are nearly the same, at most.
-const MOST_MORE_DIGITS: f64 = 6.0;
-
 /// The answer, for pages and terminals alike.
 pub(super) struct Answer {
     /// Each requirement with its verdict and its numbers.
     pub requirements: Vec<String>,
     /// What may overturn the verdict: it stands beside it.
     pub caveats: Vec<String>,
-    /// The one sentence.
+    /// The sentence on the output that matters most.
     pub headline: String,
+    /// A sentence on every other output, and for which values all of them hold; empty where there is one output.
+    pub further: Vec<String>,
     /// Scatter alone, numerical error, runs and assumptions.
     pub details: Vec<String>,
     /// Whether a stated requirement is not met.
@@ -34,17 +30,22 @@ pub(super) struct Answer {
 /// Builds the answer from the bounds that the study has: the largest deviation over the cycle where it was asked for,
 /// the band over the cycle otherwise.
 pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
-    let conditions = conditions(result, writer);
     let curve = main_curve(result);
-    let headline = match (main_bound(&result.bounds), curve) {
-        (Some((bound, probability)), _) => bound_sentence(result, bound, probability, &conditions, writer),
-        (None, Some(curve)) => curve_sentence(result, curve, &conditions, writer),
-        (None, None) => match result.bounds.iter().find(|bound| bound.treatment == Treatment::Mixed) {
-            Some(bound) => statistic_sentence(result, bound, &conditions, writer),
-            None if result.requirements.is_empty() => "The study asks for no statistic.".to_owned(),
-            None => "The study asks only whether the requirements are met.".to_owned(),
-        },
-    };
+    let mut sentences = told(result).into_iter().map(|told| told.sentence(result, writer));
+    let headline = sentences.next().unwrap_or_else(|| {
+        let empty = result.requirements.is_empty();
+        let said = if empty {
+            "The study asks for no statistic."
+        } else {
+            "The study asks only whether the requirements are met."
+        };
+        said.to_owned()
+    });
+    let mut further: Vec<String> = sentences.collect();
+    let is_answered = further.len() + result.bounds.len() + result.curves.len() > 0;
+    let conditions = if is_answered { conditions(result, further.is_empty(), writer) } else { String::new() };
+    let headline = if further.is_empty() { headline + &conditions } else { headline };
+    further.extend((!further.is_empty()).then(|| conditions.trim_start().to_owned()));
     let verdict = result.verdict();
     let caveats = caveats(result, writer);
     // Without a verdict they concern the numbers of the answer.
@@ -53,7 +54,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     details.push(error_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
-    Answer { requirements, caveats, headline, details, verdict }
+    Answer { requirements, caveats, headline, further, details, verdict }
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, and motions that
@@ -62,15 +63,17 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
         Some(format!(
-            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ.",
+            "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Give the \
+             restitution an interval that holds what such impacts leave of it.",
             writer.percent(share, Rounding::Up),
             joint.joint
         ))
     });
     let settled = result.settled_share.filter(|share| *share < 1.0).map(|share| {
         format!(
-            "In {} of the runs the motion is periodic: other turns than the recorded ones may deviate more.",
-            writer.percent(share, Rounding::Down)
+            "In {} of the runs the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
+             Record more turns (recorded_turns) to see how much.",
+            writer.percent(1.0 - share, Rounding::Up)
         )
     });
     beyond.chain(settled).collect()
@@ -87,7 +90,7 @@ pub(super) fn verdict_headline(verdict: Verdict) -> &'static str {
 }
 
 /// " This holds for every gudgeon radial clearance from 0.1 to 0.5 mm." or what replaces it.
-fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
+fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> String {
     let parts: Vec<String> = result
         .inputs
         .iter()
@@ -112,7 +115,7 @@ fn conditions(result: &StudyResult, writer: &NumberWriter) -> String {
         })
         .collect();
     let for_what = if parts.is_empty() { "the stated scatter".to_owned() } else { listed(&parts) };
-    format!(" This holds for {for_what}.")
+    format!(" {} for {for_what}.", if is_of_one { "This holds" } else { "All this holds" })
 }
 
 /// The quantile of the largest deviation, the first of these bounds that are asked for, with its probability.
@@ -136,73 +139,6 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
         .find(|curve| curve.of == Deviation::Total)
         .or(result.curves.first())
         .filter(|curve| !curve.mixed.lower_si.is_empty())
-}
-
-fn bound_sentence(
-    result: &StudyResult,
-    bound: &BoundRecord,
-    probability: f64,
-    conditions: &str,
-    writer: &NumberWriter,
-) -> String {
-    format!(
-        "The {} stays within ±{} of its ideal motion over the whole cycle in at least {} of mechanisms.{conditions}",
-        output_words(&bound.output, &result.outputs),
-        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
-        writer.percent(probability, Rounding::Down)
-    )
-}
-
-/// Any bound: the statistic, what it is of, and its two ends.
-fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, conditions: &str, writer: &NumberWriter) -> String {
-    let unit = output_unit(result, &bound.output);
-    format!(
-        "The {} of {} ({}, {}) lies between {} and {}.{conditions}",
-        statistic_words(bound.statistic, &unit, writer),
-        output_words(&bound.output, &result.outputs),
-        deviation_words(bound.of),
-        place_words(bound.at, writer),
-        bound_value(&bound.lower, bound, Rounding::Down, writer),
-        bound_value(&bound.upper, bound, Rounding::Up, writer),
-    )
-}
-
-/// The unit of an output; that of a pure number where the result does not describe it.
-pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
-    let output = result.outputs.iter().find(|output| output.name == name);
-    output.map_or(SiUnit::NONE, |output| output.unit.clone())
-}
-
-fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, conditions: &str, writer: &NumberWriter) -> String {
-    let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
-    let magnitude = highest.abs().max(lowest.abs());
-    let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
-    let range = if is_even && curve.of != Deviation::Value {
-        format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
-    } else {
-        between(lowest, highest, &curve.unit, writer)
-    };
-    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
-    let subject = output_words(&curve.output, &result.outputs);
-    let stays = match curve.of {
-        Deviation::Value => format!("lies {range}"),
-        _ => format!("stays {range} of its ideal motion"),
-    };
-    format!(
-        "At each angle of {}, the {subject} {stays} in at least {share} of mechanisms.{conditions}",
-        result.cycle.drive
-    )
-}
-
-/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
-fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
-    let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
-    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
-    format!(
-        "between {} and {}",
-        writer.rounded(lowest_si, unit, digits, Rounding::Down),
-        writer.rounded(highest_si, unit, digits, Rounding::Up)
-    )
 }
 
 /// The band of scatter alone beside that of all unknown values; nothing for the output itself, whose size is no deviation.
@@ -254,10 +190,9 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 _ => searched,
             };
             format!(
-                "{}: the {} of {} stays {limits} {} {share}; required: at least {}.{way_out}",
+                "{}: the {} stays {limits} {} {share}; required: at least {}.{way_out}",
                 capitalised(verdict_words(requirement.verdict)),
-                deviation_words(requirement.of),
-                requirement.output,
+                deviation_of(&requirement.output, requirement.of, &result.outputs),
                 place_words(requirement.at, writer),
                 writer.percent(requirement.probability_at_least, Rounding::Nearest),
             )
@@ -445,12 +380,4 @@ fn width_sentence(band: &TreatmentBand, mixed_width: Option<f64>, writer: &Numbe
         ..=-0.02 => format!(" The band is {by} narrower than the mixed band."),
         _ => String::new(),
     }
-}
-
-fn smallest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }

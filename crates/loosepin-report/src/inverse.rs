@@ -171,7 +171,7 @@ pub(super) fn rare_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec
 }
 
 fn rare(result: &StudyResult, one: &RareRecord, writer: &NumberWriter) -> String {
-    let unit = super::answer::output_unit(result, &one.output);
+    let unit = super::wording::output_unit(result, &one.output);
     format!(
         "{} of {} ({}, {}): upper bound {}; lower bound {}.",
         statistic_words(one.statistic, &unit, writer),

@@ -6,6 +6,7 @@
 //! | Sentences on | File |
 //! |---|---|
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
+//! | each output: one sentence | `told.rs` |
 //! | the required accuracy and the budget | `accuracy_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
@@ -48,7 +49,9 @@ mod surrogate_text;
 mod sweep_page;
 mod terminal;
 mod terminal_table;
+mod told;
 mod wording;
+mod zone_figure;
 
 pub use cases_page::{cases_page, cases_text};
 pub use draft_text::draft_text;

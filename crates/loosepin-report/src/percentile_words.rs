@@ -1,8 +1,8 @@
 //! Percentiles of statistics that are themselves random, in words.
 
-use super::answer::output_unit;
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
+use super::wording::output_unit;
 use super::wording::{deviation_words, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 

@@ -1,7 +1,7 @@
 //! Bounds that are promised for a share of the box: sentences for pages and terminals.
 
-use super::answer::output_unit;
 use super::number::{NumberWriter, Rounding};
+use super::wording::output_unit;
 use super::wording::{
     capitalised, count, counted, deviation_words, failed_words, output_words, place_words, statistic_words,
 };

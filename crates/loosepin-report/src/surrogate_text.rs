@@ -1,10 +1,10 @@
 //! Quality and bounds of surrogates: sentences and tables for pages and terminals.
 
-use super::answer::output_unit;
 use super::bound_words::bound_value;
 use super::history_words::history_words;
 use super::number::{NumberWriter, Rounding};
 use super::terminal_table::{push_table, table, wrapped};
+use super::wording::output_unit;
 use super::wording::{
     band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
     statistic_words, treatment_words,

@@ -3,7 +3,7 @@
 use comfy_table::Table;
 
 use super::accuracy_text::accuracy_sentences;
-use super::answer::{answer, output_unit, treatment_sentences, verdict_headline};
+use super::answer::{answer, treatment_sentences, verdict_headline};
 use super::bound_words::{bound_error, bound_value};
 use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
@@ -15,8 +15,8 @@ use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
-    place_words, promise_word, reading_beside, response_words, share_words, statistic_words, treatment_words,
-    unknown_words,
+    output_unit, place_words, promise_word, reading_beside, response_words, share_words, statistic_words,
+    treatment_words, unknown_words,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
@@ -44,6 +44,9 @@ pub fn study_text(result: &StudyResult) -> String {
         text.push('\n');
     }
     text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));
+    for sentence in &answer.further {
+        text.push_str(&format!("{}\n", wrapped(sentence, "")));
+    }
     for detail in &answer.details {
         text.push_str(&format!("{}\n", wrapped(detail, "- ")));
     }

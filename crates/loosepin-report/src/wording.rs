@@ -2,9 +2,9 @@
 
 use super::number::{NumberWriter, Rounding};
 use loosepin_result::study::{
-    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PromiseRecord, Reading,
-    Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand, TreatmentComparison,
-    Verdict,
+    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PathError, PromiseRecord,
+    Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand,
+    TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -158,10 +158,35 @@ pub(super) fn has_lists(inputs: &[InputDescription]) -> bool {
     inputs.iter().any(|input| matches!(input.kind, InputKind::Choice { .. }))
 }
 
+/// The unit of an output; that of a pure number where the result does not describe it.
+pub(super) fn output_unit(result: &StudyResult, name: &str) -> SiUnit {
+    let output = result.outputs.iter().find(|output| output.name == name);
+    output.map_or(SiUnit::NONE, |output| output.unit.clone())
+}
+
 /// `slider` with its meaning where there is one: `slider (x of slider.pin)`.
 pub(super) fn output_words(name: &str, outputs: &[OutputDescription]) -> String {
     let words = outputs.iter().find(|output| output.name == name).map_or("", |output| &output.words);
     named_words(name, words)
+}
+
+/// The point of a path and the part of its error, where an output is one.
+pub(super) fn path_part<'o>(name: &str, outputs: &'o [OutputDescription]) -> Option<(&'o str, PathError)> {
+    let path = outputs.iter().find(|output| output.name == name)?.path.as_ref()?;
+    Some((&path.point, path.part))
+}
+
+/// `deviation of slider`; of a path `error of tool (coupler.tool) across its path`.
+pub(super) fn deviation_of(name: &str, of: Deviation, outputs: &[OutputDescription]) -> String {
+    let Some((point, part)) = path_part(name, outputs) else { return format!("{} of {name}", deviation_words(of)) };
+    let due_to = deviation_words(of).trim_start_matches("deviation");
+    let error = match part {
+        PathError::Along => format!("error of {point} along its path"),
+        PathError::Normal => format!("error of {point} across its path"),
+        PathError::Magnitude => format!("distance of {point} from where it should be"),
+        PathError::Contour => format!("distance of {point} from its path"),
+    };
+    format!("{error}{due_to}")
 }
 
 /// `slider (x of slider.pin): deviation, largest in the cycle`, as headings have it.

@@ -16,6 +16,8 @@ pub struct StudyOutput {
     pub component: Option<&'static str>,
     /// Its quantity in words, for example `x of slider.pin`.
     pub words: String,
+    /// Of an error of a path the output and its point, `tool (coupler.tool)`.
+    pub point: Option<String>,
     /// Its unit.
     pub unit: SiUnit,
     /// Its dimension.
@@ -69,6 +71,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 name: column.name.clone(),
                 component: is_path.then(|| COMPONENTS[place]),
                 words: column.words.clone(),
+                point: None,
                 unit: column.unit.clone(),
                 dimension,
                 seen: Seen::Reading(column.reading),
@@ -79,7 +82,8 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 output: index,
                 name: format!("{} {}", output.name, part.word()),
                 component: Some(part.word()),
-                words: error_words(part, model, *point),
+                words: error_words(part, &point_words(model, *point)),
+                point: Some(format!("{} ({})", output.name, point_words(model, *point))),
                 unit: x.unit.clone(),
                 dimension,
                 seen: Seen::Path([x.reading, y.reading], part),
@@ -89,10 +93,13 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
     outputs
 }
 
-/// A part of the error of a point in words.
-fn error_words(part: PathError, model: &Model, point: PointId) -> String {
+fn point_words(model: &Model, point: PointId) -> String {
     let body = &model.bodies[point.body.0];
-    let point = format!("{}.{}", body.name, body.points[point.point].name);
+    format!("{}.{}", body.name, body.points[point.point].name)
+}
+
+/// A part of the error of a point in words.
+fn error_words(part: PathError, point: &str) -> String {
     match part {
         PathError::Along => format!("error of {point} along its path"),
         PathError::Normal => format!("error of {point} across its path"),

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use crate::answer::output_unit;
 use crate::bound_words::{bound_error, bound_value, error_parts};
 use crate::number::{NumberWriter, Rounding};
+use crate::wording::output_unit;
 use crate::wording::{
     MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
     statistic_words, unknown_words,

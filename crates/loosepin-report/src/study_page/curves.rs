@@ -6,7 +6,8 @@ use crate::answer::limits_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::round_to_digits;
-use crate::wording::{capitalised, deviation_words, output_words, place_words};
+use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
+use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
     BoundRecord, CurveRange, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
     SimultaneousCurve, Statistic, StudyResult, Treatment,
@@ -17,8 +18,15 @@ pub(super) fn deviation_charts(result: &StudyResult, writer: &NumberWriter) -> M
     html! {
         @for (index, curve) in result.curves.iter().enumerate() {
             (deviation_chart(result, curve, index, writer).figure())
+            (zone_figure(curve, &point_words(result, curve), writer))
         }
     }
+}
+
+/// The point whose path a curve is about; the output where it is none.
+fn point_words(result: &StudyResult, curve: &DeviationCurve) -> String {
+    let part = path_part(&curve.output, &result.outputs);
+    part.map_or_else(|| curve.output.clone(), |(point, _)| point.to_owned())
 }
 
 fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, writer: &NumberWriter) -> Chart {

@@ -2,10 +2,10 @@
 
 use maud::{Markup, html};
 
-use crate::answer::output_unit;
 use crate::bound_words::bound_value;
 use crate::number::{NumberWriter, Rounding};
 use crate::percentile_words::{PERCENTILES_MEAN, percentile_words};
+use crate::wording::output_unit;
 use crate::wording::{deviation_words, further, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 

@@ -13,14 +13,14 @@ use maud::{Markup, html};
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
 use super::accuracy_text::accuracy_sentences;
-use super::answer::{Answer, answer, limits_words, output_unit, verdict_headline};
+use super::answer::{Answer, answer, limits_words, verdict_headline};
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::promise_text::{promise_sentences, promise_title};
 use super::still_figures::orbit_figure;
-use super::wording::{counted, has_unknown, place_words, unknown_words, verdict_words};
+use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
 use loosepin_result::study::{StudyResult, Verdict};
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
@@ -136,6 +136,7 @@ fn answer_markup(answer: &Answer) -> Markup {
         @for requirement in &answer.requirements { p { (requirement) } }
         @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
         p.headline { (answer.headline) }
+        @if !answer.further.is_empty() { ul.further { @for sentence in &answer.further { li { (sentence) } } } }
         ul.details { @for detail in &answer.details { li { (detail) } } }
     }
 }

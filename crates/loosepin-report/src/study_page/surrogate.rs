@@ -2,7 +2,6 @@
 
 use maud::{Markup, html};
 
-use crate::answer::output_unit;
 use crate::chart::{Chart, Entry, Role};
 use crate::number::NumberWriter;
 use crate::page::cards;
@@ -11,6 +10,7 @@ use crate::surrogate_text::{
     MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
     treatment_rows,
 };
+use crate::wording::output_unit;
 use crate::wording::{deviation_words, output_words, response_words, statistic_words};
 use loosepin_result::study::{
     BoundRecord, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentComparison,

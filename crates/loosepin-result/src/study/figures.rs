@@ -41,6 +41,26 @@ pub struct DeviationCurve {
     /// Bands in which a share of mechanisms stays for the whole cycle, where they were asked for.
     #[serde(default)]
     pub simultaneous: Vec<SimultaneousCurve>,
+    /// The ideal path, where the deviation is the distance of a point from it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathCurve>,
+}
+
+/// The ideal path of a point over the cycle. All lists have one entry per pose.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct PathCurve {
+    /// Positions, m.
+    #[serde(with = "extended")]
+    pub x_m: Vec<f64>,
+    /// Positions, m.
+    #[serde(with = "extended")]
+    pub y_m: Vec<f64>,
+    /// Unit vectors along the motion.
+    #[serde(with = "extended")]
+    pub tangent_x: Vec<f64>,
+    /// Unit vectors along the motion.
+    #[serde(with = "extended")]
+    pub tangent_y: Vec<f64>,
 }
 
 /// A band in which a share of mechanisms stays for the whole cycle, whatever the unknown values.

@@ -1,5 +1,6 @@
 //! What was uncertain, what was run, and what failed.
 
+use super::path_error::PathError;
 use serde::{Deserialize, Serialize};
 
 use loosepin_terms::Purpose;
@@ -130,6 +131,18 @@ pub struct OutputDescription {
     pub words: String,
     /// Unit of its values.
     pub unit: SiUnit,
+    /// Which part of the error of which point it is; nothing where it is a number that can be read off the mechanism.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathOutput>,
+}
+
+/// A part of the error of a point from its ideal path.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PathOutput {
+    /// The output and its point in words, `tool (coupler.tool)`.
+    pub point: String,
+    /// Which part.
+    pub part: PathError,
 }
 
 /// How many runs of which kind.

@@ -25,12 +25,12 @@ pub use contributors::{Contributors, EpistemicContributor, RandomContributor, Sh
 pub use deviation::Deviation;
 pub use draft::Draft;
 pub use figures::{
-    CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, ProbabilityBox,
+    CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
     SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
-    InputDescription, InputKind, OutputDescription, PurposeRuns, RunCounts,
+    InputDescription, InputKind, OutputDescription, PathOutput, PurposeRuns, RunCounts,
 };
 
 pub use loosepin_terms::{Guarantee, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment};

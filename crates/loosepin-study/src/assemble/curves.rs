@@ -2,11 +2,13 @@
 
 use super::drawing::Pictures;
 use super::material::{Material, unknown_ends};
-use crate::columns::{BAND, PlannedAsk};
+use crate::columns::{BAND, PlannedAsk, Spot};
 use crate::file::{Deviation, Where};
+use crate::outputs::Seen;
 use crate::simultaneous::CurveBand;
 use loosepin_bounds::Statistic;
-use loosepin_result::study::{CurveRange, DeviationCurve, SimultaneousCurve};
+use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
+use loosepin_simulate::Reading;
 
 /// One curve for each ask for the whole cycle.
 pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {
@@ -32,6 +34,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         random: CurveRange::default(),
         mixed: CurveRange::default(),
         simultaneous: simultaneous(material, bands, planned),
+        path: path(material, planned),
     };
     for &column in &planned.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
@@ -55,6 +58,30 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }
     curve
+}
+
+/// The ideal path, where an ask is for a distance from it.
+fn path(material: &Material<'_>, planned: &PlannedAsk) -> Option<PathCurve> {
+    let Seen::Path(readings, PathError::Normal | PathError::Contour) = material.plan().outputs[planned.ask.output].seen
+    else {
+        return None;
+    };
+    let shared = &material.response.shared;
+    let place = |own: Reading| shared.follow.readings.iter().position(|reading| *reading == own);
+    let (x, y) = place(readings[0]).zip(place(readings[1]))?;
+    let mut path = PathCurve::default();
+    for &column in &planned.columns {
+        let Spot::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
+        let share = turns / material.response.recorded_turns;
+        // The time has no part in a direction.
+        let [x, y] = [x, y].map(|reading| shared.nominal_curve.jet(reading, share, 1.0));
+        path.x_m.push(x[0]);
+        path.y_m.push(y[0]);
+        let speed = (x[1] * x[1] + y[1] * y[1]).sqrt();
+        path.tangent_x.push(x[1] / speed);
+        path.tangent_y.push(y[1] / speed);
+    }
+    Some(path)
 }
 
 /// The bands for the whole curve that were asked for.

@@ -3,10 +3,11 @@
 use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
+use crate::outputs::Seen;
 use loosepin_mechanics::model::{QuantityId, QuantityTable};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
-    OutputDescription,
+    OutputDescription, PathOutput,
 };
 use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, SiUnit, format_number};
@@ -156,6 +157,13 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
             name: output.name.clone(),
             words: output.words.clone(),
             unit: output.unit.clone(),
+            path: match output.seen {
+                Seen::Path(_, part) => {
+                    let point = output.point.as_deref().unwrap_or_default();
+                    Some(PathOutput { point: point.to_owned(), part })
+                }
+                Seen::Reading(_) => None,
+            },
         })
         .collect()
 }

@@ -7,8 +7,9 @@ use loosepin::report::{motion_page, motion_text, simulation_text, study_page, st
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
     AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, Guarantee, InputDescription, InputKind,
-    NumericalError, PercentileBounds, PromiseRecord, PromisedEnd, Purpose, PurposeRuns, Reduction, ResponsePoint, Side,
-    Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, TreatmentEnd, Verdict,
+    NumericalError, PathCurve, PathError, PathOutput, PercentileBounds, PromiseRecord, PromisedEnd, Purpose,
+    PurposeRuns, Reduction, ResponsePoint, Side, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison,
+    TreatmentEnd, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -49,6 +50,89 @@ fn analytic_headline_rounds_the_bound_outwards() {
          restitution from 0.7 to 0.9.",
     );
     assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "Numerical error: at most 0.004 mm, included in the answer.");
+}
+
+/// The headline and what follows it up to the details, on one line.
+fn told(result: &StudyResult) -> String {
+    let text = one_line(&study_text(result));
+    let from = text.find(" The ").expect("a sentence on an output") + 1;
+    text[from..].split(" - ").next().expect("a text").to_owned()
+}
+
+#[test]
+fn every_output_has_its_sentence_and_one_that_does_not_meet_its_requirement_stands_first() {
+    let mut result = quantile_bound_m(5.34e-4, 4e-6);
+    let mut beside = result.bounds[0].clone();
+    beside.output = "lift".to_owned();
+    beside.upper.widened_si = 2e-4;
+    result.bounds.push(beside);
+    let sentences = [
+        "The slider (x of slider.pin) stays within ±0.534 mm of its ideal motion over the whole cycle in at least 97.5 % of mechanisms.",
+        "The lift stays within ±0.200 mm of its ideal motion over the whole cycle in at least 97.5 % of mechanisms.",
+    ];
+    let last = "All this holds for every gudgeon radial clearance from 0.1 to 0.5 mm and every steel pin restitution from 0.7 to 0.9.";
+    result.requirements.clear();
+    assert_eq!(told(&result), format!("{} {} {last}", sentences[0], sentences[1]));
+    let mut requirement = worn_pin().requirements[0].clone();
+    requirement.output = "lift".to_owned();
+    requirement.verdict = Verdict::NotMet;
+    result.requirements = vec![requirement];
+    assert_eq!(told(&result), format!("{} {} {last}", sentences[1], sentences[0]));
+    // The page has the same sentences.
+    let page = study_page(&result).replace('\u{a0}', " ");
+    let places = [sentences[1], sentences[0], last].map(|sentence| page.find(sentence).expect("the sentence"));
+    assert!(places.is_sorted());
+}
+
+#[test]
+fn a_path_is_told_by_part_and_shown_with_its_zone() {
+    let mut result = worn_pin();
+    result.bounds.truncate(1);
+    let part = |result: &mut StudyResult, part: PathError| {
+        result.outputs[0].path = Some(PathOutput { point: "tool (coupler.tool)".to_owned(), part });
+    };
+    for (own, sentence) in [
+        (
+            PathError::Magnitude,
+            "The tool (coupler.tool) stays within 0.612 mm of where it should be over the whole cycle in",
+        ),
+        (
+            PathError::Along,
+            "The tool (coupler.tool) stays within ±0.612 mm of where it should be, along its path, over the whole cycle in",
+        ),
+        (
+            PathError::Normal,
+            "The tool (coupler.tool) stays within ±0.612 mm of its ideal path, across it, over the whole cycle in",
+        ),
+        (
+            PathError::Contour,
+            "The tool (coupler.tool) stays within ±0.612 mm of its ideal path, whatever the timing, over the whole cycle in",
+        ),
+    ] {
+        part(&mut result, own);
+        assert_says(&result, sentence);
+    }
+    assert_says(
+        &result,
+        "Met: the distance of tool (coupler.tool) from its path stays within ±0.7 mm over the whole cycle in",
+    );
+    assert!(!study_page(&result).contains("<figure class=\"zone\">"), "without a path there is no zone");
+    // A circle of 100 mm, passed against the clock: to the left is inwards.
+    let curve = &mut result.curves[0];
+    let angles: Vec<[f64; 2]> = curve.pose_rad.iter().map(|angle| angle.sin_cos().into()).collect();
+    curve.path = Some(PathCurve {
+        x_m: angles.iter().map(|[_, cosine]| 0.1 * cosine).collect(),
+        y_m: angles.iter().map(|[sine, _]| 0.1 * sine).collect(),
+        tangent_x: angles.iter().map(|[sine, _]| -sine).collect(),
+        tangent_y: angles.iter().map(|[_, cosine]| *cosine).collect(),
+    });
+    let page = study_page(&result).replace('\u{a0}', " ");
+    // 8 % of the diagonal of 283 mm over 0.59 mm is 38.
+    assert!(page.contains("The path of tool (coupler.tool), deviations magnified 20 times."));
+    assert!(page.contains("where 95 % of mechanisms stay at each angle, for all unknown values"));
+    // Without an end somewhere there is none.
+    result.curves[0].mixed.upper_si[0] = f64::INFINITY;
+    assert!(!study_page(&result).contains("<figure class=\"zone\">"));
 }
 
 #[test]
@@ -110,7 +194,7 @@ fn inputs_that_would_read_the_same_keep_their_paths() {
 #[test]
 fn what_may_overturn_a_verdict_stands_with_it() {
     let beyond = "98.1 % of the impacts in gudgeon are faster than the contact law is valid for";
-    let settled = "In 87.4 % of the runs the motion is periodic";
+    let settled = "In 12.6 % of the runs the motion does not repeat itself from turn to turn";
     let mut result = worn_pin();
     for shown in [study_text(&result), study_page(&result)] {
         let shown = one_line(&shown).replace('\u{a0}', " ");

@@ -112,6 +112,7 @@ pub fn worn_pin() -> StudyResult {
             name: "slider".to_owned(),
             words: "x of slider.pin".to_owned(),
             unit: SiUnit::LENGTH,
+            path: None,
         }],
         counts: RunCounts {
             runs: 17_536,
@@ -331,6 +332,7 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         random: CurveRange { lower_si: at_centre(&low), upper_si: at_centre(&high) },
         mixed: CurveRange { lower_si: over(&low, true), upper_si: over(&high, false) },
         simultaneous: Vec::new(),
+        path: None,
     }
 }
 

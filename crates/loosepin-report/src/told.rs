@@ -1,0 +1,197 @@
+//! What is told of each output: one sentence each, the output that matters most first.
+
+use super::bound_words::bound_value;
+use super::number::{NumberWriter, Rounding};
+use super::wording::{deviation_words, output_unit, output_words, path_part, place_words, statistic_words};
+use loosepin_result::study::{
+    BoundRecord, Deviation, DeviationCurve, PathError, Reduction, ResponsePoint, Statistic, StudyResult, Treatment,
+    Verdict,
+};
+use loosepin_text::units::SiUnit;
+
+/// Digits of a bound in a sentence.
+pub(super) const SENTENCE_DIGITS: usize = 2;
+/// Further digits where both ends of a range are nearly the same, at most.
+const MOST_MORE_DIGITS: f64 = 6.0;
+
+/// The bound or the curve that answers for an output.
+#[derive(Clone, Copy)]
+pub(super) enum Told<'r> {
+    /// A quantile of the largest deviation, with its probability.
+    Largest(&'r BoundRecord, f64),
+    /// The band over the cycle.
+    Curve(&'r DeviationCurve),
+    /// Any other bound.
+    Bound(&'r BoundRecord),
+}
+
+/// What answers for each output that has an answer: outputs whose requirement is not met first, then those whose requirement is undecided, then
+/// the others, in the order of the study.
+pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
+    let rank = |name: &str| {
+        let verdicts = result.requirements.iter().filter(|own| own.output == name).map(|own| own.verdict);
+        verdicts.map(severity).min().unwrap_or(severity(Verdict::Met))
+    };
+    let mut names: Vec<&str> = Vec::new();
+    let asked = result.bounds.iter().map(|bound| &bound.output[..]);
+    for name in asked.chain(result.curves.iter().map(|curve| &curve.output[..])) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    // Outputs with a quantile of the largest deviation answer what a designer asks first.
+    let told = names.into_iter().filter_map(|name| of_output(result, name));
+    let mut ranked: Vec<((u8, u8), Told<'_>)> = told.map(|told| ((rank(told.output()), told.kind()), told)).collect();
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().map(|(_, told)| told).collect()
+}
+
+fn severity(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::NotMet => 0,
+        Verdict::Undecided => 1,
+        Verdict::Promised | Verdict::Met => 2,
+    }
+}
+
+fn of_output<'r>(result: &'r StudyResult, name: &str) -> Option<Told<'r>> {
+    let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
+    let largest = bounds().find_map(|bound| {
+        let is_largest = bound.of != Deviation::Value
+            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
+            && bound.upper.widened_si.is_finite();
+        match bound.statistic {
+            Statistic::Quantile(probability) if is_largest && probability > 0.5 => Some((bound, probability)),
+            _ => None,
+        }
+    });
+    if let Some((bound, probability)) = largest {
+        return Some(Told::Largest(bound, probability));
+    }
+    let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
+    let curve = curves().find(|curve| curve.of == Deviation::Total).or_else(|| curves().next());
+    curve.map(Told::Curve).or_else(|| bounds().next().map(Told::Bound))
+}
+
+impl<'r> Told<'r> {
+    /// Name of the output.
+    pub fn output(self) -> &'r str {
+        match self {
+            Self::Largest(bound, _) | Self::Bound(bound) => &bound.output,
+            Self::Curve(curve) => &curve.output,
+        }
+    }
+
+    fn kind(self) -> u8 {
+        match self {
+            Self::Largest(..) => 0,
+            Self::Curve(_) => 1,
+            Self::Bound(_) => 2,
+        }
+    }
+
+    /// The sentence.
+    pub fn sentence(self, result: &StudyResult, writer: &NumberWriter) -> String {
+        match self {
+            Self::Largest(bound, probability) => largest_sentence(result, bound, probability, writer),
+            Self::Curve(curve) => curve_sentence(result, curve, writer),
+            Self::Bound(bound) => statistic_sentence(result, bound, writer),
+        }
+    }
+}
+
+/// Subject of a sentence, and from what an output stays within a limit: its ideal motion, or what the part of a path says. The limit of a
+/// distance has no sign.
+struct Subject {
+    name: String,
+    from: &'static str,
+    is_distance: bool,
+}
+
+fn subject(result: &StudyResult, output: &str, of: Deviation) -> Subject {
+    let due_to = match of {
+        Deviation::Dimensional => " as far as part scatter goes,",
+        Deviation::Clearance => " as far as play goes,",
+        Deviation::Value | Deviation::Total => "",
+    };
+    let part = path_part(output, &result.outputs);
+    let name = part.map_or_else(|| output_words(output, &result.outputs), |(point, _)| point.to_owned());
+    let from = match part.map(|(_, part)| part) {
+        None => "of its ideal motion",
+        Some(PathError::Magnitude) => "of where it should be",
+        Some(PathError::Along) => "of where it should be, along its path,",
+        Some(PathError::Normal) => "of its ideal path, across it,",
+        Some(PathError::Contour) => "of its ideal path, whatever the timing,",
+    };
+    let name = if due_to.is_empty() { format!("The {name}") } else { format!("The {name},{due_to}") };
+    Subject { name, from, is_distance: matches!(part, Some((_, PathError::Magnitude))) }
+}
+
+fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64, writer: &NumberWriter) -> String {
+    let Subject { name, from, is_distance } = subject(result, &bound.output, bound.of);
+    format!(
+        "{name} stays within {}{} {from} over the whole cycle in at least {} of mechanisms.",
+        if is_distance { "" } else { "±" },
+        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
+        writer.percent(probability, Rounding::Down)
+    )
+}
+
+/// Any bound: the statistic, what it is of, and its two ends.
+fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let unit = output_unit(result, &bound.output);
+    format!(
+        "The {} of {} ({}, {}) lies between {} and {}.",
+        statistic_words(bound.statistic, &unit, writer),
+        output_words(&bound.output, &result.outputs),
+        deviation_words(bound.of),
+        place_words(bound.at, writer),
+        bound_value(&bound.lower, bound, Rounding::Down, writer),
+        bound_value(&bound.upper, bound, Rounding::Up, writer),
+    )
+}
+
+fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> String {
+    let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
+    let magnitude = highest.abs().max(lowest.abs());
+    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let drive = &result.cycle.drive;
+    if !(lowest.is_finite() && highest.is_finite()) {
+        let subject = output_words(&curve.output, &result.outputs);
+        return format!("At each angle of {drive}, the {subject} has no bound: nothing is known of some quantiles.");
+    }
+    let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
+    let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
+    let range = if is_distance {
+        format!("within {}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+    } else if is_even && curve.of != Deviation::Value {
+        format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+    } else {
+        between(lowest, highest, &curve.unit, writer)
+    };
+    let stays = match curve.of {
+        Deviation::Value => format!("lies {range}"),
+        _ => format!("stays {range} {from}"),
+    };
+    let name = format!("the{}", name.trim_start_matches("The"));
+    format!("At each angle of {drive}, {name} {stays} in at least {share} of mechanisms.")
+}
+
+/// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
+pub(super) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
+    let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
+    let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
+    format!(
+        "between {} and {}",
+        writer.rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.rounded(highest_si, unit, digits, Rounding::Up)
+    )
+}
+
+pub(super) fn smallest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
