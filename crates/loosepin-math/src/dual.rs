@@ -122,6 +122,24 @@ impl<T: Real> Real for Dual<T> {
         Self { value, derivative: T::from_f64(exponent) * self.value.powf(exponent - 1.0) * self.derivative }
     }
     #[inline(always)]
+    fn exponential(self) -> Self {
+        let value = self.value.exponential();
+        Self { value, derivative: value * self.derivative }
+    }
+    #[inline(always)]
+    fn logarithm(self) -> Self {
+        Self { value: self.value.logarithm(), derivative: self.derivative / self.value }
+    }
+    #[inline(always)]
+    fn power(self, exponent: Self) -> Self {
+        let value = self.value.power(exponent.value);
+        let by_base = exponent.value * self.value.power(exponent.value - T::one()) * self.derivative;
+        // Bases of zero and below go with exponents that stay as they are.
+        let by_exponent = value * self.value.logarithm() * exponent.derivative;
+        let by_exponent = T::select(T::zero().less_than(self.value), by_exponent, T::zero());
+        Self { value, derivative: by_base + by_exponent }
+    }
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::select(self.value.less_than(other.value), self, other)
     }
@@ -176,6 +194,28 @@ mod tests {
         let second = (slope(x + step) - slope(x - step)) / (2.0 * step);
         // Central difference: step² times a third derivative of order ten.
         assert!((nested.derivative.derivative - second).abs() < 1e-8);
+    }
+
+    #[test]
+    fn analytic_derivatives_of_exponential_logarithm_and_power() {
+        let nested = |x: f64| Dual { value: Dual::variable(x), derivative: Dual::constant(1.0) };
+        let x: f64 = 1.7;
+        let (e, l) = ((0.3 * x).exp(), x.ln());
+        type Number = Dual<Dual<f64>>;
+        let c = Number::from_f64;
+        let power = x.powf(x);
+        for (found, due) in [
+            ((c(0.3) * nested(x)).exponential(), [e, 0.3 * e, 0.09 * e]),
+            (nested(x).logarithm(), [l, 1.0 / x, -1.0 / (x * x)]),
+            (nested(x).power(c(2.3)), [x.powf(2.3), 2.3 * x.powf(1.3), 2.99 * x.powf(0.3)]),
+            (c(1.3).power(nested(x)), [1.0, 1.3_f64.ln(), 1.3_f64.ln().powi(2)].map(|share| share * 1.3_f64.powf(x))),
+            (nested(x).power(nested(x)), [power, power * (l + 1.0), power * ((l + 1.0) * (l + 1.0) + 1.0 / x)]),
+            (nested(-x).power(c(3.0)), [-x * x * x, 3.0 * x * x, -6.0 * x]),
+            (nested(0.0).power(c(2.0)), [0.0, 0.0, 2.0]),
+        ] {
+            let found = [found.value.value, found.value.derivative, found.derivative.derivative];
+            assert!(found.iter().zip(due).all(|(a, b)| (a - b).abs() < ROUND_OFF * 10.0), "{found:?} {due:?}");
+        }
     }
 
     #[test]

@@ -28,7 +28,7 @@ const EXPONENTIAL: [f64; 5] = [
 ];
 
 /// Binary digits of exponents, from the largest: up to 2¹⁰²³ downwards and up to 2⁶³ upwards.
-const DOWNWARDS: [i32; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
+pub(super) const DOWNWARDS: [i32; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
 const UPWARDS: [i32; 6] = [32, 16, 8, 4, 2, 1];
 
 /// The smallest number that [`natural_logarithm`] tells from smaller ones.
@@ -46,7 +46,7 @@ pub fn natural_logarithm<T: Real>(x: T) -> T {
 
 /// x as 2^exponent · scaled with `scaled` at least 1: the scaled number and the exponent, which is zero or less.
 #[inline(always)]
-fn scaled_up<T: Real>(x: T) -> (T, T) {
+pub(super) fn scaled_up<T: Real>(x: T) -> (T, T) {
     let (mut scaled, mut exponent) = (x.max(T::from_f64(SMALLEST)), T::zero());
     for digits in DOWNWARDS {
         // The largest power of two with which x stays below 2.
@@ -67,14 +67,14 @@ pub fn logarithm_above_one<T: Real>(x: T) -> T {
 /// ln(2^exponent · scaled) with `scaled` at least 1.
 #[inline(always)]
 fn from_scaled<T: Real>(scaled: T, exponent: T) -> T {
-    let [logarithm, _] = parts_from_scaled(scaled, exponent);
+    let [logarithm, _] = parts_from_scaled(scaled, exponent, &UPWARDS);
     logarithm
 }
 
-/// ln(2^exponent · scaled) with `scaled` at least 1, and what is missing in that number.
+/// ln(2^exponent · scaled) with `scaled` from 1 to twice two to the power of all of `upwards`, and what is missing in that number.
 #[inline(always)]
-fn parts_from_scaled<T: Real>(mut scaled: T, mut exponent: T) -> [T; 2] {
-    for digits in UPWARDS {
+pub(super) fn parts_from_scaled<T: Real>(mut scaled: T, mut exponent: T, upwards: &[i32]) -> [T; 2] {
+    for &digits in upwards {
         let smaller = scaled * T::from_f64(power_of_two(-digits));
         let keeps = smaller.less_than(T::one());
         scaled = T::select(keeps, scaled, smaller);
@@ -105,7 +105,7 @@ fn parts_from_scaled<T: Real>(mut scaled: T, mut exponent: T) -> [T; 2] {
 pub fn power<T: Real>(x: T, exponent: f64) -> T {
     let exponent = T::from_f64(exponent);
     let (scaled, twos) = scaled_up(x);
-    let [logarithm, missing] = parts_from_scaled(scaled, twos);
+    let [logarithm, missing] = parts_from_scaled(scaled, twos, &UPWARDS);
     let product = exponent * logarithm;
     let rest = exponent.mul_add(missing, exponent.mul_add(logarithm, -product));
     let value = exponential(product);
@@ -115,8 +115,14 @@ pub fn power<T: Real>(x: T, exponent: f64) -> T {
 /// eˣ for x from -700 to 43, to about one unit in the last place, on any [`Real`]; beyond them as at them.
 #[inline(never)]
 pub fn exponential<T: Real>(x: T) -> T {
+    exponential_between(x, ARGUMENTS, &UPWARDS)
+}
+
+/// eˣ for x between two limits, beyond them as at them; two to the power of all of `upwards` is about the result at the upper one.
+#[inline(always)]
+pub(super) fn exponential_between<T: Real>(x: T, limits: [f64; 2], upwards: &[i32]) -> T {
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
-    let x = x.max(T::from_f64(ARGUMENTS[0])).min(T::from_f64(ARGUMENTS[1]));
+    let x = x.max(T::from_f64(limits[0])).min(T::from_f64(limits[1]));
     // Adding and taking away 1.5 · 2⁵² rounds to the nearest whole number.
     let rounder = T::from_f64(ROUNDER);
     let mut exponent = x * T::from_f64(std::f64::consts::LOG2_E) + rounder - rounder;
@@ -131,7 +137,7 @@ pub fn exponential<T: Real>(x: T) -> T {
         value = T::select(is_set, value * T::from_f64(power_of_two(-digits)), value);
         exponent = T::select(is_set, exponent + T::from_f64(f64::from(digits)), exponent);
     }
-    for digits in UPWARDS {
+    for &digits in upwards {
         let is_clear = exponent.less_than(T::from_f64(f64::from(digits) - 0.5));
         value = T::select(is_clear, value, value * T::from_f64(power_of_two(digits)));
         exponent = T::select(is_clear, exponent, exponent - T::from_f64(f64::from(digits)));

@@ -20,6 +20,7 @@ mod real;
 mod scalar;
 mod spline;
 mod vector;
+mod whole_range;
 
 pub use angle::sin_cos;
 pub use arctangent::arctangent;
@@ -36,3 +37,4 @@ pub use numbers::Numbers;
 pub use real::Real;
 pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};
 pub use vector::Vec2;
+pub use whole_range::{any_exponential, any_logarithm, any_power};

@@ -4,6 +4,7 @@ use super::angle::sin_cos;
 use super::exponential::power;
 use super::fused::multiply_add;
 use super::real::Real;
+use super::whole_range::{any_exponential, any_logarithm, any_power};
 
 impl Real for f64 {
     type Mask = bool;
@@ -34,6 +35,18 @@ impl Real for f64 {
         } else {
             power(self, exponent)
         }
+    }
+    #[inline(always)]
+    fn exponential(self) -> Self {
+        any_exponential(self)
+    }
+    #[inline(always)]
+    fn logarithm(self) -> Self {
+        any_logarithm(self)
+    }
+    #[inline(always)]
+    fn power(self, exponent: Self) -> Self {
+        any_power(self, exponent)
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

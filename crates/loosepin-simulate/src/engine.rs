@@ -56,7 +56,7 @@ pub(super) fn run_from(
     };
     let mut queue = One { run: Some(run), outcome: None };
     conduct(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
-    queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))
+    queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))
 }
 
 /// Runs everything in `queue` on this thread, following what `follow` says. Each run has the same bits whatever the execution.
@@ -176,6 +176,10 @@ fn run_kinematics(
         match &mut account {
             Some(account) => {
                 account.close_step(&mut motion, &mut ideal, start_s, end_s)?;
+                if !account.total().supplied_j.is_finite() {
+                    let element = motion.dynamics.element_without_value();
+                    return Err(RunFailure::NotFinite { time_s: end_s, element });
+                }
                 let mut jams = None;
                 motion.dynamics.joint_friction_residuals(|index, residual| {
                     if !(residual <= LARGEST_RESIDUAL) {

@@ -4,6 +4,7 @@ use super::settings::LARGEST_ENERGY_RESIDUAL;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::{Code, Complaint, problems};
+use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, format_value};
 
 problems! {
@@ -14,10 +15,25 @@ problems! {
         StepTooSmall { time_s: f64, step_s: f64, smallest_s: f64 } => Code::StepTooSmall,
             says("at {} the step fell to {step_s:.1e} s, below the smallest of {smallest_s:.1e} s", time(*time_s)),
             hint("look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off");
-        /// A position or velocity is not a number.
-        NotFinite { time_s: f64 } => Code::RunNotFinite,
-            says("at {} a position or velocity is not a finite number", time(*time_s)),
-            hint("look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off");
+        /// A position, a velocity or what a person has written as an expression is not a number.
+        NotFinite {
+            time_s: f64,
+            /// Path of the drive, load or control whose expression has no value.
+            element: Option<String>,
+        } => Code::RunNotFinite,
+            says("at {} {} is not a finite number", time(*time_s), match element {
+                Some(path) => describe_path(path),
+                None => "a position or velocity".to_owned(),
+            }),
+            hint("{}", match element {
+                Some(_) => {
+                    "its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside, for example \
+                     log(max(x, 1e-6))"
+                }
+                None => {
+                    "look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off"
+                }
+            });
         /// The drive whose turns are counted does not turn.
         StandsStill { drive: String } => Code::DriveStandsStill,
             says("drive '{drive}' stands still: its turns cannot be counted"),
@@ -186,7 +202,7 @@ impl RunFailure {
             Self::Sample(SampleError::CannotClose { .. }) => 2,
             Self::Sample(SampleError::Singular { .. }) => 3,
             Self::StepTooSmall { .. } => 4,
-            Self::NotFinite { .. } => 5,
+            Self::NotFinite { .. } | Self::Sample(SampleError::DriveWithoutValue { .. }) => 5,
             Self::StandsStill { .. } => 6,
             Self::TooManyEvaluations { .. } => 7,
             Self::TooManyRows { .. } => 8,
@@ -224,8 +240,10 @@ impl RunFailure {
             | Self::BeyondGuide { joint, .. }
             | Self::BeyondLaw { joint, .. }
             | Self::Jams { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
+            Self::NotFinite { element, .. } => {
+                Complaint::error(self, element.as_ref().and_then(|path| model.place(path)))
+            }
             Self::StepTooSmall { .. }
-            | Self::NotFinite { .. }
             | Self::TooManyEvaluations { .. }
             | Self::EnergyNotBalanced { .. }
             | Self::Stopped { .. } => Complaint::error(self, None),

@@ -240,7 +240,7 @@ fn go_on(
     // Only the last step is looked at.
     let window = Window { start_s: to_s * (1.0 - f64::EPSILON), end_s: to_s };
     run_from(mechanism, sample, &window, settings, from.cloned(), &mut last)?;
-    last.state.ok_or(RunFailure::NotFinite { time_s: to_s })
+    last.state.ok_or(RunFailure::NotFinite { time_s: to_s, element: None })
 }
 
 /// Keeps the state at the end of a run.

@@ -22,7 +22,7 @@ impl StudyResponse {
         let mut outcome = None;
         let next = || inputs.take().map(|(x, u)| (0, x, u));
         self.run_all(self.variant(epistemic), Execution::Scalar, next, |_, finished| outcome = Some(finished));
-        let finished = outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0 }))?;
+        let finished = outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))?;
         row.copy_from_slice(&finished);
         Ok(())
     }

@@ -3,7 +3,7 @@
 
 use crate::native::{Graph, Mask, Slot, Value};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
-use loosepin_math::{Real, power, sin_cos};
+use loosepin_math::{Real, any_exponential, any_logarithm, any_power, power, sin_cos};
 use std::cell::RefCell;
 
 thread_local! {
@@ -95,6 +95,15 @@ impl Real for Traced {
             power(self, exponent)
         }
     }
+    fn exponential(self) -> Self {
+        any_exponential(self)
+    }
+    fn logarithm(self) -> Self {
+        any_logarithm(self)
+    }
+    fn power(self, exponent: Self) -> Self {
+        any_power(self, exponent)
+    }
     fn min(self, other: Self) -> Self {
         write(|graph| graph.minimum(self.0, other.0))
     }
@@ -123,7 +132,8 @@ mod tests {
             let (sine, cosine) = (x * T::from_f64(3.1)).sin_cos();
             let root = (x.mul_add(x, y * y)).sqrt();
             let larger = T::select(sine.less_than(cosine), root.powf(1.5), cosine.abs().max(y).min(root.powf(1.3)));
-            (larger - sine) / (cosine + T::from_f64(2.0))
+            let any = x.power(y) + (root.logarithm() * x).exponential() + x.abs().power(y);
+            (larger - sine) / (cosine + T::from_f64(2.0)) + T::select(x.less_than(T::zero()), root.logarithm(), any)
         }
         let slot = |index| Slot { block: 0, index };
         let (graph, result) = record(|| f(Traced::input(slot(0)), Traced::input(slot(1))));

@@ -53,7 +53,8 @@ impl<T: Real> Dynamics<'_, T> {
                 effort = derivative.mul_add(motion[1] - speed, effort);
             }
             if let Some(limit) = numbers.limit {
-                effort = effort.min(limit).max(-limit);
+                // In this order an effort that is no number stays none.
+                effort = (-limit).max(limit.min(effort));
             }
             let rate = numbers.actuated.motion(&actuated, &self.kinematics)[1];
             self.controls_w = effort.mul_add(rate, self.controls_w);

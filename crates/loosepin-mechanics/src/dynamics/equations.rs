@@ -39,9 +39,9 @@ pub struct Dynamics<'a, T> {
     /// Poses, velocities and biases at the last evaluation.
     pub kinematics: Kinematics<T>,
     /// Coordinates and rates of the last evaluation, driven ones filled in.
-    coordinates: Vec<T>,
+    pub(super) coordinates: Vec<T>,
     pub(super) rates: Vec<T>,
-    driven_accelerations: Vec<T>,
+    pub(super) driven_accelerations: Vec<T>,
     /// Slots of bearing body and journal body of each joint with play.
     pub(super) play_slots: Vec<[usize; 2]>,
     pub(super) plays: Vec<PlayMotion<T>>,

@@ -22,6 +22,7 @@ mod reactions;
 mod slot;
 mod spring;
 mod torsional_spring;
+mod without_value;
 
 pub use crate::contact::PlayState;
 pub use contact_motion::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion};

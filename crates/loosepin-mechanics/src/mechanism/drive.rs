@@ -255,7 +255,8 @@ impl Drives<f64> {
                     let [_, rate, acceleration] = drives.law_at(law, index, time_s);
                     (rate.abs() / scale).max((acceleration.abs() / scale).sqrt())
                 });
-                looks.fold(0.0, f64::max)
+                // Where it has no value the run will end.
+                looks.filter(|pace| pace.is_finite()).fold(0.0, f64::max)
             }
         }
     }

@@ -173,6 +173,12 @@ problems! {
                 format!("{} is {given}; the links and what else is given make it {found}", describe_path(path))
             }),
             hint("leave it out: it follows from the others; or change those");
+        DriveWithoutValue { drive: String, time_s: f64 } => Code::RunNotFinite,
+            says(
+                "at {} the motion of drive '{drive}' is not a finite number, or its speed or acceleration is not",
+                format_value(*time_s, Dimension::TIME)
+            ),
+            hint("its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside");
         Singular { time_s: f64 } => Code::SingularPosition,
             says(
                 "singular position at {}: the drives no longer determine the motion",

@@ -231,6 +231,10 @@ impl<'a> IdealMotion<'a> {
         self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
         for (k, &drive) in tree.drives.iter().enumerate() {
             let motion = self.drives.motion(&self.mechanism.model, drive, time_s, &mut self.room);
+            if motion.iter().any(|number| !number.is_finite()) {
+                let drive = self.mechanism.model.drives[drive.0].name.clone();
+                return Err(SampleError::DriveWithoutValue { drive, time_s });
+            }
             [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
         }
         self.time_s = time_s;

@@ -4,8 +4,8 @@ use super::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::units::{Dimension, Names, Op, run};
 
-/// Largest exponent of a power in a function.
-const LARGEST_EXPONENT: f64 = 32.0;
+/// Whole and half exponents up to this are powers by multiplication.
+const LARGEST_MULTIPLIED: f64 = 32.0;
 
 /// A variable of a function: its name and what it measures.
 pub(super) type Variable = (&'static str, Dimension);
@@ -43,8 +43,6 @@ enum Step {
 pub(super) enum Beyond {
     /// An inverse trigonometric function.
     Inverse,
-    /// A power whose exponent is no whole or half number that is written out.
-    Exponent,
 }
 
 impl Function {
@@ -118,11 +116,12 @@ impl Function {
                 }))
             }
             Op::Power => {
-                let halves = 2.0 * number(b).ok_or(Beyond::Exponent)?;
-                if !(halves == halves.round() && halves.abs() <= 2.0 * LARGEST_EXPONENT) {
-                    return Err(Beyond::Exponent);
+                let halves = number(b).map(|exponent| 2.0 * exponent);
+                let multiplied = |halves: &f64| *halves == halves.round() && halves.abs() <= 2.0 * LARGEST_MULTIPLIED;
+                match halves.filter(multiplied) {
+                    Some(halves) => Step::Power(a, halves as i32),
+                    None => Step::Two(op, a, b),
                 }
-                Step::Power(a, halves as i32)
             }
             Op::Tangent => {
                 let sine = self.push(Step::One(Op::Sine, a));
@@ -149,6 +148,8 @@ fn of_one<N: Real>(op: Op, a: N) -> N {
     match op {
         Op::Negate => -a,
         Op::SquareRoot => a.sqrt(),
+        Op::Exponential => a.exponential(),
+        Op::Logarithm => a.logarithm(),
         Op::Sine => a.sin_cos().0,
         Op::Cosine => a.sin_cos().1,
         _ => a.abs(),
@@ -162,9 +163,16 @@ fn of_two<N: Real>(op: Op, a: N, b: N) -> N {
         Op::Subtract => a - b,
         Op::Multiply => a * b,
         Op::Divide => a / b,
-        Op::Minimum => a.min(b),
-        _ => a.max(b),
+        Op::Power => a.power(b),
+        Op::Minimum => N::select(a.less_than(b), a, N::select(b.less_than(a), b, equal_or_none(a, b))),
+        _ => N::select(b.less_than(a), a, N::select(a.less_than(b), b, equal_or_none(a, b))),
     }
+}
+
+/// Both numbers where they are equal, and none where one of them is none: a minimum must not hide that a function has no value.
+#[inline(always)]
+fn equal_or_none<N: Real>(a: N, b: N) -> N {
+    N::from_f64(0.5) * (a + b)
 }
 
 /// x to the power of half of `halves`, by multiplications and a root.
@@ -256,7 +264,45 @@ mod tests {
     fn what_has_no_straight_line_is_refused() {
         assert_eq!(function("1 N * time / 1 s * cos(asin(0.3))").map(|_| ()), Ok(()));
         assert_eq!(function("atan(time / 1 s)").map(|_| ()), Err(Beyond::Inverse));
-        assert_eq!(function("(time / 1 s)^0.3").map(|_| ()), Err(Beyond::Exponent));
-        assert_eq!(function("2^(time / 1 s)").map(|_| ()), Err(Beyond::Exponent));
+    }
+
+    /// Value and first two derivatives over the time.
+    fn jet(text: &str, time_s: f64, parameter: f64) -> [f64; 3] {
+        let function = function(text).expect("a line");
+        let time = Dual { value: Dual::variable(time_s), derivative: Dual::constant(1.0) };
+        let mut room = vec![Dual::constant(Dual::constant(f64::NAN)); function.steps()];
+        let found = function.value(&[parameter], &[time], |a: f64| Dual::constant(Dual::constant(a)), &mut room);
+        [found.value.value, found.value.derivative, found.derivative.derivative]
+    }
+
+    #[test]
+    fn analytic_exponentials_logarithms_and_any_power() {
+        let t: f64 = 0.83;
+        for (text, due) in [
+            ("exp(-time / 0.4 s)", [1.0, -2.5, 6.25].map(|share| share * (-t / 0.4).exp())),
+            ("log(time / 1 s)", [t.ln(), 1.0 / t, -1.0 / (t * t)]),
+            ("(time / 1 s)^0.3", [t.powf(0.3), 0.3 * t.powf(-0.7), -0.21 * t.powf(-1.7)]),
+            ("(time / 1 s)^(swing / 1 rad)", [t.powf(1.7), 1.7 * t.powf(0.7), 1.19 * t.powf(-0.3)]),
+            ("2^(time / 1 s)", [1.0, 2.0_f64.ln(), 2.0_f64.ln().powi(2)].map(|share| share * 2.0_f64.powf(t))),
+            ("min(time, 1 s) / max(time, 2 s)", [t / 2.0, 0.5, 0.0]),
+        ] {
+            let found = jet(text, t, 1.7);
+            // Round-off of a few operations on numbers up to ten.
+            assert!(found.iter().zip(due).all(|(a, b)| (a - b).abs() < 1e-14), "{text}: {found:?} {due:?}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_value_shows_through_minimum_and_maximum() {
+        for text in
+            ["log(0.5 - time / 1 s)", "sqrt(0.5 - time / 1 s)", "(0.5 - time / 1 s)^0.3", "(time / 1 s - 0.5)^-0.3"]
+        {
+            assert!(jet(text, 0.25, 0.0)[0].is_nan() == text.starts_with("(time"), "{text}");
+            for text in
+                [text.to_owned(), format!("min({text}, 2)"), format!("max(-3, {text})"), format!("max({text}, 0)")]
+            {
+                assert!(jet(&text, 0.75, 0.0)[0].is_nan() != text.contains("(time / 1 s - "), "{text}");
+            }
+        }
     }
 }

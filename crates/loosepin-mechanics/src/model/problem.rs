@@ -120,8 +120,6 @@ problems! {
         InverseFunction { entry: String } => Code::FunctionNotPossible,
             says("{entry}: inverse trigonometric functions cannot be used together with what changes in time"),
             hint("give what does not change a name under [parameter] and use that");
-        ExponentOfFunction { entry: String } => Code::FunctionNotPossible,
-            says("{entry}: exponents of what changes in time are whole or half numbers, written out, up to 32");
         NotForPlanes {
             entry: String,
             contact: String,

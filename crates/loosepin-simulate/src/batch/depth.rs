@@ -1,16 +1,41 @@
-//! Checks at the end of a step: the depth of contacts, and friction in ideal joints.
+//! Checks of a step: the depth of contacts, friction in ideal joints, and expressions without a value.
 
 use super::Batch;
 use crate::failure::RunFailure;
 use crate::gap::ContactStep;
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
-use crate::pass::LARGEST_RESIDUAL;
+use crate::pass::{LARGEST_RESIDUAL, step_in_time};
 use crate::reads::ReadLayout;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape};
 use loosepin_mechanics::model::JointKind;
 
 impl Batch<'_> {
+    /// The drive, load or control whose expression has no value where the step at hand of a lane begins, or where it would end if all
+    /// bodies went straight on.
+    pub(super) fn element_without_value(&mut self, lane: usize) -> Option<String> {
+        let run = self.runs[lane].as_ref()?;
+        self.viewed = run.number;
+        self.view.dynamics.sample_mut().clone_from(&run.sample);
+        for contact in 0..self.view.states.len() {
+            self.view.states[contact] = self.core.contact(lane, contact).0;
+        }
+        let n = self.mechanism.real.free;
+        let [time_s, pace, change] = self.times(lane)[0].jet;
+        let step_s = step_in_time([pace, change], self.core.step(lane));
+        for ahead_s in [0.0, 0.5 * step_s, step_s] {
+            self.core.interpolate(lane, 0.0, &mut self.view_state);
+            for k in 0..n {
+                self.view_state[k] += ahead_s * self.view_state[n + k];
+            }
+            self.view.evaluate(time_s + ahead_s, &self.view_state);
+            if let Some(path) = self.view.dynamics.element_without_value() {
+                return Some(path);
+            }
+        }
+        None
+    }
+
     /// No contact may be pressed deeper than its limit allows, at the end of a step or, where it may be deepest, within.
     pub(super) fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };
@@ -19,7 +44,7 @@ impl Batch<'_> {
         for (contact, limit) in run.depth_limits.iter().enumerate() {
             let gap = self.core.end_read(lane, self.core.pass.reads.gap(contact));
             if gap.is_nan() {
-                return Err(RunFailure::NotFinite { time_s });
+                return Err(RunFailure::NotFinite { time_s, element: None });
             }
             let play = run.sample.play_of(contact);
             if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =

@@ -376,10 +376,14 @@ impl<'a> Batch<'a> {
             && let Err(jams) = friction
         {
             jams
+        } else if next_s < smallest_s
+            && let Some(path) = self.element_without_value(lane)
+        {
+            RunFailure::NotFinite { time_s, element: Some(path) }
         } else if next_s < smallest_s && error.is_finite() {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {
-            RunFailure::NotFinite { time_s }
+            RunFailure::NotFinite { time_s, element: None }
         } else if let Some(failure) = self.too_many_evaluations(lane) {
             failure
         } else {

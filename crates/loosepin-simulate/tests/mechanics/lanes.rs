@@ -183,7 +183,7 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
 /// friction in ideal joints, sliders with play in their guides, pins in slots.
-const CASES: [(&str, f64); 19] = [
+const CASES: [(&str, f64); 20] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -194,6 +194,7 @@ const CASES: [(&str, f64); 19] = [
     ("four_bar_floating_coupler", 0.03),
     ("slider_crank_elements.toml", 0.1),
     ("slider_crank_table_drive.toml", 0.3),
+    ("slider_crank_measured_loads.toml", 0.1),
     ("pendulum_on_a_spring.toml", 0.3),
     ("backlash.toml", 0.05),
     ("geared_pendulum.toml", 0.3),

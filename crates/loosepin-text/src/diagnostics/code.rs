@@ -164,8 +164,8 @@ places a name under [parameter]."
 longer one names under [parameter]."
 
     NotFinite "E0308" "a value is not finite"
-"The value is infinite or not a number, most often by a division by zero, a root of a negative number or an exponent that \
-is too large."
+"The value is infinite or not a number, most often by a division by zero, a root or logarithm of a negative number or an exponent \
+that is too large."
 
     MixedDimensions "E0309" "an operation does not fit its dimensions"
 "Only values of one dimension can be added, subtracted or compared; sines need angles, exponents need numbers. \"50 mm + 3\" \
@@ -173,8 +173,8 @@ is refused: the unit of 3 is not known."
 
     FunctionNotPossible "E0310" "an expression over time does what the equations of motion cannot"
 "Expressions that change with time or with a joint are part of the equations of motion, which run on many samples at once. \
-They know + - * /, powers with whole or half exponents, sqrt, abs, min, max, sin, cos and tan. Everything else is allowed in \
-the part that does not change: give it a name under [parameter]."
+They know + - * / ^, exp, log, sqrt, abs, min, max, sin, cos and tan. Everything else is allowed in the part that does not \
+change: give it a name under [parameter]."
 
     UnknownReference "E0401" "a name refers to nothing"
 "Points are written `body.point`, joints, contacts, drives and outputs by their names. The message lists what there is."
@@ -357,7 +357,8 @@ very tight."
 
     RunNotFinite "E0803" "a run left the finite numbers"
 "A position or a velocity became infinite or undefined, at the time that the message names. Most often values of very \
-different size meet, such as a mass of 1e-30 kg and a stiffness of 1e12 N/m^1.5."
+different size meet, such as a mass of 1e-30 kg and a stiffness of 1e12 N/m^1.5. Where the message names a load, a control or a \
+drive, its expression has no value then: the logarithm or the root of a negative number, a power of one, a division by zero."
 
     RunTooLong "E0804" "a run takes too many evaluations"
 "The run was given up after the number of evaluations that the message names, so that it ends at all. Ask for fewer turns \

@@ -71,10 +71,13 @@ problems! {
         AmbiguousUnit { unit: String } => Code::ExpressionSyntax,
             says("the unit '{unit}' can be read in two ways"),
             hint("write parentheses, for example kg/(m s)");
-        UnknownName { name: String, nearest: Option<String> } => Code::UnknownParameter,
-            says("there is no parameter '{name}'"),
+        UnknownName { name: String, is_called: bool, nearest: Option<String> } => Code::UnknownParameter,
+            says("there is no {} '{name}'", if *is_called { "function" } else { "parameter" }),
             hint_of(Some(match nearest {
+                _ if TENTH_LOGARITHMS.contains(&name.as_str()) => "log is natural; write log(x) / log(10)".to_owned(),
+                _ if name == "pow" => "write a power with ^, for example (x / 1 mm)^1.3".to_owned(),
                 Some(nearest) => format!("did you mean '{nearest}'?"),
+                None if *is_called => format!("there is {}", super::listed(&super::parser::functions(), "and")),
                 None => format!("define it under [parameter]: {name} = \"...\""),
             }));
         NameNotAllowed { name: String } => Code::ExpressionSyntax,
@@ -97,11 +100,19 @@ problems! {
             hint_of((*due == Dimension::ANGLE && found.is_number())
                 .then(|| "an angle needs its unit, for example 30 deg or 0.5 rad".to_owned()));
         ExponentNotFixed { base: Dimension } => Code::MixedDimensions,
-            says("the exponent of {base} must be a fixed number");
+            says("the exponent of {base} must be a fixed number"),
+            hint("any exponent will do for a number without unit, for example (x / 1 mm)^n");
+        OutsideDomain { function: &'static str, found: String, rule: &'static str } => Code::NotFinite,
+            says("{function} of {found}; must be {rule}");
+        NoPower { base: String, exponent: f64 } => Code::NotFinite,
+            says("{base} has no power {}", super::format_number(*exponent));
         NotFinite { value: f64 } => Code::NotFinite,
             says("the value is {}; must be finite", super::format_number(*value));
     }
 }
+
+/// Names of the logarithm with base 10 elsewhere.
+const TENTH_LOGARITHMS: [&str; 3] = ["log10", "lg", "lg10"];
 
 /// Abbreviations of turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
 const TURNS_A_MINUTE: [&str; 9] = ["U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];

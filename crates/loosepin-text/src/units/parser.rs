@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, begins_word, tokens};
 use super::program::{Expression, Op, STACK_SIZE, run};
-use super::{Dimension, ExpressionError, ExpressionProblem, find_unit};
+use super::{Dimension, ExpressionError, ExpressionProblem, find_unit, format_value};
 use crate::diagnostics::nearest_name;
 
 /// Parentheses, signs, functions and powers inside one another, at most. Each level holds at most four numbers on the
@@ -66,6 +66,8 @@ enum FunctionKind {
     Keeps,
     /// Halves the exponents.
     Root,
+    /// Number to number.
+    OfNumber,
     /// Two of one dimension to an angle.
     TwoToAngle,
 }
@@ -76,6 +78,8 @@ const fn function(name: &'static str, op: Op, arguments: usize, kind: FunctionKi
 
 static FUNCTIONS: &[Function] = &[
     function("sqrt", Op::SquareRoot, 1, FunctionKind::Root),
+    function("exp", Op::Exponential, 1, FunctionKind::OfNumber),
+    function("log", Op::Logarithm, 1, FunctionKind::OfNumber),
     function("sin", Op::Sine, 1, FunctionKind::OfAngle),
     function("cos", Op::Cosine, 1, FunctionKind::OfAngle),
     function("tan", Op::Tangent, 1, FunctionKind::OfAngle),
@@ -88,9 +92,17 @@ static FUNCTIONS: &[Function] = &[
     function("max", Op::Maximum, 2, FunctionKind::Keeps),
 ];
 
+/// Names that functions have elsewhere, and theirs here.
+const OTHER_NAMES: [(&str, &str); 3] = [("ln", "log"), ("arctan", "atan"), ("arctan2", "atan2")];
+
 /// Whether expressions know a function of this name.
 pub(super) fn is_function(name: &str) -> bool {
     FUNCTIONS.iter().any(|function| function.name == name)
+}
+
+/// Names of all functions.
+pub(super) fn functions() -> Vec<String> {
+    FUNCTIONS.iter().map(|function| function.name.to_owned()).collect()
 }
 
 /// Whether a parameter cannot bear this name, because it is a unit, a function or `pi`.
@@ -294,6 +306,7 @@ impl Parser<'_> {
     }
 
     fn power(&mut self) -> Result<Dimension, ExpressionError> {
+        let base_start = self.ops.len();
         let base = self.primary()?;
         let span = self.span();
         if !self.take_sign('^') {
@@ -316,11 +329,26 @@ impl Parser<'_> {
                 return Err(self.error(ExpressionProblem::ExponentNotFixed { base }, span));
             }
             let dimension = base.power(run(exponent_ops, &mut []));
-            self.check_finite(dimension, span)?;
+            self.check_finite(dimension, span.clone())?;
             dimension
         };
+        let bounds = [base_start, exponent_start, self.ops.len()];
+        if let [Some(number), Some(exponent)] = [[0, 1], [1, 2]].map(|[from, to]| self.known(bounds[from]..bounds[to]))
+        {
+            let is_whole = exponent == exponent.round();
+            if (number < 0.0 && !is_whole) || (number == 0.0 && exponent < 0.0) {
+                let problem = ExpressionProblem::NoPower { base: format_value(number, base), exponent };
+                return Err(self.error(problem, span));
+            }
+        }
         self.ops.push(Op::Power);
         Ok(dimension)
+    }
+
+    /// The value of a range of the operations, where it depends on no name.
+    fn known(&self, range: Range<usize>) -> Option<f64> {
+        let ops = &self.ops[range];
+        (!ops.iter().any(|op| matches!(op, Op::Load(_)))).then(|| run(ops, &mut []))
     }
 
     fn primary(&mut self) -> Result<Dimension, ExpressionError> {
@@ -380,15 +408,19 @@ impl Parser<'_> {
         } else if !self.names.are_allowed() {
             ExpressionProblem::NameNotAllowed { name }
         } else {
+            let is_called = *self.ahead(1) == TokenKind::Sign('(');
             let functions = FUNCTIONS.iter().map(|function| function.name);
-            let nearest = nearest_name(&name, self.names.all().into_iter().chain(functions)).map(str::to_owned);
-            ExpressionProblem::UnknownName { name, nearest }
+            let elsewhere = OTHER_NAMES.iter().find(|(other, _)| *other == name).map(|(_, here)| *here);
+            let nearest = elsewhere.or_else(|| nearest_name(&name, self.names.all().into_iter().chain(functions)));
+            let nearest = nearest.map(str::to_owned);
+            ExpressionProblem::UnknownName { name, is_called, nearest }
         };
         Err(self.error(problem, span))
     }
 
     fn call(&mut self, function: &Function, span: Range<usize>) -> Result<Dimension, ExpressionError> {
         self.deeper()?;
+        let start = self.ops.len();
         let mut arguments = vec![self.sum()?];
         while self.take_sign(',') {
             arguments.push(self.sum()?);
@@ -416,18 +448,37 @@ impl Parser<'_> {
         let dimension = match function.kind {
             FunctionKind::OfAngle => needs(Dimension::ANGLE).map(|()| Dimension::NUMBER)?,
             FunctionKind::ToAngle => needs(Dimension::NUMBER).map(|()| Dimension::ANGLE)?,
+            FunctionKind::OfNumber => needs(Dimension::NUMBER).map(|()| Dimension::NUMBER)?,
             FunctionKind::Root => arguments[0].power(0.5),
             FunctionKind::Keeps => match arguments.get(1) {
-                Some(second) => self.same(function.name, arguments[0], *second, span)?,
+                Some(second) => self.same(function.name, arguments[0], *second, span.clone())?,
                 None => arguments[0],
             },
             FunctionKind::TwoToAngle => {
-                self.same(function.name, arguments[0], arguments.get(1).copied().unwrap_or(arguments[0]), span)?;
+                let second = arguments.get(1).copied().unwrap_or(arguments[0]);
+                self.same(function.name, arguments[0], second, span.clone())?;
                 Dimension::ANGLE
             }
         };
+        if let Some((allows, rule)) = domain(function.op)
+            && let Some(argument) = self.known(start..self.ops.len())
+            && !allows(argument)
+        {
+            let found = format_value(argument, arguments[0]);
+            return Err(self.error(ExpressionProblem::OutsideDomain { function: function.name, found, rule }, span));
+        }
         self.ops.push(function.op);
         Ok(dimension)
+    }
+}
+
+/// Where a function has a value, as a test and in words to follow "must be"; nothing where it has one everywhere.
+fn domain(op: Op) -> Option<(fn(f64) -> bool, &'static str)> {
+    match op {
+        Op::Logarithm => Some((|x| x > 0.0, "> 0")),
+        Op::SquareRoot => Some((|x| x >= 0.0, ">= 0")),
+        Op::ArcSine | Op::ArcCosine => Some((|x| x.abs() <= 1.0, "in [-1, 1]")),
+        _ => None,
     }
 }
 

@@ -39,6 +39,10 @@ pub enum Op {
     Negate,
     /// Square root.
     SquareRoot,
+    /// e to the power a.
+    Exponential,
+    /// Natural logarithm.
+    Logarithm,
     /// Sine of an angle in radians.
     Sine,
     /// Cosine of an angle in radians.
@@ -153,6 +157,8 @@ fn of_one(op: Op, a: f64) -> f64 {
     match op {
         Op::Negate => -a,
         Op::SquareRoot => a.sqrt(),
+        Op::Exponential => libm::exp(a),
+        Op::Logarithm => libm::log(a),
         Op::Sine => libm::sin(a),
         Op::Cosine => libm::cos(a),
         Op::Tangent => libm::tan(a),

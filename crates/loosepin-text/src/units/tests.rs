@@ -80,6 +80,12 @@ fn analytic_arithmetic_has_its_usual_order() {
         ("(3 mm + 4 mm) / 1 m", 0.007),
         ("sqrt(9 mm^2) / 1 mm", 3.0),
         ("1 m / 2 mm", 500.0),
+        ("exp(2) * exp(-2)", 1.0),
+        ("log(exp(0.7))", 0.7),
+        ("log(1000) / log(10)", 3.0),
+        ("2^0.3 * 2^0.7", 2.0),
+        ("(-2)^3 + 0^0.3", -8.0),
+        ("(4 mm)^0.5 * (4 mm)^0.5 / 1 mm", 4.0),
         ("2(3)", f64::NAN),
     ] {
         if expected.is_nan() {
@@ -121,6 +127,13 @@ fn places_of_errors_are_exact() {
     assert_eq!(refused("(1 + 2"), "6..6: found the end of the value; expected ')'");
     assert_eq!(refused("µ = 3"), "3..4: '=' does not belong in a value");
     assert_eq!(refused("1 / 0"), "0..5: the value is infinity; must be finite");
+    assert_eq!(refused("2 + log(1 - 3)"), "4..7: log of -2; must be > 0");
+    assert_eq!(refused("log(0)"), "0..3: log of 0; must be > 0");
+    assert_eq!(refused("sqrt(2 mm^2 - 3 mm^2)"), "0..4: sqrt of -1e-6 m^2; must be >= 0");
+    assert_eq!(refused("1 + acos(2) / 1 rad"), "4..8: acos of 2; must be in [-1, 1]");
+    assert_eq!(refused("3 * (1 - 2)^0.3"), "11..12: -1 has no power 0.3");
+    assert_eq!(refused("0^-1.5"), "1..2: 0 has no power -1.5");
+    assert_eq!(refused("log(1 mm)"), "0..3: log needs a number without unit; found a length");
 }
 
 #[test]
@@ -146,7 +159,8 @@ fn identity_shown_values_are_read_back() {
 /// Words that expressions are made of, right and wrong ones.
 const WORDS: &[&str] = &[
     "1", "0", "2.5e3", "1e308", "1e-308", "mm", "kg", "s", "deg", "rpm", "N", "%", "+", "-", "*", "/", "^", "(", ")",
-    ",", "sqrt(", "sin(", "min(", "atan2(", "abs(", "pi", "²", "x", "µm", "·", "−", " ", "1.2.3", "999", "0.5", "max(",
+    ",", "sqrt(", "log(", "exp(", "sin(", "min(", "atan2(", "abs(", "pi", "²", "x", "µm", "·", "−", " ", "1.2.3",
+    "999", "0.5", "max(",
 ];
 
 proptest! {

@@ -62,7 +62,6 @@ impl ModelReader {
                 let entry_words = entry.path.describe();
                 let problem = match beyond {
                     Beyond::Inverse => ModelProblem::InverseFunction { entry: entry_words },
-                    Beyond::Exponent => ModelProblem::ExponentOfFunction { entry: entry_words },
                 };
                 self.reader.refuse(&problem, entry.span)
             }

@@ -5,6 +5,7 @@ mod control;
 mod couplings;
 mod drives;
 mod efforts;
+mod expressions;
 mod initial;
 mod joint_friction;
 mod loads;
