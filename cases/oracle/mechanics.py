@@ -5,7 +5,7 @@ the ideal joints and drives.
     [ J  0  ] [ λ ] = [ γ ],     C(q, t) = 0,  J = ∂C/∂q,  γ = -(J̇ v + C_tt)
 
 Force of a constraint on the bodies: -Jᵀ λ. State vector y = (q, v, w): q and v of length 3 nb, w the integrals of
-contact loss, friction loss and work of the drives, J.
+contact loss, friction loss and work of the drives and loads, J.
 
 `system` is the tuple made by `tables`; `mode` has a row per clearance joint:
 [in contact 0/1, cut 0/1, friction zone -2..2], `v0_m_s` its impact speed.
@@ -23,7 +23,7 @@ INTEGRALS = 3
 
 def tables(mechanism):
     """Flat arrays of a mechanism: (masses, gravity, constraint integers, constraint numbers, joint integers and
-    numbers of the clearance joints)."""
+    numbers of the clearance joints, integers, numbers and pieces of the loads)."""
     masses = np.array([[b.mass_kg, b.inertia_kg_m2] for b in mechanism.bodies])
     integers, numbers, row = [], [], 0
     for c in mechanism.constraints:
@@ -39,8 +39,31 @@ def tables(mechanism):
     return (
         masses, mechanism.gravity_m_s2, np.array(integers, dtype=np.int64).reshape(-1, 4),
         np.array(numbers).reshape(-1, 8), row,
-        np.array(pair, dtype=np.int64).reshape(-1, 3), np.array(joint).reshape(-1, 13),
+        np.array(pair, dtype=np.int64).reshape(-1, 3), np.array(joint).reshape(-1, 13), *load_tables(mechanism.loads),
     )  # fmt: skip
+
+
+def load_tables(loads):
+    """Integers (body, is over an angle, its bodies, first piece, pieces), numbers (point, direction, period) and pieces."""
+    integers, numbers, pieces, first = [], [], [np.zeros((0, 5))], 0
+    for load in loads:
+        i, j = load.joint or (-1, -1)
+        integers.append([load.body, int(load.joint is not None), i, j, first, len(load.pieces)])
+        numbers.append([*load.point_m, np.cos(load.direction_rad), np.sin(load.direction_rad), load.period])
+        pieces.append(load.pieces)
+        first += len(load.pieces)
+    return np.array(integers, dtype=np.int64).reshape(-1, 6), np.array(numbers).reshape(-1, 5), np.concatenate(pieces)
+
+
+@njit()
+def load_size(argument, pieces, period):
+    """The curve of a load at `argument`."""
+    start = pieces[0, 0]
+    if period > 0.0:
+        argument -= np.floor((argument - start) / period) * period
+    piece = pieces[max(np.searchsorted(pieces[:, 0], argument, side="right") - 1, 0)]
+    u = argument - piece[0]
+    return ((piece[1] * u + piece[2]) * u + piece[3]) * u + piece[4]
 
 
 @njit()
@@ -228,6 +251,16 @@ def derivative(time_s, y, system, mode, v0_m_s):
         push(force, q, i, x, y_point, -fx, -fy)
         result[2 * size] += (normal - elastic) * rate
         result[2 * size + 1] -= tangential * material
+    for k in range(system[7].shape[0]):
+        body, is_angle, i, j, first, count = system[7][k]
+        number = system[8][k]
+        argument = turn(q, j) - turn(q, i) if is_angle == 1 else time_s
+        size_n = load_size(argument, system[9][first : first + count], number[4])
+        ax, ay = arm(q, body, number[0], number[1])
+        x, y_point = place(q, body, ax, ay)
+        vx, vy = velocity(v, body, ax, ay)
+        push(force, q, body, x, y_point, size_n * number[2], size_n * number[3])
+        result[2 * size + 2] += size_n * (number[2] * vx + number[3] * vy)
     _, jacobian, _, gamma = constraint_rows(time_s, q, v, system)
     matrix = np.zeros((size + rows, size + rows))
     right = np.zeros(size + rows)

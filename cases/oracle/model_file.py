@@ -10,10 +10,13 @@ import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+from scipy.interpolate import CubicSpline, PchipInterpolator
+
 # SI factor of each unit symbol used in the cases.
 UNITS = {
-    "m": 1.0, "mm": 1e-3, "um": 1e-6, "kg": 1.0, "g": 1e-3, "s": 1.0, "ms": 1e-3,
-    "N": 1.0, "kN": 1e3, "Pa": 1.0, "MPa": 1e6, "GPa": 1e9,
+    "m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "kg": 1.0, "g": 1e-3, "s": 1.0, "ms": 1e-3,
+    "N": 1.0, "kN": 1e3, "Pa": 1.0, "MPa": 1e6, "GPa": 1e9, "bar": 1e5,
     "rad": 1.0, "deg": math.pi / 180.0, "rpm": math.pi / 30.0,
 }  # fmt: skip
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)|([A-Za-z_]\w*)|([-+*/^()]))")
@@ -147,6 +150,23 @@ class Clearance:
 
 
 @dataclass
+class Load:
+    """A force of a given direction in the ground's frame on a point of body `body`, measured from its centre of mass.
+
+    Its size, N, is a cubic in pieces `pieces`: rows of where it begins and the coefficients of the third to the zeroth
+    power from there. They are over the time or, with `joint` = (i, j), over θ_j - θ_i; `period` is 0 for a curve that does
+    not come again.
+    """
+
+    body: int
+    point_m: tuple
+    direction_rad: float
+    joint: tuple | None
+    period: float
+    pieces: np.ndarray
+
+
+@dataclass
 class Mechanism:
     name: str
     gravity_m_s2: float
@@ -157,6 +177,7 @@ class Mechanism:
     recorded_turns: float
     samples_per_turn: int
     drive_speed_rad_s: float
+    loads: list
     document: dict = field(repr=False)
 
 
@@ -261,12 +282,51 @@ def read(path):
             joint.angle_j_rad, start, speeds[name],
         ))  # fmt: skip
 
+    angles = {c.name: (c.i, c.j) for c in constraints if c.kind == REVOLUTE}
+    loads = [load(name, table, Path(path).parent, si, point, angles) for name, table in document.get("load", {}).items()]
     cycle = document["cycle"]
     guess = {index[name]: si(value) for name, value in document.get("assembly", {}).get("guess", {}).items()}
     return Mechanism(
         document["name"], si(document["gravity"]), bodies, constraints, clearances, guess,
-        float(cycle["recorded_turns"]), int(cycle["samples_per_turn"]), speeds[cycle["drive"]], document,
+        float(cycle["recorded_turns"]), int(cycle["samples_per_turn"]), speeds[cycle["drive"]], loads, document,
     )  # fmt: skip
+
+
+def load(name, table, folder, si, point, angles):
+    """The force by a table of points: its curve is scipy's, whose `PchipInterpolator` has the slopes of Fritsch and
+    Butland."""
+    if table["kind"] != "force" or table["of"] not in ("time", "angle") or table.get("frame", "ground") != "ground":
+        raise ValueError(f"load '{name}' is not in this program")
+    if "csv" in table:
+        lines = [line for line in (folder / table["csv"]).read_text().splitlines() if line and not line.startswith("#")]
+        units = [si("1 " + cell.split("[")[1].rstrip("] ")) for cell in lines[0].split(",")]
+        points = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]]) * units
+    else:
+        points = np.array([[si(value) for value in pair] for pair in table["points"]])
+    x, y = points.T
+    if "area" in table:
+        y = (y - si(table.get("back_pressure", 0.0))) * si(table["area"])
+    period = si(table.get("period", 0.0))
+    is_spline = table.get("curve", "monotone") == "spline"
+    if period == 0.0:
+        curve = CubicSpline(x, y, bc_type="natural") if is_spline else PchipInterpolator(x, y)
+        level = [[-1e300, 0, 0, 0, y[0]], *np.column_stack([x[:-1], curve.c.T]), [x[-1], 0, 0, 0, y[-1]]]
+        pieces = np.array(level)
+    else:
+        if x[-1] - x[0] > period * (1 - 1e-9):
+            x, y = x[:-1], y[:-1]
+        count = len(x)
+        thrice = np.concatenate([x - period, x, x + period, [x[0] + 2 * period]])
+        values = np.concatenate([y, y, y, y[:1]])
+        if is_spline:
+            curve = CubicSpline(thrice[count : 2 * count + 1], values[count : 2 * count + 1], bc_type="periodic")
+            coefficients = curve.c.T
+        else:
+            coefficients = PchipInterpolator(thrice, values).c.T[count : 2 * count]
+        pieces = np.column_stack([x, coefficients])
+    body, point_m = point(table["point"])
+    joint = angles[table["joint"]] if table["of"] == "angle" else None
+    return Load(body, point_m, si(table["direction"]), joint, period, pieces)
 
 
 def clearance(name, i, j, point_i, point_j, table, contact, si):

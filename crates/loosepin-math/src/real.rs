@@ -58,6 +58,21 @@ pub trait Real:
         self + Self::from_f64(ROUNDER) - Self::from_f64(ROUNDER)
     }
 
+    /// Of `pieces` side by side, which meet at `breaks`, increasing and one less than there are pieces: the numbers of the piece that
+    /// holds `self`. A break belongs to the piece behind it.
+    #[inline(always)]
+    fn piece<const N: usize>(self, breaks: &[Self], pieces: &[[Self; N]]) -> [Self; N] {
+        let last = pieces.len() - 1;
+        let mut found = pieces[last];
+        for k in (0..last).rev() {
+            let is_before = self.less_than(breaks[k]);
+            for (found, number) in found.iter_mut().zip(&pieces[k]) {
+                *found = Self::select(is_before, *number, *found);
+            }
+        }
+        found
+    }
+
     /// Zero.
     #[inline(always)]
     fn zero() -> Self {

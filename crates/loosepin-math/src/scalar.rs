@@ -61,6 +61,11 @@ impl Real for f64 {
         f64::abs(self)
     }
     #[inline(always)]
+    fn piece<const N: usize>(self, breaks: &[Self], pieces: &[[Self; N]]) -> [Self; N] {
+        // The same piece, found by halving. What is no number is before no break.
+        pieces[breaks.partition_point(|at| !(self < *at))]
+    }
+    #[inline(always)]
     fn less_than(self, other: Self) -> bool {
         self < other
     }

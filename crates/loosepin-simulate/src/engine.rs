@@ -270,12 +270,12 @@ pub(super) fn least_evaluations(
     window.end_s / longest_step_s(mechanism, sample, window) * settings.method.stages.len() as f64
 }
 
-/// Ends of equal steps of at most `longest_s` over `window`, from one break of the drives to the next.
+/// Ends of equal steps of at most `longest_s` over `window`, from one break of drives and loads to the next.
 fn step_ends_s(sample: &Sample<f64>, window: Window, longest_s: f64) -> impl Iterator<Item = f64> {
     /// Steps between two breaks, at most.
     const MOST_STEPS: f64 = 1e9;
     let breaks = std::iter::successors(Some(window.start_s), move |&start_s| {
-        (start_s < window.end_s).then(|| sample.drives.next_break_s(start_s).min(window.end_s))
+        (start_s < window.end_s).then(|| sample.next_break_s(start_s).min(window.end_s))
     });
     let between = breaks.clone().zip(breaks.skip(1));
     between.flat_map(move |(start_s, stop_s)| {

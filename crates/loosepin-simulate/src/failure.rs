@@ -197,7 +197,7 @@ impl RunFailure {
     /// A number for tables.
     pub fn number(&self) -> u16 {
         match self {
-            Self::Sample(SampleError::Quantity(_)) => 0,
+            Self::Sample(SampleError::Quantity(_) | SampleError::Period(_)) => 0,
             Self::Sample(SampleError::ClearanceChangesTopology { .. }) => 1,
             Self::Sample(SampleError::CannotClose { .. }) => 2,
             Self::Sample(SampleError::Singular { .. }) => 3,

@@ -30,7 +30,7 @@ impl<T: Real> Dynamics<'_, T> {
         let load = &self.mechanism.model.loads[index];
         let slot = self.loads[index].slot;
         let [coordinate, rate] = match (&load.course, load.joint) {
-            (Course::Function(_), Some(joint)) => {
+            (Course::Function(_) | Course::Table(_), Some(joint)) => {
                 let place = JointPlace::new(&self.mechanism.model, &self.mechanism.real, joint);
                 self.sample.loads[index].joint.motion(&place, &self.kinematics)
             }

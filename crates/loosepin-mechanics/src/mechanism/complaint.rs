@@ -51,6 +51,7 @@ impl SampleError {
             | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
             Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
+            Self::Period(problem) => format!("load.{}", problem.load()),
             Self::DriveWithoutValue { drive, .. } => format!("drive.{drive}"),
             Self::Singular { .. } => match model.cycle.span {
                 CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => format!("drive.{}", model.drives[drive.0].name),

@@ -41,7 +41,8 @@ impl<T: Real> ControlGeometry<T> {
             derivative: control.derivative.map(number),
             limit: control.limit.map(number),
             feed_forward: match &control.feed_forward {
-                FeedForward::Course(course) => Some(CourseNumbers::new(course, &number)),
+                // What is fed forward is no table.
+                FeedForward::Course(course) => CourseNumbers::new(course, values).ok(),
                 FeedForward::None | FeedForward::InverseDynamics => None,
             },
             actuated: JointGeometry::new(model, control.joint, &number),

@@ -1,7 +1,7 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
 use super::constraints::Opening;
-use crate::model::{QuantityError, describe_path};
+use crate::model::{PeriodProblem, QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{Dimension, format_apart, format_value, quoted};
 
@@ -120,7 +120,7 @@ fn undetermined_words(bodies: &[String]) -> String {
 problems! {
     /// Why one set of values gives no motion of the ideal mechanism.
     #[derive(Debug, Clone, PartialEq)]
-    pub enum SampleError | Quantity(QuantityError) {
+    pub enum SampleError | Quantity(QuantityError) | Period(PeriodProblem) {
         /// A clearance is zero in one and above zero in the other of sample and compiled mechanism.
         ClearanceChangesTopology {
             joint: String,

@@ -1,9 +1,10 @@
 //! The numbers of loads.
 
 use super::joint_geometry::JointGeometry;
+use super::load_table::TableNumbers;
 use super::points::point_m;
-use crate::model::{Course, Load, LoadKind, Model, QuantityId, Values};
-use loosepin_math::{Real, Vec2, numbers, sin_cos};
+use crate::model::{Course, DriveLaw, Load, LoadKind, LoadTable, Model, PeriodProblem, Values};
+use loosepin_math::{Numbers, Real, Vec2, numbers, sin_cos};
 
 /// Numbers of a load.
 #[derive(Debug, Clone)]
@@ -16,9 +17,11 @@ pub struct LoadGeometry<T> {
     pub course: CourseNumbers<T>,
     /// The joint that it reads.
     pub joint: JointGeometry<T>,
+    /// Start and rate of what a table is over, where that goes evenly with the time.
+    pub clock: Option<[f64; 2]>,
 }
 
-numbers!(struct LoadGeometry { arm_m, direction, joint, course });
+numbers!(struct LoadGeometry { arm_m, direction, joint, course; clock });
 
 /// Numbers of a course.
 #[derive(Debug, Clone)]
@@ -38,18 +41,25 @@ pub enum CourseNumbers<T> {
     },
     /// The parameters of its function.
     Function(Vec<T>),
+    /// The curve through its points.
+    Table(TableNumbers<T>),
 }
 
 numbers!(enum CourseNumbers {
     Constant(value),
     Harmonic { mean, amplitude, angular_frequency_rad_s, phase_rad },
     Function(parameters),
+    Table(table),
 });
 
 impl<T: Real> CourseNumbers<T> {
-    /// Lays out the numbers that `number` gives for the quantities of `course`.
-    pub fn new(course: &Course, number: &dyn Fn(QuantityId) -> T) -> Self {
-        match course {
+    /// Lays out `values` for `course`.
+    ///
+    /// # Errors
+    /// The points of a table do not fit its period.
+    pub fn new(course: &Course, values: &Values) -> Result<Self, PeriodProblem> {
+        let number = |id| T::from_f64(values[id]);
+        Ok(match course {
             Course::Constant(id) => Self::Constant(number(*id)),
             Course::Harmonic { mean, amplitude, frequency, phase_rad } => Self::Harmonic {
                 mean: number(*mean),
@@ -58,10 +68,11 @@ impl<T: Real> CourseNumbers<T> {
                 phase_rad: number(*phase_rad),
             },
             Course::Function(function) => Self::Function(function.parameters.iter().map(|id| number(*id)).collect()),
-        }
+            Course::Table(table) => Self::Table(TableNumbers::broadcast(&TableNumbers::new(table, values)?)),
+        })
     }
 
-    /// The value at the time `variables[0]`, for a function at all `variables`; `room` is as [`crate::model::Function::value`]
+    /// The value at the time `variables[0]`, of a function or a table at all `variables`; `room` is as [`crate::model::Function::value`]
     /// needs it.
     #[inline(always)]
     pub fn value(&self, course: &Course, variables: &[T], room: &mut [T]) -> T {
@@ -78,15 +89,19 @@ impl<T: Real> CourseNumbers<T> {
                 |number| number,
                 room,
             ),
+            (Self::Table(numbers), Course::Table(table)) => numbers.value(variables[table.variable]),
             // Numbers are laid out for their own course.
-            (Self::Function(_), _) => T::zero(),
+            (Self::Function(_) | Self::Table(_), _) => T::zero(),
         }
     }
 }
 
 impl<T: Real> LoadGeometry<T> {
     /// Lays out `values` for a load of `model`.
-    pub fn new(model: &Model, load: &Load, values: &Values) -> Self {
+    ///
+    /// # Errors
+    /// As [`CourseNumbers::new`].
+    pub fn new(model: &Model, load: &Load, values: &Values) -> Result<Self, PeriodProblem> {
         let number = |id| T::from_f64(values[id]);
         let along = |angle_rad: f64| {
             let (sine, cosine) = sin_cos(angle_rad);
@@ -98,11 +113,39 @@ impl<T: Real> LoadGeometry<T> {
             }
             LoadKind::Torque { .. } => (Vec2::zero(), Vec2::zero()),
         };
-        Self {
+        Ok(Self {
             arm_m,
             direction,
-            course: CourseNumbers::new(&load.course, &number),
+            course: CourseNumbers::new(&load.course, values)?,
             joint: load.joint.map_or(JointGeometry::none(), |joint| JointGeometry::new(model, joint, &number)),
+            clock: clock(model, load, values),
+        })
+    }
+}
+
+impl LoadGeometry<f64> {
+    /// The first time after `time_s` at which two pieces of its table meet, s; infinite where there is none, or where only the run
+    /// will show when that is.
+    pub fn next_break_s(&self, time_s: f64) -> f64 {
+        match (&self.course, self.clock) {
+            (CourseNumbers::Table(table), Some(clock)) => table.next_break_s(clock, time_s),
+            _ => f64::INFINITY,
         }
+    }
+}
+
+/// Start and rate of what the table of `load` is over, where that goes evenly with the time: the time itself, or the coordinate of a
+/// joint that is driven at constant speed.
+fn clock(model: &Model, load: &Load, values: &Values) -> Option<[f64; 2]> {
+    let Course::Table(LoadTable { variable, .. }) = &load.course else { return None };
+    match variable {
+        0 => Some([0.0, 1.0]),
+        1 => model.drives.iter().find_map(|drive| match drive.law {
+            DriveLaw::Constant { speed, start } if Some(drive.joint) == load.joint && values[speed] != 0.0 => {
+                Some([values[start], values[speed]])
+            }
+            _ => None,
+        }),
+        _ => None,
     }
 }

@@ -34,17 +34,14 @@ impl<T: Real, const N: usize> Pieces<T, N> {
         &self.numbers
     }
 
+    /// Where a piece ends and the next one begins.
+    pub fn breaks(&self) -> &[T] {
+        &self.breaks
+    }
+
     /// The numbers of the piece that holds `argument`; beyond both ends those of the outer pieces.
     #[inline(always)]
     pub fn at(&self, argument: T) -> [T; N] {
-        let last = self.numbers.len() - 1;
-        let mut found = self.numbers[last];
-        for k in (0..last).rev() {
-            let is_before = argument.less_than(self.breaks[k]);
-            for (found, number) in found.iter_mut().zip(&self.numbers[k]) {
-                *found = T::select(is_before, *number, *found);
-            }
-        }
-        found
+        argument.piece(&self.breaks, &self.numbers)
     }
 }

@@ -84,7 +84,8 @@ impl<T: Real> Sample<T> {
     /// # Errors
     /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
     /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
-    /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness.
+    /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness,
+    /// [`SampleError::Period`] where the points of a load do not fit its period.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
         for (index, joint) in model.joints.iter().enumerate() {
@@ -115,6 +116,8 @@ impl<T: Real> Sample<T> {
         }
         let plays = mechanism.plays.iter().filter_map(|&joint| play(mechanism, values, joint)).collect();
         let drives = Drives::broadcast(&Drives::new(model, values));
+        let loads = model.loads.iter().map(|load| LoadGeometry::new(model, load, values));
+        let loads = loads.collect::<Result<_, _>>()?;
         Ok(Self {
             ideal: Geometry::new(model, &mechanism.ideal, values),
             real: Geometry::new(model, &mechanism.real, values),
@@ -122,7 +125,7 @@ impl<T: Real> Sample<T> {
             contacts: mechanism.contacts.clone(),
             frictions: JointFriction::all(model, values),
             springs: model.springs.iter().map(|spring| SpringGeometry::new(model, spring, values)).collect(),
-            loads: model.loads.iter().map(|load| LoadGeometry::new(model, load, values)).collect(),
+            loads,
             drives,
             controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
             references: Drives::broadcast(&Drives::of_controls(model, values)),
@@ -132,10 +135,11 @@ impl<T: Real> Sample<T> {
 }
 
 impl Sample<f64> {
-    /// The first time after `time_s` at which the pieces of a motion of a drive or a reference meet, s; infinite where there is
-    /// none.
+    /// The first time after `time_s` at which the pieces of a motion of a drive or a reference meet, or those of a load's table, s;
+    /// infinite where there is none.
     pub fn next_break_s(&self, time_s: f64) -> f64 {
-        self.drives.next_break_s(time_s).min(self.references.next_break_s(time_s))
+        let motions_s = self.drives.next_break_s(time_s).min(self.references.next_break_s(time_s));
+        self.loads.iter().map(|load| load.next_break_s(time_s)).fold(motions_s, f64::min)
     }
 
     /// Puts every table of a drive or a reference into the piece that holds `time_s`. True where there are tables.

@@ -2,7 +2,7 @@
 
 use super::pieces::Pieces;
 use super::points::point_m;
-use crate::model::{Elasticity, Model, Spring, SpringCurve, SpringKind, Values};
+use crate::model::{Elasticity, Model, Spring, SpringKind, TableCurve, Values};
 use loosepin_math::{Numbers, Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers};
 
 /// Numbers of a spring: it pulls with F(x) + d ẋ, x its length, m, or the angle of the second body from the first, rad.
@@ -53,14 +53,14 @@ impl<T: Real> ElasticNumbers<T> {
 
 /// Straight before the first point, the curve between the points, straight behind the last one; with the energy since the first
 /// point.
-fn pieces(points: &[[f64; 2]], curve: SpringCurve) -> Pieces<f64, 6> {
+fn pieces(points: &[[f64; 2]], curve: TableCurve) -> Pieces<f64, 6> {
     let last = points.len() - 1;
     let cubics: Vec<[f64; 4]> = match curve {
-        SpringCurve::Spline => {
+        TableCurve::Spline => {
             let moments = natural_spline(points);
             (0..last).map(|k| cubic_piece(points[k], points[k + 1], [moments[k], moments[k + 1]])).collect()
         }
-        SpringCurve::Monotone => {
+        TableCurve::Monotone => {
             let slopes = monotone_slopes(points);
             (0..last).map(|k| cubic_with_slopes(points[k], points[k + 1], [slopes[k], slopes[k + 1]])).collect()
         }

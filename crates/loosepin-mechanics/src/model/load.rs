@@ -2,6 +2,7 @@
 
 use super::function::Function;
 use super::ids::{BodyId, JointId, PointId};
+use super::load_table::LoadTable;
 use super::quantity::QuantityId;
 
 /// A force or a torque from outside; the ground gets nothing in return.
@@ -13,7 +14,7 @@ pub struct Load {
     pub kind: LoadKind,
     /// Its size over time.
     pub course: Course,
-    /// The joint whose coordinate and rate the function of its size reads.
+    /// The joint whose coordinate and rate its size is over.
     pub joint: Option<JointId>,
 }
 
@@ -64,4 +65,6 @@ pub enum Course {
     },
     /// By a function of the time, then of the coordinate and the rate of a joint where the load names one.
     Function(Function),
+    /// By points.
+    Table(LoadTable),
 }

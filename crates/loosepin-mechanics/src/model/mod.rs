@@ -14,6 +14,7 @@ mod initial;
 mod keys;
 mod law_choice;
 mod load;
+mod load_table;
 mod path_error;
 mod problem;
 mod quantity;
@@ -22,6 +23,7 @@ mod set_values;
 mod setting;
 mod sizes;
 mod spring;
+mod table_curve;
 mod topology;
 
 pub use control::{Control, FeedForward};
@@ -35,6 +37,7 @@ pub use initial::{InitialNumber, InitialOf, InitialValue};
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
 pub use load::{Course, Load, LoadKind};
+pub use load_table::{LoadTable, PeriodProblem, Piston};
 pub use loosepin_text::document::describe_path;
 pub use loosepin_text::units::Rule;
 pub use path_error::PathError;
@@ -44,7 +47,8 @@ pub use read::model_schema;
 pub use set_values::{SetValues, measured_argument};
 pub use setting::{Setting, SettingError, SettingRange};
 pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
-pub use spring::{Elasticity, Spring, SpringCurve, SpringKind};
+pub use spring::{Elasticity, Spring, SpringKind};
+pub use table_curve::TableCurve;
 pub use topology::{
     Body, Clearance, Component, Contact, Effort, Friction, Guess, GuideClearance, Joint, JointKind, Model, Output,
     OutputKind, Point, SlidingVelocity, SlotClearance, Stiffness,

@@ -114,6 +114,12 @@ problems! {
             says("{entry}: joint '{joint}' is rigid; it has neither angle nor position");
         JointNotRead { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed");
+        NotOfJoint { entry: String, word: &'static str, names: Vec<&'static str> } => Code::ConflictingKeys,
+            says("{entry} is '{word}'; must be {}", listed(&names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>(), "or")),
+            hint("{}", match names.len() {
+                1 => "angle, position and speed are those of a joint, which joint = \"...\" names",
+                _ => "a revolute joint has angle and speed, a prismatic joint or a slot position and speed",
+            });
         NameTaken { entry: String, name: &'static str } => Code::BadName,
             says("{entry}: '{name}' is a parameter of this file and a variable of this expression"),
             hint("give the parameter another name, for example {name}_value");

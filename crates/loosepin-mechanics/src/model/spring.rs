@@ -2,6 +2,7 @@
 
 use super::ids::{BodyId, PointId};
 use super::quantity::QuantityId;
+use super::table_curve::TableCurve;
 
 /// A spring with its damper between two bodies.
 #[derive(Debug, Clone)]
@@ -33,17 +34,8 @@ pub enum Elasticity {
         /// Lengths or angles, increasing, and pulls or torques.
         points: Vec<[QuantityId; 2]>,
         /// How it goes between the points.
-        curve: SpringCurve,
+        curve: TableCurve,
     },
-}
-
-/// How a curve goes between its points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SpringCurve {
-    /// Nowhere beyond the points on both sides; its slope does not jump.
-    Monotone,
-    /// A cubic spline with straight ends: its curvature does not jump either.
-    Spline,
 }
 
 /// The kinds of spring.

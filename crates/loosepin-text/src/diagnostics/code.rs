@@ -218,6 +218,11 @@ or the carrier of a planetary gear. Angles and positions are counted from that b
 "A CSV table has two columns, separated by a comma, with names and units in its first row (`time [s], angle [deg]`) and plain numbers \
 below, the first column increasing. Lines that begin with # are comments."
 
+    TablePeriod "E0412" "a table does not fit its period"
+"A table with a period begins again after it: its points span at most one period. Where they span all of it, the last point is the first \
+again and has the same value; where they span less, the curve goes from the last point on to the first. Leave the last point out if \
+measured values differ there."
+
     BreaksRule "E0501" "a value is outside its range"
 "Each value has a range: masses and inertias above 0, clearances at least 0, restitution in (0, 1], Poisson's ratio in \
 [0, 0.5]. Values outside are refused and never changed."

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use loosepin::model::{
     Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, JointKind, Load, LoadKind, Model,
-    PointId, QuantityId, Ratio, Spring, SpringCurve, SpringKind, Values,
+    PointId, QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
 };
 use loosepin::units::{Dimension, format_value};
 
@@ -64,11 +64,7 @@ fn spring_words(model: &Model, spring: &Spring, values: &Values) -> String {
             (format!("{stiffness}, {} {}", free.0, format_value(values[*free_id], free.1)), values[*preload])
         }
         Elasticity::Table { points, curve } => {
-            let curve = match curve {
-                SpringCurve::Monotone => "monotone",
-                SpringCurve::Spline => "a spline",
-            };
-            (format!("by a table of {} points, {curve}", points.len()), 0.0)
+            (format!("by a table of {} points, {}", points.len(), curve_words(*curve)), 0.0)
         }
     };
     let mut words = format!("{place}, {elastic}");
@@ -79,6 +75,13 @@ fn spring_words(model: &Model, spring: &Spring, values: &Values) -> String {
         let _ = write!(words, ", preload {}", format_value(preload_si, preload));
     }
     words
+}
+
+fn curve_words(curve: TableCurve) -> &'static str {
+    match curve {
+        TableCurve::Monotone => "monotone",
+        TableCurve::Spline => "a spline",
+    }
 }
 
 fn load_words(model: &Model, load: &Load, values: &Values) -> String {
@@ -120,6 +123,25 @@ fn course_words(
             }
             words
         }
+        Course::Table(table) => {
+            let over = match (table.variable, joint) {
+                (0, _) | (_, None) => "the time".to_owned(),
+                (1, Some(joint)) => {
+                    let what = if table.dimensions[0] == Dimension::ANGLE { "angle" } else { "position" };
+                    format!("the {what} of joint '{}'", model.joints[joint.0].name)
+                }
+                (_, Some(joint)) => format!("the speed of joint '{}'", model.joints[joint.0].name),
+            };
+            let mut words =
+                format!("by a table of {} points over {over}, {}", table.points.len(), curve_words(table.curve));
+            if let Some(period) = table.period {
+                let _ = write!(words, ", period {}", format_value(values[period], table.dimensions[0]));
+            }
+            if let Some(piston) = table.piston {
+                let _ = write!(words, ", pressure on {}", format_value(values[piston.area_m2], Dimension::AREA));
+            }
+            words
+        }
         Course::Function(_) => match joint {
             Some(joint) => format!("an expression over time and joint '{}'", model.joints[joint.0].name),
             None => "an expression over time".to_owned(),
@@ -146,7 +168,7 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     match &control.feed_forward {
         FeedForward::None => {}
         FeedForward::InverseDynamics => words.push_str(", inverse dynamics fed forward"),
-        FeedForward::Course(Course::Function(_)) => words.push_str(", an expression fed forward"),
+        FeedForward::Course(Course::Function(_) | Course::Table(_)) => words.push_str(", an expression fed forward"),
         FeedForward::Course(Course::Constant(id) | Course::Harmonic { mean: id, .. }) => {
             let _ = write!(words, ", {} fed forward", format_value(values[*id], effort));
         }

@@ -3,7 +3,8 @@
 use super::reader::ModelReader;
 use crate::model::keys::spring::SPRING_KINDS;
 use crate::model::problem::ModelProblem;
-use crate::model::spring::{Elasticity, Spring, SpringCurve, SpringKind};
+use crate::model::spring::{Elasticity, Spring, SpringKind};
+use crate::model::table_curve::TableCurve;
 use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
@@ -43,8 +44,7 @@ impl ModelReader {
             return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
         };
         self.refuse_beside(table, "preload", key);
-        let curves = [("monotone", SpringCurve::Monotone), ("spline", SpringCurve::Spline)];
-        let curve = self.choice_or(table, "curve", &curves, SpringCurve::Monotone);
+        let curve = self.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
         let columns = if is_linear {
             [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
         } else {

@@ -8,6 +8,7 @@ mod efforts;
 mod expressions;
 mod initial;
 mod joint_friction;
+mod load_tables;
 mod loads;
 mod neighbours;
 mod power_balance;
@@ -63,7 +64,12 @@ pub(crate) fn crank(speed: &str, elements: &str) -> Built {
 
 /// A crank with any motion and any cycle.
 pub(crate) fn crank_with_drive(motion: &str, cycle: &str, elements: &str) -> Built {
-    build(&format!(
+    build(&crank_text(motion, cycle, elements))
+}
+
+/// Its text.
+fn crank_text(motion: &str, cycle: &str, elements: &str) -> String {
+    format!(
         r#"
 name = "crank"
 gravity = "0 m/s^2"
@@ -85,5 +91,5 @@ joint = "main"
 [cycle]
 {cycle}
 "#
-    ))
+    )
 }
