@@ -15,10 +15,14 @@ use super::resume::MotionState;
 use super::settings::{Settings, Window};
 use super::work::KinematicAccount;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
+use loosepin_mechanics::model::Course;
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
 /// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
 const MOST_RECORDED_MULTIPLICATIONS: f64 = 4e5;
+/// Points of the tables of loads up to which they are written down: programs look at all of them, and 1440 take three seconds to
+/// make; a run alone finds its place among them by halving.
+const MOST_RECORDED_POINTS: usize = 1000;
 
 /// Runs one sample to the end of `window`, showing every step to `observer`.
 ///
@@ -81,7 +85,13 @@ pub fn conduct<O: Observer>(
 
 /// How the runs of `mechanism` are made where `execution` is at hand.
 fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
-    if mechanism.multiplications() <= MOST_RECORDED_MULTIPLICATIONS { execution } else { Execution::Scalar }
+    let points = mechanism.model.loads.iter().map(|load| match &load.course {
+        Course::Table(table) => table.points.len(),
+        _ => 0,
+    });
+    let is_short =
+        mechanism.multiplications() <= MOST_RECORDED_MULTIPLICATIONS && points.sum::<usize>() <= MOST_RECORDED_POINTS;
+    if is_short { execution } else { Execution::Scalar }
 }
 
 /// A queue of one run.
@@ -295,6 +305,11 @@ mod tests {
 
     /// A chain of links in a row, each joint that `has_play` names with play.
     fn chain(links: usize, has_play: impl Fn(usize) -> bool) -> Mechanism {
+        chain_with(links, has_play, "")
+    }
+
+    /// The same with further elements.
+    fn chain_with(links: usize, has_play: impl Fn(usize) -> bool, elements: &str) -> Mechanism {
         let link = |k: usize| {
             let bearing = if k == 0 { "ground.o".to_owned() } else { format!("b{}.q", k - 1) };
             let play = if has_play(k) {
@@ -313,7 +328,7 @@ mod tests {
         let text = format!(
             "name = \"chain\"\ngravity = \"9.81 m/s^2\"\n[body.ground]\npoints = {{ o = [\"0 mm\", \"0 mm\"] }}\n\
              [contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\nstiffness = \"1e9 N/m^1.5\"\nexponent = 1.5\n\
-             {}[cycle]\nduration = \"1 s\"\n",
+             {}{elements}[cycle]\nduration = \"1 s\"\n",
             (0..links).map(link).collect::<String>()
         );
         let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
@@ -325,6 +340,18 @@ mod tests {
         let best = Execution::Interpreted;
         assert_eq!(execution_of(&chain(30, |_| false), best), best);
         assert_eq!(execution_of(&chain(120, |_| false), best), Execution::Scalar);
+    }
+
+    #[test]
+    fn tables_too_long_to_be_written_down_are_searched_by_runs_alone() {
+        let with_points = |count: usize| {
+            let points = (0..count).map(|k| format!("[\"{k} ms\", \"{} N\"]", k % 7)).collect::<Vec<_>>().join(", ");
+            let load = "[load.push]\nkind = \"force\"\npoint = \"b0.q\"\ndirection = \"0 deg\"\nof = \"time\"";
+            chain_with(1, |_| false, &format!("{load}\npoints = [{points}]\n"))
+        };
+        let best = Execution::Interpreted;
+        assert_eq!(execution_of(&with_points(1000), best), best);
+        assert_eq!(execution_of(&with_points(1001), best), Execution::Scalar);
     }
 
     #[test]

@@ -71,14 +71,21 @@ problems! {
         AmbiguousUnit { unit: String } => Code::ExpressionSyntax,
             says("the unit '{unit}' can be read in two ways"),
             hint("write parentheses, for example kg/(m s)");
-        UnknownName { name: String, is_called: bool, nearest: Option<String> } => Code::UnknownParameter,
-            says("there is no {} '{name}'", if *is_called { "function" } else { "parameter" }),
+        UnknownName {
+            name: String,
+            /// The functions there are, where the name stands for one.
+            known: Option<Vec<String>>,
+            nearest: Option<String>,
+        } => Code::UnknownParameter,
+            says("there is no {} '{name}'", if known.is_some() { "function" } else { "parameter" }),
             hint_of(Some(match nearest {
                 _ if TENTH_LOGARITHMS.contains(&name.as_str()) => "log is natural; write log(x) / log(10)".to_owned(),
                 _ if name == "pow" => "write a power with ^, for example (x / 1 mm)^1.3".to_owned(),
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None if *is_called => format!("there is {}", super::listed(&super::parser::functions(), "and")),
-                None => format!("define it under [parameter]: {name} = \"...\""),
+                None => match known {
+                    Some(functions) => format!("there is {}", super::listed(functions, "and")),
+                    None => format!("define it under [parameter]: {name} = \"...\""),
+                },
             }));
         NameNotAllowed { name: String } => Code::ExpressionSyntax,
             says("'{name}' is a name; expected a number with its unit"),
@@ -102,13 +109,19 @@ problems! {
         ExponentNotFixed { base: Dimension } => Code::MixedDimensions,
             says("the exponent of {base} must be a fixed number"),
             hint("any exponent will do for a number without unit, for example (x / 1 mm)^n");
-        OutsideDomain { function: &'static str, found: String, rule: &'static str } => Code::NotFinite,
-            says("{function} of {found}; must be {rule}");
-        NoPower { base: String, exponent: f64 } => Code::NotFinite,
-            says("{base} has no power {}", super::format_number(*exponent));
+        OutsideDomain { function: &'static str, value_si: f64, dimension: Dimension, rule: &'static str } =>
+            Code::NotFinite,
+            says("{function} of {}; must be {rule}", in_si(*value_si, *dimension));
+        NoPower { value_si: f64, dimension: Dimension, exponent: f64 } => Code::NotFinite,
+            says("{} has no power {}", in_si(*value_si, *dimension), super::format_number(*exponent));
         NotFinite { value: f64 } => Code::NotFinite,
             says("the value is {}; must be finite", super::format_number(*value));
     }
+}
+
+/// A value with its SI unit.
+fn in_si(value_si: f64, dimension: Dimension) -> String {
+    format!("{} {}", super::format_number(value_si), dimension.si_unit()).trim_end().to_owned()
 }
 
 /// Names of the logarithm with base 10 elsewhere.

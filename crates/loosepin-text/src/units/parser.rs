@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, begins_word, tokens};
 use super::program::{Expression, Op, STACK_SIZE, run};
-use super::{Dimension, ExpressionError, ExpressionProblem, find_unit, format_value};
+use super::{Dimension, ExpressionError, ExpressionProblem, find_unit};
 use crate::diagnostics::nearest_name;
 
 /// Parentheses, signs, functions and powers inside one another, at most. Each level holds at most four numbers on the
@@ -98,11 +98,6 @@ const OTHER_NAMES: [(&str, &str); 3] = [("ln", "log"), ("arctan", "atan"), ("arc
 /// Whether expressions know a function of this name.
 pub(super) fn is_function(name: &str) -> bool {
     FUNCTIONS.iter().any(|function| function.name == name)
-}
-
-/// Names of all functions.
-pub(super) fn functions() -> Vec<String> {
-    FUNCTIONS.iter().map(|function| function.name.to_owned()).collect()
 }
 
 /// Whether a parameter cannot bear this name, because it is a unit, a function or `pi`.
@@ -337,7 +332,7 @@ impl Parser<'_> {
         {
             let is_whole = exponent == exponent.round();
             if (number < 0.0 && !is_whole) || (number == 0.0 && exponent < 0.0) {
-                let problem = ExpressionProblem::NoPower { base: format_value(number, base), exponent };
+                let problem = ExpressionProblem::NoPower { value_si: number, dimension: base, exponent };
                 return Err(self.error(problem, span));
             }
         }
@@ -408,12 +403,13 @@ impl Parser<'_> {
         } else if !self.names.are_allowed() {
             ExpressionProblem::NameNotAllowed { name }
         } else {
-            let is_called = *self.ahead(1) == TokenKind::Sign('(');
             let functions = FUNCTIONS.iter().map(|function| function.name);
+            let is_called = *self.ahead(1) == TokenKind::Sign('(');
+            let known = is_called.then(|| functions.clone().map(str::to_owned).collect());
             let elsewhere = OTHER_NAMES.iter().find(|(other, _)| *other == name).map(|(_, here)| *here);
             let nearest = elsewhere.or_else(|| nearest_name(&name, self.names.all().into_iter().chain(functions)));
             let nearest = nearest.map(str::to_owned);
-            ExpressionProblem::UnknownName { name, is_called, nearest }
+            ExpressionProblem::UnknownName { name, known, nearest }
         };
         Err(self.error(problem, span))
     }
@@ -460,26 +456,31 @@ impl Parser<'_> {
                 Dimension::ANGLE
             }
         };
-        if let Some((allows, rule)) = domain(function.op)
-            && let Some(argument) = self.known(start..self.ops.len())
-            && !allows(argument)
+        if let Some(argument) = self.known(start..self.ops.len())
+            && let Some(rule) = broken_rule(function.op, argument)
         {
-            let found = format_value(argument, arguments[0]);
-            return Err(self.error(ExpressionProblem::OutsideDomain { function: function.name, found, rule }, span));
+            let problem = ExpressionProblem::OutsideDomain {
+                function: function.name,
+                value_si: argument,
+                dimension: arguments[0],
+                rule,
+            };
+            return Err(self.error(problem, span));
         }
         self.ops.push(function.op);
         Ok(dimension)
     }
 }
 
-/// Where a function has a value, as a test and in words to follow "must be"; nothing where it has one everywhere.
-fn domain(op: Op) -> Option<(fn(f64) -> bool, &'static str)> {
-    match op {
-        Op::Logarithm => Some((|x| x > 0.0, "> 0")),
-        Op::SquareRoot => Some((|x| x >= 0.0, ">= 0")),
-        Op::ArcSine | Op::ArcCosine => Some((|x| x.abs() <= 1.0, "in [-1, 1]")),
-        _ => None,
-    }
+/// Why a function has no value at `argument`: where it must be, in words to follow "must be". Nothing where it has one.
+fn broken_rule(op: Op, argument: f64) -> Option<&'static str> {
+    let (keeps, rule) = match op {
+        Op::Logarithm => (argument > 0.0, "> 0"),
+        Op::SquareRoot => (argument >= 0.0, ">= 0"),
+        Op::ArcSine | Op::ArcCosine => (argument.abs() <= 1.0, "in [-1, 1]"),
+        _ => return None,
+    };
+    (!keeps).then_some(rule)
 }
 
 /// Whether a parameter may be called so: letters, digits and `_`, not beginning with a digit, no unit, no function.
