@@ -63,6 +63,7 @@ fn identity_power_balance_of_all_cases() {
                 powers.contact_loss_w,
                 powers.friction_loss_w,
                 -powers.drives_w,
+                -powers.loads_w,
             ];
             let largest = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
             let balance: f64 = terms.iter().sum();
