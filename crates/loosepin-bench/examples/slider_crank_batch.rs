@@ -2,7 +2,7 @@
 //! this library in `tools/compare`, whose README says what is compared.
 //!
 //! `slider_crank_batch --runs N` prints one line, `{"runs":N,"seconds":S,"evaluations_per_run":E}`, S the processor time of all
-//! runs; `slider_crank_batch --history` prints the nominal run as a table of `time_s,slider_x_m`.
+//! runs, of another case with `--case NAME`; `slider_crank_batch --history` prints the nominal run as a table of `time_s,slider_x_m`.
 
 use loosepin::simulate::{Execution, Settings};
 use loosepin_bench::Watch;
@@ -53,8 +53,11 @@ fn main() -> ExitCode {
         ["--runs", runs] if runs.parse::<usize>().is_ok_and(|runs| runs > 0) => {
             print_batch(&Case::read("slider_crank_5000"), runs.parse().expect("checked above"));
         }
+        ["--runs", runs, "--case", case] if runs.parse::<usize>().is_ok_and(|runs| runs > 0) => {
+            print_batch(&Case::read(case), runs.parse().expect("checked above"));
+        }
         _ => {
-            eprintln!("usage: slider_crank_batch --history | --runs N (N >= 1)");
+            eprintln!("usage: slider_crank_batch --history | --runs N [--case NAME] (N >= 1)");
             return ExitCode::from(2);
         }
     }
