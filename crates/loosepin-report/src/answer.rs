@@ -76,7 +76,16 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
             writer.percent(1.0 - share, Rounding::Up)
         )
     });
-    beyond.chain(settled).collect()
+    // A contact so soft that the parts pass through each other is none that its law describes.
+    let soft = result.impacts.iter().filter(|joint| joint.largest_penetration_share > 1.0).map(|joint| {
+        format!(
+            "In {} the parts penetrate each other by up to {} of the clearance: the contact law does not hold. Check Young's modulus and the \
+             masses.",
+            joint.joint,
+            writer.percent(joint.largest_penetration_share, Rounding::Up)
+        )
+    });
+    beyond.chain(soft).chain(settled).collect()
 }
 
 /// The verdict over all requirements as a headline.
@@ -277,11 +286,26 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
             (true, all) => format!("{inner} of {all} bounds, this answer included,"),
             (false, all) => format!("{inner} of {all} bounds"),
         };
-        let reason = if is_by_surrogate(result) { "direct runs do not confirm it" } else { "increase 'inner'" };
-        let reason = if inner == 1 { reason.to_owned() } else { reason.replace(" it", " them") };
+        let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
+        let reason = match needed.filter(|needed| *needed > result.counts.inner) {
+            _ if is_by_surrogate(result) => "direct runs do not confirm it".to_owned(),
+            Some(needed) => {
+                format!("increase 'inner' to {} or more", super::wording::count(needed.next_power_of_two(), writer))
+            }
+            None => "increase 'inner'".to_owned(),
+        };
+        let reason = if inner == 1 { reason } else { reason.replace(" it", " them") };
         sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
     }
     sentence
+}
+
+/// Mechanisms of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
+fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
+    const BEYOND: f64 = 0.005;
+    let Statistic::Quantile(probability) = bound.statistic else { return None };
+    let inside = probability.max(1.0 - probability);
+    (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {

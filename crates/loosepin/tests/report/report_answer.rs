@@ -192,6 +192,28 @@ fn inputs_that_would_read_the_same_keep_their_paths() {
 }
 
 #[test]
+fn analytic_a_quantile_that_is_not_known_names_the_number_of_mechanisms_that_it_takes() {
+    // 0.975^n < 0.005 from n = 210 on, 0.999^n from n = 5296 on.
+    let mut result = worn_pin();
+    result.bounds[0].guarantee = Guarantee::Inner;
+    result.counts.inner = 128;
+    assert_says(&result, "This answer may be too narrow: increase 'inner' to 256 or more.");
+    result.bounds[0].statistic = Statistic::Quantile(0.999);
+    assert_says(&result, "This answer may be too narrow: increase 'inner' to 8192 or more.");
+}
+
+#[test]
+fn parts_that_pass_through_each_other_are_told() {
+    let mut result = worn_pin();
+    assert!(!study_text(&result).contains("penetrate"));
+    result.impacts[0].largest_penetration_share = 1.3;
+    assert_says(
+        &result,
+        "In gudgeon the parts penetrate each other by up to 130 % of the clearance: the contact law does not hold.",
+    );
+}
+
+#[test]
 fn what_may_overturn_a_verdict_stands_with_it() {
     let beyond = "98.1 % of the impacts in gudgeon are faster than the contact law is valid for";
     let settled = "In 12.6 % of the runs the motion does not repeat itself from turn to turn";

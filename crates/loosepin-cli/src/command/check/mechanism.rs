@@ -196,12 +196,27 @@ fn contact_lines(
     if let Some(limit_m_s) =
         numbers.map(|numbers| numbers.largest_valid_impact_speed_m_s).filter(|limit| limit.is_finite())
     {
-        lines.push(format!(
-            "the law is valid for impacts up to {}; a run gives the share of faster ones",
-            rounded_speed(limit_m_s)
-        ));
+        let about_m_s = numbers.zip(fastest_drive_rad_s(model, values)).map(|(own, rate)| rate * own.clearance_m);
+        let expected = match about_m_s.filter(|speed| *speed > limit_m_s) {
+            Some(speed) => {
+                format!("drive speed times clearance is {} already, so expect faster ones", rounded_speed(speed))
+            }
+            None => "a run gives the share of faster ones".to_owned(),
+        };
+        lines.push(format!("the law is valid for impacts up to {}; {expected}", rounded_speed(limit_m_s)));
     }
     lines
+}
+
+/// Speed of the fastest drive that turns at a constant one, rad/s.
+fn fastest_drive_rad_s(model: &Model, values: &Values) -> Option<f64> {
+    let rotary =
+        model.drives.iter().filter(|drive| matches!(model.joints[drive.joint.0].kind, JointKind::Revolute { .. }));
+    let speeds = rotary.filter_map(|drive| match drive.law {
+        DriveLaw::Constant { speed, .. } => Some(values[speed].abs()),
+        _ => None,
+    });
+    speeds.max_by(f64::total_cmp)
 }
 
 fn stiffness_words(
