@@ -1,5 +1,6 @@
 //! Why a path names no quantity that can be set.
 
+use super::quantity::{DIAMETRAL, RADIAL};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
 
@@ -10,9 +11,16 @@ problems! {
         Unknown { path: String, nearest: Option<String> } => Code::UnknownPath,
             says("the model has no quantity '{path}'"),
             hint_of(Some(match nearest {
+                Some(nearest) if nearest.ends_with(RADIAL) && path.contains("diamet") => {
+                    format!("did you mean '{nearest}'? It is half of the clearance on the diameter")
+                }
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None => "paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned(),
             }));
+        /// The joint states its clearance under the other of the two keys.
+        OtherClearance { path: String, stated: String } => Code::UnknownPath,
+            says("'{path}' cannot be set: the model states '{stated}'"),
+            hint("set '{stated}', with {} the value", if stated.ends_with(RADIAL) { "half" } else { "twice" });
         NoPlay { path: String, joint: String } => Code::UnknownPath,
             says("'{path}': joint '{joint}' has no play"),
             hint("give it a clearance in the model file, with what a joint with play needs");
@@ -22,8 +30,10 @@ problems! {
         /// The quantity fixes the unit of others, or the kind of a joint.
         Fixed { path: String } => Code::NotSettable,
             says("'{path}' cannot be set"),
-            hint("{}", if path.ends_with(".radial_clearance") {
+            hint("{}", if path.ends_with(RADIAL) || path.ends_with(DIAMETRAL) {
                 "a joint with play needs bearing_radius and contact in the model file"
+            } else if path.ends_with(".clearance") {
+                "a joint with play needs its half_length, half_height or end_radius, and contact in the model file"
             } else {
                 "it fixes the unit of the stiffness; change both in the model file"
             });

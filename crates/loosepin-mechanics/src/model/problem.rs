@@ -90,7 +90,10 @@ problems! {
                 "contact" if needs.contains(&"corner_radius") => {
                     Some("the stiffness of the contact comes from the materials: a sphere of that radius on a plane")
                 }
-                "radial_clearance" | "clearance" => {
+                _ if needs.contains(&"radial_clearance") => {
+                    Some("or 'diametral_clearance', which is twice the radial one")
+                }
+                "radial_clearance" | "diametral_clearance" | "clearance" => {
                     Some("a joint without play is written without a clearance, or with \"0 mm\"")
                 }
                 _ => None,
@@ -108,6 +111,10 @@ problems! {
         DoesNotTurn { entry: String, joint: String } => Code::UnknownReference,
             says("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint"),
             hint("name a revolute joint, or two bodies as first and second");
+        /// A clearance on the radius and one on the diameter.
+        ClearanceTwice { entry: String } => Code::ConflictingKeys,
+            says("{entry}: 'radial_clearance' and 'diametral_clearance' cannot be used together"),
+            hint("keep one of the two; the diametral clearance is twice the radial one");
         LoadOnGround { entry: String } => Code::UnknownReference,
             says("{entry} acts on the ground, which does not move");
         DoesNotMove { entry: String, joint: String } => Code::UnknownReference,

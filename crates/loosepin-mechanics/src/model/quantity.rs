@@ -6,6 +6,11 @@ use loosepin_text::diagnostics::{Code, Span, problems};
 use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, Expression, Op, Rule, format_apart, format_refused, run};
 
+/// Key of the clearance of a revolute joint that is radius of the hole minus radius of the pin.
+pub(super) const RADIAL: &str = "radial_clearance";
+/// Key of the same clearance where it is stated as the difference of the diameters: twice as large.
+pub(super) const DIAMETRAL: &str = "diametral_clearance";
+
 /// Index of a quantity in a [`QuantityTable`] and of its value in [`Values`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct QuantityId(pub usize);
@@ -107,7 +112,8 @@ fn out_of_order([path, limit_path]: [&str; 2], values_si: [f64; 2], dimension: D
 /// The way out where the quantity at `path` is at fault.
 fn hint_at(path: &str) -> Option<String> {
     let hint = match path.rsplit('.').next()? {
-        "radial_clearance" => "clearance is bearing radius minus journal radius",
+        RADIAL => "clearance is bearing radius minus journal radius",
+        DIAMETRAL => "the diametral clearance is diameter of the hole minus diameter of the pin",
         "restitution" => "1 loses no energy; 0 would end every impact at rest",
         "lower_speed" => "friction grows from nothing at lower_speed to full at upper_speed",
         _ => return None,

@@ -2,7 +2,7 @@
 
 use super::law_choice::LawError;
 use super::path_error::PathError;
-use super::quantity::{Origin, QuantityError, QuantityId};
+use super::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
 use super::topology::{Joint, Model};
 use std::sync::Arc;
 
@@ -70,6 +70,9 @@ impl Model {
     /// # Errors
     /// No such quantity (with the nearest name); a quantity given by an expression (with what it depends on).
     pub fn find(&self, path: &str) -> Result<QuantityId, PathError> {
+        if let Some(stated) = self.other_clearance(path) {
+            return Err(PathError::OtherClearance { path: path.to_owned(), stated });
+        }
         let Some(id) = self.quantities.id(path) else {
             let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix("clearance"));
             let joint = joint.and_then(|rest| rest.split('.').next());
@@ -88,6 +91,18 @@ impl Model {
                 let depends_on = self.roots(id).into_iter().map(|root| self.quantities[root].path.clone()).collect();
                 Err(PathError::Expression { path: path.to_owned(), depends_on })
             }
+        }
+    }
+
+    /// The clearance that a joint states, where `path` names the other of radial and diametral clearance.
+    fn other_clearance(&self, path: &str) -> Option<String> {
+        let (joint, key) = path.rsplit_once('.')?;
+        let [radial, diametral] = [RADIAL, DIAMETRAL].map(|key| format!("{joint}.{key}"));
+        let states_diametral = self.quantities.id(&diametral).is_some();
+        match key {
+            RADIAL if states_diametral => Some(diametral),
+            DIAMETRAL if !states_diametral && self.quantities.id(&radial).is_some() => Some(radial),
+            _ => None,
         }
     }
 

@@ -14,6 +14,11 @@ use loosepin_uncertainty::{Distribution, Interval};
 /// The limits of hole and shaft lie this many standard deviations from the middles of their tolerances.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
 
+/// A clearance at which is found out whether a quantity that is zero in the model is one on the radius or on the diameter.
+const TRIED_M: f64 = 1e-6;
+/// Of a clearance that an expression gives.
+const ROUND_OFF: f64 = 1e-9;
+
 /// A diameter that differs from that of the bearing by more than this share belongs to something else.
 const OTHER_DIAMETER: f64 = 0.02;
 
@@ -27,8 +32,8 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<Stated> {
-        let (limits, words) = self.fit_limits(table, entry, quantity, path)?;
-        let distribution = scatter(&limits);
+        let (limits, words, per_radial) = self.fit_limits(table, entry, quantity, path)?;
+        let distribution = scatter(&limits, per_radial);
         let origin = format!("{words}, limits of hole and shaft taken as 3 standard deviations from centred means");
         Some(Stated { distribution, origin, mean: None })
     }
@@ -55,14 +60,14 @@ impl StudyReader {
                 continue;
             };
             let name = self.reader.text(written)?.to_owned();
-            let clearance_m = limits.radial_clearance_m();
+            let clearance_m = limits.radial_clearance_m().map(|clearance_m| place.per_radial * clearance_m);
             if let Some(known) = fits.iter().find(|known| known.clearance_m == clearance_m) {
                 let problem = RandomProblem::SameFit { fit: name, other: known.name.clone() };
                 self.reader.complain(&problem, written.span);
                 is_whole = false;
                 continue;
             }
-            fits.push(AllowedFit { name, clearance_m, scatter: scatter(&limits) });
+            fits.push(AllowedFit { name, clearance_m, scatter: scatter(&limits, place.per_radial) });
         }
         fits.sort_by(|a, b| {
             let [first, second] = [a, b].map(|fit| fit.clearance_m);
@@ -79,8 +84,8 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<Interval> {
-        let (limits, _) = self.fit_limits(table, entry, quantity, path)?;
-        let [least, most] = limits.radial_clearance_m();
+        let (limits, _, per_radial) = self.fit_limits(table, entry, quantity, path)?;
+        let [least, most] = limits.radial_clearance_m().map(|clearance_m| per_radial * clearance_m);
         Interval::try_new(least, most).ok()
     }
 
@@ -90,15 +95,15 @@ impl StudyReader {
         entry: &Entry<'_>,
         quantity: QuantityId,
         path: &str,
-    ) -> Option<(FitLimits, String)> {
+    ) -> Option<(FitLimits, String, f64)> {
         let place = self.fit_place(table, entry, quantity, path);
         let text = self.reader.text(entry)?;
         if let Err(error) = Fit::parse(text) {
             return self.refused(&RandomProblem::Fit { entry: entry.path.describe(), error }, entry.span);
         }
         let place = place?;
-        let found = self.fit_at(entry, &place)?;
-        place.is_play.then_some(found)
+        let (limits, words) = self.fit_at(entry, &place)?;
+        place.is_play.then_some((limits, words, place.per_radial))
     }
 
     /// What fits of `quantity` belong to: a joint with play, at a diameter.
@@ -110,7 +115,8 @@ impl StudyReader {
         path: &str,
     ) -> Option<FitPlace<'t>> {
         let concerned: Vec<&Joint> = self.model.play_from(quantity).map(|(joint, _)| joint).collect();
-        let is_play = !concerned.is_empty() && self.model.quantities[quantity].dimension == Dimension::LENGTH;
+        let per_radial = self.per_radial(quantity);
+        let is_play = per_radial.is_some();
         if !is_play {
             self.reader.complain(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
         }
@@ -133,7 +139,25 @@ impl StudyReader {
                 self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
             }
         }
-        Some(FitPlace { diameter_m, entry: diameter_entry, is_play })
+        Some(FitPlace { diameter_m, entry: diameter_entry, is_play, per_radial: per_radial.unwrap_or(1.0) })
+    }
+
+    /// What a quantity is for each unit of radial clearance: 1 of a radial clearance, 2 of a diametral one. None where it is
+    /// neither of the joints that depend on it.
+    fn per_radial(&self, quantity: QuantityId) -> Option<f64> {
+        let quantities = &self.model.quantities;
+        if quantities[quantity].dimension != Dimension::LENGTH {
+            return None;
+        }
+        let nominal_m = quantities.nominal()[quantity];
+        let tried_m = if nominal_m > 0.0 { nominal_m } else { TRIED_M };
+        let values = quantities.evaluate(&[(quantity, tried_m)]).ok()?;
+        let found = |clearance: QuantityId| {
+            [1.0, 2.0].into_iter().find(|times| (times * values[clearance] - tried_m).abs() <= ROUND_OFF * tried_m)
+        };
+        let mut all = self.model.play_from(quantity).map(|(_, clearance)| found(clearance));
+        let first = all.next()??;
+        all.all(|other| other == Some(first)).then_some(first)
     }
 
     /// The limits of the fit that is written, and the fit in words.
@@ -170,16 +194,18 @@ struct FitPlace<'t> {
     entry: Entry<'t>,
     /// Whether it is the play of a joint.
     is_play: bool,
+    /// Its value for each unit of radial clearance: 2 on the diameter.
+    per_radial: f64,
 }
 
 /// The radial clearance c = (hole - shaft)/2, hole and shaft normal about the middles of their tolerances, the limits 3 standard
-/// deviations away.
-fn scatter(limits: &FitLimits) -> Distribution {
+/// deviations away; times `per_radial`.
+fn scatter(limits: &FitLimits, per_radial: f64) -> Distribution {
     let middle = |[lower, upper]: [f64; 2]| 0.5 * (lower + upper);
     let deviation = |[lower, upper]: [f64; 2]| (upper - lower) / (2.0 * DEVIATIONS_TO_LIMIT);
     let (hole, shaft) = (deviation(limits.hole_m), deviation(limits.shaft_m));
     Distribution::Normal {
-        mean: 0.5 * (middle(limits.hole_m) - middle(limits.shaft_m)),
-        standard_deviation: 0.5 * (hole * hole + shaft * shaft).sqrt(),
+        mean: per_radial * 0.5 * (middle(limits.hole_m) - middle(limits.shaft_m)),
+        standard_deviation: per_radial * 0.5 * (hole * hole + shaft * shaft).sqrt(),
     }
 }

@@ -241,7 +241,7 @@ const FIT: Key = optional(
     "fit",
     Kind::Text,
     "\"H7/g6\"",
-    "radial clearance of a hole and a shaft by ISO 286: hole in capital letters, then shaft; with diameter",
+    "clearance of a hole and a shaft by ISO 286, on the radius or the diameter as the joint states it: hole in capital letters, then shaft; with diameter",
 );
 const DIAMETER: Key = optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "nominal diameter of the fit");
 

@@ -69,7 +69,7 @@ problems! {
             }.map(str::to_owned));
         /// A fit for what is no radial clearance.
         FitElsewhere { path: String } => Code::FitNotPossible,
-            says("'{path}' is no radial clearance of a joint; a fit gives nothing else"),
+            says("'{path}' is neither the radial nor the diametral clearance of a joint; a fit gives nothing else"),
             hint("write a value with its tolerance instead");
         /// A fit at another diameter than that of its bearing.
         OtherDiameter { entry: String, diameter: String, joint: String, bearing: String } => Code::FitNotPossible,

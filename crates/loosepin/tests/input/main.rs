@@ -1,6 +1,7 @@
 //! What is read: model and study files, good, bad, mutated and endless, drawings, and the inputs that fuzzing found.
 
 mod bad_files;
+mod diametral_clearance;
 mod every_key_is_read;
 mod fuzz_corpus;
 mod import;

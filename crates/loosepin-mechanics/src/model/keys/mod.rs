@@ -246,6 +246,12 @@ static REVOLUTE_KEYS: Keys = Keys::new(
             "radius of the hole minus radius of the pin; ideal joint if left out or zero",
         ),
         optional(
+            "diametral_clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"1 mm\"",
+            "diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large",
+        ),
+        optional(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",

@@ -6,10 +6,11 @@ use crate::contact::NormalDescription;
 use crate::model::ids::{ContactId, JointId, PointId};
 use crate::model::keys::{GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, SLIDER_KEYS};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::quantity::{DIAMETRAL, Origin, Quantity, QuantityId, RADIAL};
 use crate::model::topology::{Clearance, Joint, JointFriction, JointKind};
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::diagnostics::Span;
+use loosepin_text::document::{Entry, EntryPath, Table};
+use loosepin_text::units::{Dimension, Expression, Op, Rule};
 
 impl ModelReader {
     /// Reads the table of joints.
@@ -41,7 +42,7 @@ impl ModelReader {
         };
         let (kind, friction) = kind.zip(friction)?;
         if kind.play().is_some() && friction.is_some() {
-            let beside = if matches!(kind, JointKind::Revolute { .. }) { "radial_clearance" } else { "clearance" };
+            let beside = [RADIAL, DIAMETRAL].into_iter().find(|key| table.has(key)).unwrap_or("clearance");
             let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
             return self.reader.refuse(&problem, entry.key_span);
         }
@@ -77,17 +78,24 @@ impl ModelReader {
 
     /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
     fn clearance(&mut self, table: &Table<'_>) -> Option<Option<Clearance>> {
-        const KEYS: PlayKeys = PlayKeys {
-            clearance: "radial_clearance",
+        let on_diameter = table.has(DIAMETRAL);
+        let keys = PlayKeys {
+            clearance: if on_diameter { DIAMETRAL } else { RADIAL },
             needed: &["bearing_radius", "contact"],
             beside: &["bearing_radius", "bearing_length", "contact"],
         };
         let bearing_radius_m = self.quantity(table, "bearing_radius");
         let bearing_length_m = self.quantity(table, "bearing_length");
         let contact = self.contact_of(table);
-        let Some(radial_clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };
+        if let Some(radial) = table.get(RADIAL).filter(|_| on_diameter) {
+            let problem = ModelProblem::ClearanceTwice { entry: table.path.describe() };
+            return self.reader.refuse(&problem, radial.key_span);
+        }
+        let Some(stated_m) = self.play_clearance(table, &keys)? else { return Some(None) };
+        let span = table.get(keys.clearance).map_or(table.span, |entry| entry.span);
+        let radial_clearance_m =
+            if on_diameter { self.half_of(stated_m, &table.path.join(RADIAL), span) } else { stated_m };
         let bearing_radius_m = bearing_radius_m?;
-        let span = table.get(KEYS.clearance).map_or(table.span, |entry| entry.span);
         if !self.demand_order(radial_clearance_m, bearing_radius_m, span) {
             return None;
         }
@@ -105,6 +113,19 @@ impl ModelReader {
             return self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
         }
         Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
+    }
+
+    /// The radial clearance at `path` of a joint that states its diametral clearance: half of it, whatever that is set to.
+    fn half_of(&mut self, diametral_m: QuantityId, path: &EntryPath, span: Span) -> QuantityId {
+        let expression = Expression {
+            ops: vec![Op::Load(diametral_m.0), Op::Number(0.5), Op::Multiply],
+            dimension: Dimension::LENGTH,
+            reads: vec![diametral_m.0],
+        };
+        let origin = Origin::Expression { depends_on: vec![diametral_m] };
+        let (dimension, rule) = (Dimension::LENGTH, Rule::NonNegative);
+        let quantity = Quantity { path: path.dotted(), dimension, rule, origin, span: Some(span) };
+        self.quantities.add_expression(quantity, &expression)
     }
 
     /// The contact that a joint names.
