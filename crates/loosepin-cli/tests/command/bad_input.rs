@@ -39,6 +39,21 @@ fn an_unknown_key() {
 }
 
 #[test]
+fn a_number_that_is_hardly_possible_is_warned_of_beside_the_answer() {
+    let text = case_text("slider_crank_5000", "model.toml");
+    let desk = Desk::new();
+    desk.write("model.toml", &text.replace("density = \"7800 kg/m^3\"", "density = \"7.8 kg/m^3\""));
+    for command in ["check", "simulate", "motion"] {
+        let said = desk.succeed(&[command, "model.toml"]).messages;
+        assert_eq!(
+            said.matches("warning[E0823]: contact 'steel_pin': density 7.8 kg/m^3; usual is").count(),
+            1,
+            "{said}"
+        );
+    }
+}
+
+#[test]
 fn a_missing_unit() {
     bad_model(
         "slider_crank_5000",

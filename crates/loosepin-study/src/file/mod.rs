@@ -14,6 +14,7 @@ mod input;
 mod keys;
 mod parameter;
 mod parameter_keys;
+mod plausible;
 mod problem;
 mod promise;
 mod random;
@@ -194,6 +195,7 @@ fn read(
     file.check_whole(&root);
     if !file.reader.complaints.has_errors() {
         file.check_tolerance(&root, sampling.tolerance_m);
+        file.check_scatter(&root);
     }
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);

@@ -181,6 +181,14 @@ problems! {
             says("'{path}' is {value} in the model, and from {from} to {to} here"),
             hint("correct the wrong value, or ignore this if it is intended: deviations are from the ideal motion of \
                   the model");
+        /// A length that varies as no part does.
+        WildScatter { path: String, found: String, nominal: String } => Code::HardlyPossible,
+            says("'{path}' has a standard deviation of {found}, with {nominal} in the model; usual is below a hundredth"),
+            hint("correct it, or ignore this if it is meant");
+        /// A sample of a length that holds one of the other sign.
+        OtherSign { path: String, found: String, nominal: String } => Code::HardlyPossible,
+            says("the sample of '{path}' holds {found}, with {nominal} in the model"),
+            hint("correct the sign or leave the value out, or ignore this if it is meant");
         /// The same question again.
         AskedTwice { entry: String, what: String } => Code::AskNotPossible,
             says("{entry}: {what} is already asked, of the same output at the same place"),

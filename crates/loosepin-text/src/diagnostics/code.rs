@@ -446,6 +446,13 @@ in its hole is no longer resolved well, which is warned of; above the smallest c
 study the smallest clearance is that of the smallest values of the inputs: the lower end of an interval, and of a random input what one \
 value in a thousand lies below. Mechanisms without play have no such limit."
 
+    HardlyPossible "E0823" "a number is hardly possible"
+"A warning: the number keeps its rule, and is far from what machines have. Most often a unit is a thousand times off (MPa for GPa, g for kg, \
+mm for m), or a speed in rpm is written in rad/s. Looked at are Young's modulus, Poisson's ratio, density, viscosity, friction, speeds of \
+drives, gravity, masses against one another, inertia and centre of mass against the points of the body, clearances against the radius, a \
+restitution that the law does not deliver, parameters called length or radius below zero, and in studies standard deviations of a tenth \
+of a length and samples of the other sign. Nothing is changed: ignore the warning where the number is meant."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "The folder holds results of other inputs, or other files. They are not overwritten. Give another folder, or leave out --out: then \
 a new folder is created. --force replaces results of loosepin; other files stay, unless they have the same name."

@@ -74,6 +74,13 @@ impl Model {
     }
 }
 
+/// The model with warnings of numbers that are hardly possible.
+fn with_warnings(mut model: Model) -> Model {
+    let found = model.hardly_possible();
+    model.warnings.extend(found);
+    model
+}
+
 impl ModelReader {
     fn read(mut self, root: &Table<'_>) -> Result<Model, Complaints> {
         if self.refuses_sizes(root) {
@@ -108,7 +115,7 @@ impl ModelReader {
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();
         match cycle {
-            Some(cycle) if !self.reader.complaints.has_errors() => Ok(Model {
+            Some(cycle) if !self.reader.complaints.has_errors() => Ok(with_warnings(Model {
                 name,
                 quantities: self.quantities,
                 gravity_m_s2,
@@ -128,7 +135,7 @@ impl ModelReader {
                 source: self.reader.source,
                 tables: self.tables,
                 places: self.places,
-            }),
+            })),
             // What looks unused may be so only because of an error, so warnings wait until there is none.
             _ => Err(self.reader.complaints),
         }

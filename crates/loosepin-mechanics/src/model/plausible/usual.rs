@@ -1,0 +1,106 @@
+//! Ranges in which numbers of models usually lie, by their keys.
+
+use loosepin_text::units::Dimension;
+
+/// The usual range of a number.
+pub(super) struct Usual {
+    /// Ends of paths that name it.
+    pub keys: &'static [&'static str],
+    /// Dimension of its value.
+    pub dimension: Dimension,
+    /// Smallest and largest usual magnitude, SI; zero is usual too.
+    pub range: [f64; 2],
+    /// The range in words.
+    pub words: &'static str,
+    /// Units that are taken for one another: written, meant.
+    pub units: &'static [(&'static str, &'static str)],
+    /// Factors by which a number without a unit is off.
+    pub factors: &'static [f64],
+}
+
+/// The usual ranges.
+pub(super) static USUAL: &[Usual] = &[
+    Usual {
+        keys: &[".youngs_modulus", ".bearing_youngs_modulus", ".journal_youngs_modulus"],
+        dimension: Dimension::PRESSURE,
+        range: [1e9, 1.3e12],
+        words: "1 GPa (plastics) to 1300 GPa (diamond)",
+        units: &[("MPa", "GPa"), ("N/mm^2", "GPa"), ("kPa", "GPa"), ("Pa", "GPa"), ("GPa", "MPa"), ("bar", "GPa")],
+        factors: &[1e-3, 1e3],
+    },
+    Usual {
+        keys: &[".poisson_ratio", ".bearing_poisson_ratio", ".journal_poisson_ratio"],
+        dimension: Dimension::NUMBER,
+        range: [0.1, 0.49],
+        words: "0.1 to 0.49; metals have 0.2 to 0.45",
+        units: &[],
+        factors: &[10.0],
+    },
+    Usual {
+        keys: &[".density"],
+        dimension: Dimension::DENSITY,
+        range: [100.0, 23_000.0],
+        words: "100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)",
+        units: &[
+            ("kg/m^3", "g/cm^3"),
+            ("kg/m^3", "g/m^3"),
+            ("g/m^3", "kg/m^3"),
+            ("kg/dm^3", "kg/m^3"),
+            ("g/cm^3", "kg/m^3"),
+        ],
+        factors: &[],
+    },
+    Usual {
+        keys: &[".viscosity"],
+        dimension: Dimension::VISCOSITY,
+        range: [1e-5, 10.0],
+        words: "1e-5 Pa s (air) to 10 Pa s (gear oil in the cold)",
+        units: &[("Pa s", "mPa s"), ("mPa s", "Pa s"), ("Pa s", "cP")],
+        factors: &[],
+    },
+    Usual {
+        keys: &[".coefficient", ".static_coefficient"],
+        dimension: Dimension::NUMBER,
+        range: [0.0, 2.0],
+        words: "0.001 (oil) to 1 (dry)",
+        units: &[],
+        factors: &[0.01],
+    },
+    Usual {
+        keys: &[".speed"],
+        dimension: Dimension::ANGULAR_VELOCITY,
+        range: [0.0, 2000.0],
+        words: "up to 19100 rpm (2000 rad/s)",
+        units: &[("rad/s", "rpm"), ("rad/s", "deg/s"), ("Hz", "rpm"), ("rev/s", "rpm"), ("rpm", "deg/s")],
+        factors: &[],
+    },
+    Usual {
+        keys: &[".speed"],
+        dimension: Dimension::VELOCITY,
+        range: [0.0, 100.0],
+        words: "up to 100 m/s",
+        units: &[("m/s", "mm/s")],
+        factors: &[],
+    },
+    Usual {
+        keys: &["gravity"],
+        dimension: Dimension::ACCELERATION,
+        range: [0.1, 100.0],
+        words: "9.81 m/s^2 on earth, up to 100 m/s^2 elsewhere",
+        units: &[("m/s^2", "mm/s^2"), ("mm/s^2", "m/s^2")],
+        factors: &[],
+    },
+];
+
+impl Usual {
+    /// Whether it is the range of the number at `path`.
+    pub fn is_of(&self, path: &str, dimension: Dimension) -> bool {
+        self.dimension == dimension && self.keys.iter().any(|key| path.ends_with(key))
+    }
+
+    /// Whether a value is usual.
+    pub fn holds(&self, value_si: f64) -> bool {
+        let [least, most] = self.range;
+        value_si == 0.0 || (least..=most).contains(&value_si.abs())
+    }
+}

@@ -1,0 +1,170 @@
+//! Numbers that are allowed and hardly possible: each slip is warned of, and no file that is shipped is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use loosepin::model::Model;
+use loosepin::study::{InputFile, Study};
+use loosepin::templates::{TEMPLATES, find_template};
+
+fn template() -> &'static str {
+    find_template("slider-crank").expect("template").model
+}
+
+fn warnings(text: &str) -> Vec<String> {
+    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let hardly = model.warnings.iter().filter(|warning| warning.code.as_str() == "E0823");
+    hardly.map(ToString::to_string).collect()
+}
+
+/// The only warning where `from` of the slider-crank template is `to`, without its place.
+fn warning(from: &str, to: &str) -> String {
+    assert_eq!(template().matches(from).count(), 1, "{from}");
+    let said = warnings(&template().replace(from, to));
+    assert_eq!(said.len(), 1, "{to}: {said:?}");
+    said[0].split_once("[E0823]: ").expect("a place and a code").1.to_owned()
+}
+
+#[test]
+fn units_that_are_a_thousand_times_off_are_named() {
+    let modulus = "youngs_modulus = \"207 GPa\"";
+    assert_eq!(
+        warning(modulus, "youngs_modulus = \"207 MPa\""),
+        "contact 'steel_pin': youngs modulus 0.207 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
+         hint: did you mean \"207 GPa\" in place of \"207 MPa\"?"
+    );
+    assert_eq!(
+        warning(modulus, "youngs_modulus = \"207e3 GPa\""),
+        "contact 'steel_pin': youngs modulus 207000 GPa; usual is 1 GPa (plastics) to 1300 GPa (diamond)\n\
+         hint: did you mean \"207e3 MPa\" in place of \"207e3 GPa\"?"
+    );
+    assert_eq!(
+        warning("poisson_ratio = 0.3", "poisson_ratio = 0.03"),
+        "contact 'steel_pin': poisson ratio 0.03; usual is 0.1 to 0.49; metals have 0.2 to 0.45\nhint: did you mean 0.3?"
+    );
+    let density = "density = \"7800 kg/m^3\"";
+    assert_eq!(
+        warning(density, "density = \"7.8 kg/m^3\""),
+        "contact 'steel_pin': density 7.8 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
+         hint: did you mean \"7.8 g/cm^3\" in place of \"7.8 kg/m^3\"?"
+    );
+    assert_eq!(
+        warning(density, "density = \"7.8e6 kg/m^3\""),
+        "contact 'steel_pin': density 7800000 kg/m^3; usual is 100 kg/m^3 (foams) to 23000 kg/m^3 (osmium)\n\
+         hint: did you mean \"7.8e6 g/m^3\" in place of \"7.8e6 kg/m^3\"?"
+    );
+    assert_eq!(
+        warning("speed = \"5000 rpm\"", "speed = \"5000 rad/s\""),
+        "drive 'crank': speed 47746.48 rpm; usual is up to 19100 rpm (2000 rad/s)\n\
+         hint: did you mean \"5000 rpm\" in place of \"5000 rad/s\"?"
+    );
+    assert_eq!(
+        warning("gravity = \"9.81 m/s^2\"", "gravity = \"9810 m/s^2\""),
+        "gravity 9810 m/s^2; usual is 9.81 m/s^2 on earth, up to 100 m/s^2 elsewhere\n\
+         hint: did you mean \"9810 mm/s^2\" in place of \"9810 m/s^2\"?"
+    );
+    assert_eq!(
+        warning("gravity = \"9.81 m/s^2\"", "gravity = \"-9.81 m/s^2\""),
+        "gravity -9.81 m/s^2 acts upwards: it is the acceleration along -y\nhint: did you mean \"9.81 m/s^2\"?"
+    );
+}
+
+#[test]
+fn bodies_that_no_matter_makes_are_named() {
+    assert_eq!(
+        warning("mass = \"0.21 kg\"", "mass = \"210 kg\""),
+        "body 'rod': mass 210 kg; body 'slider' has 0.14 kg, a ratio of 1500\n\
+         hint: did you mean \"210 g\" in place of \"210 kg\"?"
+    );
+    // A slender rod has mL²/12 = 0.21 kg (120 mm)²/12 = 2.52e-4 kg m²; √(0.25/0.21) = 1.09 m.
+    assert_eq!(
+        warning("inertia = \"2.5e-4 kg m^2\"", "inertia = \"0.25 kg m^2\""),
+        "body 'rod': inertia 0.25 kg m^2; its radius of gyration is then 1090 mm, with points 120 mm apart\n\
+         hint: did you mean \"0.25 kg cm^2\" in place of \"0.25 kg m^2\"?"
+    );
+    assert_eq!(
+        warning("inertia = \"2.5e-4 kg m^2\"", "inertia = \"2.5e-10 kg m^2\""),
+        "body 'rod': inertia 2.5e-10 kg m^2; its radius of gyration is then 0.0345 mm, with points 120 mm apart\n\
+         hint: a slender rod of that mass and length has about 0.00025 kg m^2"
+    );
+    assert_eq!(
+        warning("centre_of_mass = [\"rod_length / 2\", \"0 mm\"]", "centre_of_mass = [\"6 m\", \"0 mm\"]"),
+        "body 'rod': centre of mass lies 5880 mm from the points of the body, which are 120 mm apart\n\
+         hint: it is stated in the frame of the body, as its points are"
+    );
+    assert_eq!(
+        warning("rod_length = \"120 mm\"", "rod_length = \"-120 mm\""),
+        "parameter 'rod_length' is -120 mm; a length is usually above 0\nhint: did you mean \"120 mm\"?"
+    );
+}
+
+#[test]
+fn contacts_that_no_joint_has_are_named() {
+    assert_eq!(
+        warning("radial_clearance = \"0.5 mm\"", "radial_clearance = \"9 mm\""),
+        "joint 'gudgeon': radial clearance 9 mm; usual is up to a tenth of the radius, 10 mm\n\
+         hint: the clearance is radius of the hole minus radius of the pin, not the radius of the pin"
+    );
+    // χ = 3 (1 - 0.05²)/4 = 0.748, and 0.748 (1 + c) = ln(1.748/(1 - 0.748 c)) at c = 0.664.
+    assert_eq!(
+        warning("restitution = 0.9", "restitution = 0.05"),
+        "contact 'steel_pin': restitution 0.05; with the law lankarani-nikravesh impacts have 0.664\n\
+         hint: that law is for nearly elastic impacts; flores and exact-restitution deliver what is stated"
+    );
+    assert_eq!(
+        warning("restitution = 0.9", "restitution = 0.9\nfriction = { coefficient = 3 }"),
+        "contact 'steel_pin' friction: coefficient 3; usual is 0.001 (oil) to 1 (dry)\nhint: did you mean 0.03?"
+    );
+}
+
+#[test]
+fn scatter_that_no_manufacture_has_is_named() {
+    let said = |input: &str| {
+        let ask = "[[ask]]\noutput = \"slider\"\nof = \"value\"\nreduce = \"range\"\nstatistics = [\"mean\"]\n";
+        let text = format!(
+            "name = \"wild\"\nmodel = \"model.toml\"\n[random]\n\"parameter.rod_length\" = {{ {input} }}\n{ask}"
+        );
+        let model = Model::from_text("model.toml", template()).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        study.warnings.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        said("normal = { mean = \"120 mm\", standard_deviation = \"12 mm\" }"),
+        [
+            "study.toml:4:1: warning[E0823]: 'parameter.rod_length' has a standard deviation of 12 mm, with 120 mm in the \
+          model; usual is below a hundredth\nhint: correct it, or ignore this if it is meant"
+        ]
+    );
+    assert_eq!(
+        said("samples = \"tests/files/turned_rods.csv\""),
+        [
+            "study.toml:4:1: warning[E0823]: the sample of 'parameter.rod_length' holds -120 mm, with 120 mm in the model\n\
+          hint: correct the sign or leave the value out, or ignore this if it is meant"
+        ]
+    );
+    assert!(said("normal = { mean = \"120 mm\", standard_deviation = \"1.1 mm\" }").is_empty());
+}
+
+/// Every file under `folder` whose name is `name`.
+fn shipped(folder: &str, name: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(folder);
+    let folders = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    folders.map(|folder| folder.join(name)).filter(|path| path.exists()).collect()
+}
+
+#[test]
+fn no_case_and_no_template_has_such_a_number() {
+    let files: Vec<PathBuf> =
+        ["cases", "crates/loosepin-import/templates"].iter().flat_map(|folder| shipped(folder, "model.toml")).collect();
+    assert!(files.len() > 25 + TEMPLATES.len(), "{}", files.len());
+    for path in files {
+        let text = fs::read_to_string(&path).expect("a model");
+        assert_eq!(warnings(&text), Vec::<String>::new(), "{}", path.display());
+    }
+    let studies = ["cases", "crates/loosepin-import/templates"].map(|folder| shipped(folder, "study.toml")).concat();
+    assert!(studies.len() > TEMPLATES.len());
+    for path in studies {
+        let Ok(InputFile::Study(study)) = InputFile::from_path(&path) else { panic!("{}", path.display()) };
+        assert!(study.warnings.iter().all(|warning| warning.code.as_str() != "E0823"), "{:?}", study.warnings);
+    }
+}
