@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{self, Complaints};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
 use loosepin::simulate::record::OutputHistory;
-use loosepin::simulate::{self, history_csv, history_names, impacts_csv};
+use loosepin::simulate::{self, history_columns, history_csv, impacts_csv};
 use loosepin::study::files::to_json;
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
@@ -47,19 +47,11 @@ impl Simulation {
 
     /// The columns of `history.csv`, with its names.
     fn history(&self, py: Python<'_>) -> Vec<Column> {
-        let record = &self.0.record;
-        let names = history_names(&self.0);
-        let mut columns: Vec<(&str, Vec<f64>)> =
-            vec![("s", record.time_s.clone()), ("rad", record.drive_angle_rad.clone())];
-        columns.extend(record.outputs.iter().map(|output| (output.unit.symbol(), output.value_si.clone())));
-        if let Some(states) = &self.0.states {
-            let units = [["m", "m", "rad"], ["m/s", "m/s", "rad/s"], ["m/s^2", "m/s^2", "rad/s^2"]];
-            let units = units.iter().flat_map(|units| states.bodies.iter().flat_map(|_| *units));
-            let of_index = |index: usize| states.rows.iter().map(|row| row[index]).collect();
-            columns.extend(units.enumerate().map(|(index, unit)| (unit, of_index(index))));
-        }
-        let named = names.iter().zip(columns);
-        named.map(|(name, (unit, values))| Column::of_numbers(py, name, unit, values)).collect()
+        let columns = history_columns(&self.0);
+        columns
+            .iter()
+            .map(|column| Column::of_numbers(py, &column.name, column.unit, column.values_si.to_vec()))
+            .collect()
     }
 
     /// Name and SI unit of each output; their values follow time and angle in the history.

@@ -1,45 +1,74 @@
 //! The CSV files of a run, SI.
 
 use super::history::Simulation;
-use loosepin_result::simulation::SimulationRecord;
+use loosepin_result::simulation::{OutputHistory, SimulationRecord};
+use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Names of the columns of `history.csv`, units in the names: `time_s`, the angle of the drive, the outputs in file order, then
-/// the states of all bodies where they were recorded.
-pub fn history_names(simulation: &Simulation) -> Vec<String> {
+/// A column of `history.csv`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryColumn<'s> {
+    /// Its name, with the unit: `slider_m`. No two columns have the same.
+    pub name: String,
+    /// Its SI unit, for example `m/s^2`.
+    pub unit: &'s str,
+    /// Its values, SI, one for each sample.
+    pub values_si: Cow<'s, [f64]>,
+}
+
+/// The columns of `history.csv`: the time, the angle of the drive, the outputs in file order, then for each output that has an ideal
+/// value this value and the deviation from it, then the states of all bodies where they were recorded.
+pub fn history_columns(simulation: &Simulation) -> Vec<HistoryColumn<'_>> {
     let record = &simulation.record;
-    let drive = format!("{}_rad", record.settings.drive);
-    let mut names = vec!["time_s".to_owned(), drive.clone()];
+    let mut columns = Vec::new();
+    add(&mut columns, "time_s".to_owned(), "s", &record.time_s);
+    add(&mut columns, format!("{}_rad", record.settings.drive), "rad", &record.drive_angle_rad);
+    let name = |output: &OutputHistory, what: &str| {
+        format!("{}{what}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()))
+    };
     for output in &record.outputs {
-        let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
-        // An angle output may bear the name of the drive, whose column comes first.
-        let is_taken = name == drive;
-        names.push(format!("{name}{}", if is_taken { "_output" } else { "" }));
+        add(&mut columns, name(output, ""), output.unit.symbol(), &output.value_si);
     }
-    if let Some(states) = &simulation.states {
-        for quantities in
-            [["x_m", "y_m", "angle_rad"], ["vx_m_s", "vy_m_s", "omega_rad_s"], ["ax_m_s2", "ay_m_s2", "alpha_rad_s2"]]
-        {
-            for body in &states.bodies {
-                names.extend(quantities.iter().map(|quantity| format!("{body}.{quantity}")));
+    for output in &record.outputs {
+        for (what, values_si) in [("_ideal", &output.ideal_si), ("_deviation", &output.deviation_si)] {
+            if !values_si.is_empty() {
+                add(&mut columns, name(output, what), output.unit.symbol(), values_si);
             }
         }
     }
-    names
+    if let Some(states) = &simulation.states {
+        let parts = [
+            [("x_m", "m"), ("y_m", "m"), ("angle_rad", "rad")],
+            [("vx_m_s", "m/s"), ("vy_m_s", "m/s"), ("omega_rad_s", "rad/s")],
+            [("ax_m_s2", "m/s^2"), ("ay_m_s2", "m/s^2"), ("alpha_rad_s2", "rad/s^2")],
+        ];
+        let named =
+            parts.iter().flat_map(|parts| states.bodies.iter().flat_map(move |body| parts.map(|part| (body, part))));
+        for (index, (body, (part, unit))) in named.enumerate() {
+            let values_si = states.rows.iter().map(|row| row[index]).collect();
+            columns.push(HistoryColumn { name: format!("{body}.{part}"), unit, values_si: Cow::Owned(values_si) });
+        }
+    }
+    columns
 }
 
-/// `history.csv`: the columns of [`history_names`], one row a sample.
+/// Adds a column of an output or before them; a name that is taken gets a further word.
+fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str, values_si: &'s [f64]) {
+    while columns.iter().any(|column| column.name == name) {
+        name.push_str("_output");
+    }
+    columns.push(HistoryColumn { name, unit, values_si: Cow::Borrowed(values_si) });
+}
+
+/// `history.csv`: the [`history_columns`], one row a sample.
 pub fn history_csv(simulation: &Simulation) -> String {
-    let record = &simulation.record;
-    let mut text = history_names(simulation).join(",");
+    let columns = history_columns(simulation);
+    let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+    let mut text = names.join(",");
     text.push('\n');
-    for row in 0..record.time_s.len() {
-        let _ = write!(text, "{:?},{:?}", record.time_s[row], record.drive_angle_rad[row]);
-        for output in &record.outputs {
-            let _ = write!(text, ",{:?}", output.value_si[row]);
-        }
-        for value in simulation.states.iter().flat_map(|states| &states.rows[row]) {
-            let _ = write!(text, ",{value:?}");
+    for row in 0..simulation.record.time_s.len() {
+        for (index, column) in columns.iter().enumerate() {
+            let _ = write!(text, "{}{:?}", if index > 0 { "," } else { "" }, column.values_si[row]);
         }
         text.push('\n');
     }

@@ -165,6 +165,17 @@ fn the_columns_of_a_history() {
     let history = Columns::from_csv(&desk.read("plain/history.csv"));
     let outputs =
         ["time_s", "crank_rad", "slider_m", "slider_velocity_m_s", "slider_acceleration_m_s2", "gudgeon_force_n"];
+    let beside = [
+        "slider_ideal_m",
+        "slider_deviation_m",
+        "slider_velocity_ideal_m_s",
+        "slider_velocity_deviation_m_s",
+        "slider_acceleration_ideal_m_s2",
+        "slider_acceleration_deviation_m_s2",
+        "gudgeon_force_ideal_n",
+        "gudgeon_force_deviation_n",
+    ];
+    let outputs = [&outputs[..], &beside[..]].concat();
     assert_eq!(history.names(), outputs);
     // Equidistant, 20 rows a turn plus the end; a turn takes 12 ms.
     let expected_s = [0.0, 0.6e-3, 1.2e-3];
@@ -172,7 +183,7 @@ fn the_columns_of_a_history() {
     desk.succeed(&["simulate", "model.toml", "--turns", "0.1", "--samples", "20", "--states", "--out", "states"]);
     let history = Columns::from_csv(&desk.read("states/history.csv"));
     let bodies = ["crank", "rod", "slider"];
-    let mut names: Vec<String> = outputs.map(str::to_owned).to_vec();
+    let mut names: Vec<String> = outputs.iter().map(|name| (*name).to_owned()).collect();
     for quantities in
         [["x_m", "y_m", "angle_rad"], ["vx_m_s", "vy_m_s", "omega_rad_s"], ["ax_m_s2", "ay_m_s2", "alpha_rad_s2"]]
     {
@@ -181,6 +192,25 @@ fn the_columns_of_a_history() {
         }
     }
     assert_eq!(history.names(), names);
+}
+
+#[test]
+fn analytic_ideal_values_and_deviations_stand_beside_the_outputs() {
+    const ROUND_OFF_M: f64 = 1e-15;
+    let desk = Desk::with_model("slider_crank_5000");
+    desk.succeed(&["simulate", "model.toml", "--turns", "0.5", "--samples", "40", "--out", "run"]);
+    let history = Columns::from_csv(&desk.read("run/history.csv"));
+    let [angle_rad, value_m, ideal_m, deviation_m] =
+        ["crank_rad", "slider_m", "slider_ideal_m", "slider_deviation_m"].map(|name| history.column(name));
+    for row in 0..angle_rad.len() {
+        let closed_form_m =
+            0.05 * angle_rad[row].cos() + (0.12_f64.powi(2) - (0.05 * angle_rad[row].sin()).powi(2)).sqrt();
+        assert!((ideal_m[row] - closed_form_m).abs() < ROUND_OFF_M, "{} against {closed_form_m}", ideal_m[row]);
+        assert!((value_m[row] - ideal_m[row] - deviation_m[row]).abs() < ROUND_OFF_M, "row {row}");
+    }
+    // 0.5 mm of play along the rod, which is inclined by up to asin(50/120): 0.5 mm/0.909 = 0.55 mm, and the penetration.
+    let largest_m = deviation_m.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    assert!((0.3e-3..0.56e-3).contains(&largest_m), "{largest_m}");
 }
 
 #[test]
