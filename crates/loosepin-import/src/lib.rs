@@ -27,6 +27,9 @@ use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use loosepin_text::diagnostics::Complaints;
+use loosepin_text::document::not_readable;
+
 pub use error::ImportError;
 pub use options::ImportOptions;
 
@@ -47,6 +50,14 @@ pub fn import_dxf(name: &str, drawing: &[u8], options: &ImportOptions) -> Result
     let sketch = sketch::Sketch::read(drawing, options)?;
     let links = links::Links::new(&sketch)?;
     Ok(Imported { model: skeleton::model(name, &sketch, &links), notes: skeleton::notes(&sketch, &links) })
+}
+
+/// Reads the bytes of a drawing.
+///
+/// # Errors
+/// The file cannot be read, with the name that was probably meant.
+pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Complaints> {
+    fs::read(path).map_err(|error| not_readable(path, &error))
 }
 
 /// Writes `model.toml` into a folder, which is made where there is none; gives its path.

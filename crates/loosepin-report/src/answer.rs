@@ -284,6 +284,7 @@ fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "This answer".to_owned(),
             (true, all) => format!("{inner} of {all} bounds, this answer included,"),
+            (false, 1) => "The only bound".to_owned(),
             (false, all) => format!("{inner} of {all} bounds"),
         };
         let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();

@@ -7,6 +7,7 @@ use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, groun
 use super::page::{COLOURS, MECHANISM_STYLE};
 use super::script_data::{round_to_digits, script_json};
 use loosepin_result::simulation::{Drawing, PoseTable};
+use loosepin_text::units;
 
 /// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;
@@ -54,9 +55,9 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
     let magnification = if has_ideal { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
     let motion = motion(drawing, reference, has_ideal, magnification);
     let alternative = format!(
-        "Drawing of the mechanism with {} bodies and {} joints, moving through one turn of {drive}.",
-        drawing.bodies.len(),
-        drawing.joints.len()
+        "Drawing of the mechanism with {} and {}, moving through one turn of {drive}.",
+        if drawing.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", drawing.bodies.len()) },
+        units::counted(drawing.joints.len(), "joint")
     );
     html! {
         figure.mechanism id=(id) data-mechanism=(id) {

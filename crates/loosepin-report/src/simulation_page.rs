@@ -10,7 +10,7 @@ use super::motion_kind_section::{kind_section, kind_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::orbit_figure;
-use super::wording::{count, counted, listed, named_words};
+use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
@@ -107,11 +107,13 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         .collect();
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
     if let Some(extreme) = deviation {
+        let shown =
+            |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
         sentences.push(format!(
             "{with}, the {} deviates from its ideal motion by {} to {}.",
             extreme.name.trim_end_matches(", deviation"),
-            writer.value(extreme.minimum.value_si, &extreme.unit),
-            writer.value(extreme.maximum.value_si, &extreme.unit),
+            shown(&extreme.minimum, &extreme.unit),
+            shown(&extreme.maximum, &extreme.unit),
         ));
     } else {
         sentences.push(format!(
@@ -266,7 +268,7 @@ fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usi
 fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let point = |point: &ExtremePoint, unit: &SiUnit| {
         html! {
-            strong { (writer.value(point.value_si, unit)) } " "
+            strong { (writer.value(without_round_off(record, point.value_si, unit), unit)) } " "
             span.quiet {
                 (writer.value(point.time_s, &SiUnit::TIME))
                 @if record.settings.drive_speed_rad_s.is_some() {
@@ -297,6 +299,7 @@ fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
             details.numbers {
                 summary {
                     @if shown < record.impacts.len() { "The first " (shown) " of " (count(record.impacts.len() as u64, writer)) " impacts" }
+                    @else if shown == 1 { "The impact" }
                     @else { "All " (shown) " impacts" }
                 }
                 div.scroll tabindex="0" role="region" aria-label="Table of impacts" { (impact_table(record, shown, writer)) }

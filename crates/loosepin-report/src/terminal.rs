@@ -16,11 +16,11 @@ use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
     output_unit, place_words, promise_word, reading_beside, response_words, share_words, statistic_words,
-    treatment_words, unknown_words,
+    treatment_words, unknown_words, without_round_off,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
-use loosepin_result::simulation::{SimulationRecord, StopReason};
+use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
@@ -130,7 +130,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for sentence in simulation_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let at = |point: &loosepin_result::simulation::ExtremePoint| {
+    let at = |point: &ExtremePoint| {
         let time = writer.value(point.time_s, &SiUnit::TIME);
         // The phase of a cycle in which no drive turns tells nothing that the time does not.
         if record.settings.drive_speed_rad_s.is_none() {
@@ -138,13 +138,15 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         }
         format!("{time}, {}", writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest))
     };
+    let value =
+        |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
         extremes.add_row([
             extreme.name.clone(),
-            writer.value(extreme.minimum.value_si, &extreme.unit),
+            value(&extreme.minimum, &extreme.unit),
             at(&extreme.minimum),
-            writer.value(extreme.maximum.value_si, &extreme.unit),
+            value(&extreme.maximum, &extreme.unit),
             at(&extreme.maximum),
         ]);
     }
@@ -191,11 +193,11 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     }
     let counters = &record.counters;
     text.push_str(&format!(
-        "\n{} steps, {} rejected, {} evaluations, {} contact changes\n",
-        count(counters.steps, &writer),
+        "\n{}, {} rejected, {}, {}\n",
+        counted(counters.steps, "step", &writer),
         count(counters.rejections, &writer),
-        count(counters.evaluations, &writer),
-        count(counters.contact_changes, &writer)
+        counted(counters.evaluations, "evaluation", &writer),
+        counted(counters.contact_changes, "contact change", &writer)
     ));
     as_shown(&text)
 }

@@ -1,6 +1,7 @@
 //! Words for the parts of a result.
 
 use super::number::{NumberWriter, Rounding};
+use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
     BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PathError, PromiseRecord,
     Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand,
@@ -217,6 +218,19 @@ pub(super) fn capitalised(text: &str) -> String {
 /// A count, on a page with thousands apart: `16 384`.
 pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
     writer.count(value)
+}
+
+/// Share of the scale of a quantity below which a value is round-off of the computation.
+const ROUND_OFF: f64 = 1e-13;
+
+/// A value of an extreme as it is shown: 0 where it is round-off beside the largest value of its unit, and of lengths beside the bodies.
+pub(super) fn without_round_off(record: &SimulationRecord, value_si: f64, unit: &SiUnit) -> f64 {
+    let of_unit = record.extremes.iter().filter(|extreme| extreme.unit == *unit);
+    let ends = of_unit.flat_map(|extreme| [extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs()]);
+    let points = record.drawing.bodies.iter().flat_map(|body| &body.points);
+    let lengths = points.filter(|_| *unit == SiUnit::LENGTH).map(|point| point.x_m.hypot(point.y_m));
+    let scale_si = ends.chain(lengths).filter(|size| size.is_finite()).fold(0.0, f64::max);
+    if value_si.abs() < ROUND_OFF * scale_si { 0.0 } else { value_si }
 }
 
 /// `1 run`, `2 runs`.

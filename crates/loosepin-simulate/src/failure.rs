@@ -42,10 +42,10 @@ problems! {
         LeavesBearing { joint: String, penetration_m: f64, bearing_radius_m: f64, time_s: f64 } =>
             Code::PinLeavesBearing,
             says(
-                "at {time_s} s the pin of joint '{joint}' is pressed {:.4} mm into its hole of radius {:.4} mm: beyond \
-                 any contact law",
-                penetration_m * 1e3,
-                bearing_radius_m * 1e3
+                "at {} the pin of joint '{joint}' is pressed {} into its hole of radius {}: beyond any contact law",
+                time(*time_s),
+                length(*penetration_m),
+                length(*bearing_radius_m)
             ),
             hint("the contact is too soft, or the drive too fast, for these masses");
         /// The penetration is so deep that the slider's axis leaves the guide.

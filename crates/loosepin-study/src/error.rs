@@ -102,7 +102,7 @@ pub enum StudyError {
     #[error("{0}")]
     TooManyFailed(Box<TooManyFailed>),
     /// Every run failed.
-    #[error("all {runs} runs failed; the first one: {reason}")]
+    #[error("{}: {reason}", if *runs == 1 { "the run failed".to_owned() } else { format!("all {runs} runs failed; the first one") })]
     AllFailed {
         /// How many.
         runs: usize,

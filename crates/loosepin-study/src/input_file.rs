@@ -7,6 +7,7 @@ use loosepin_text::diagnostics::{Code, Complaints, Place, problems};
 use loosepin_text::document::{parse_toml, read_source};
 
 use super::Study;
+use super::file::says_study;
 
 /// What a file turned out to be.
 #[derive(Debug, Clone)]
@@ -16,9 +17,6 @@ pub enum InputFile {
     /// What is uncertain in a model, and what is asked.
     Study(Box<Study>),
 }
-
-/// Keys at the top of study files that model files do not have.
-const STUDY_MARKS: [&str; 6] = ["model", "random", "epistemic", "ask", "require", "sampling"];
 
 impl InputFile {
     /// Reads a file as a study if it has keys of one at its top and no body, and as a model otherwise.
@@ -32,8 +30,7 @@ impl InputFile {
             if toml.get_ref().is_empty() {
                 return Err(Complaints::one(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
             }
-            let has = |key: &str| toml.get_ref().contains_key(key);
-            STUDY_MARKS.iter().any(|key| has(key)) && !has("body")
+            says_study(&source)
         };
         if is_study {
             Study::from_path(path).map(|study| InputFile::Study(Box::new(study)))

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use loosepin_result::study::{Deviation, ResponsePoint, Witness};
 use loosepin_surrogate::{OnnxMetadata, Prediction, Surrogate, SurrogateError, from_versioned_json};
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::units::SiUnit;
+use loosepin_text::units::{SiUnit, format_number};
 
 /// Version of the file.
 const FORMAT: u32 = 1;
@@ -81,10 +81,18 @@ problems! {
         /// Outside what was learned.
         Extrapolation { path: String, value: f64, lower: f64, upper: f64, unit: SiUnit } => Code::NoSurrogateAnswer,
             says(
-                "'{path}' is {value} {unit}; learned was from {lower} to {upper} {unit}, and nothing is extrapolated\n\
-                 hint: run the model itself there, or add runs that reach so far"
+                "'{path}' is {}; learned was from {} to {}, and nothing is extrapolated\n\
+                 hint: run the model itself there, or add runs that reach so far",
+                with_unit(*value, unit),
+                with_unit(*lower, unit),
+                with_unit(*upper, unit)
             );
     }
+}
+
+/// An SI value with its unit; digits that tell nothing are left out.
+fn with_unit(value_si: f64, unit: &SiUnit) -> String {
+    format!("{} {unit}", format_number(value_si)).trim_end_matches(" 1").to_owned()
 }
 
 impl From<SurrogateError> for SavedSurrogateError {

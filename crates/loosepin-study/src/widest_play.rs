@@ -2,7 +2,7 @@
 
 use super::file::Study;
 use loosepin_mechanics::model::QuantityId;
-use loosepin_text::units::{SiUnit, format_value, parse_quantity};
+use loosepin_text::units::{ReadableUnit, SiUnit, UNITS, format_value, parse_quantity};
 
 impl Study {
     /// Settings `path=value` of what is known as an interval or a list, and decides a clearance: each at the end where that is larger.
@@ -39,6 +39,9 @@ impl Study {
         if parse_quantity(&readable).is_ok_and(|read| read.value_si == value_si) {
             return readable;
         }
-        format!("{value_si} {}", SiUnit::of_dimension(dimension).symbol())
+        let units = UNITS.iter().filter_map(|unit| ReadableUnit::of_dimension(unit.symbol, dimension));
+        let texts = units.map(|unit| unit.format(value_si));
+        let exact = texts.into_iter().find(|text| parse_quantity(text).is_ok_and(|read| read.value_si == value_si));
+        exact.unwrap_or_else(|| format!("{value_si:e} {}", SiUnit::of_dimension(dimension).symbol()))
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::diagnostics::Complaint;
-use loosepin::import::{ImportError, ImportOptions, import_dxf, write_model};
+use loosepin::import::{ImportError, ImportOptions, import_dxf, read_drawing, write_model};
 use loosepin::model::{Rule, measured_argument};
 use loosepin::units::Dimension;
 
@@ -21,8 +21,7 @@ pub fn run(arguments: &ImportArguments) -> Ending {
         complaint.message = format!("{}: {}", arguments.drawing.display(), complaint.message);
         Failure::from(complaint)
     };
-    let read = std::fs::read(&arguments.drawing).map_err(|error| ImportError::NoDrawing { reason: error.to_string() });
-    let bytes = read.map_err(|error| complain(&error))?;
+    let bytes = read_drawing(&arguments.drawing)?;
     let name = arguments.drawing.file_stem().map_or("drawing".into(), |stem| stem.to_string_lossy());
     let imported = import_dxf(&name, &bytes, &options).map_err(|error| complain(&error))?;
     let folder = arguments.folder.clone().unwrap_or_else(|| PathBuf::from(&*name));

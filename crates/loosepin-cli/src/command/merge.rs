@@ -92,17 +92,21 @@ fn results(arguments: &MergeArguments, shards: &ShardFolders) -> Result<PathBuf,
 fn tell_open(open: &OpenRound, of: u32) {
     let missing = open.missing_runs();
     if missing < open.runs {
-        let shards: Vec<String> =
-            open.missing.iter().map(|(shard, runs)| format!("{shard}/{of} ({runs} runs)")).collect();
+        let shards: Vec<String> = open
+            .missing
+            .iter()
+            .map(|(shard, runs)| format!("{shard}/{of} ({})", units::counted(*runs, "run")))
+            .collect();
         console::message(&format!(
-            "the present round of {} runs is not complete: missing are those of shard {}\n\
+            "the present round of {} is not complete: missing are those of shard {}\n\
              hint: run these shards again with --resume, then merge again",
-            open.runs,
+            units::counted(open.runs, "run"),
             units::listed(&shards, "and")
         ));
     } else {
         console::message(&format!(
-            "the next round has {missing} runs\nhint: run the shards again with --resume, then merge again"
+            "the next round has {}\nhint: run the shards again with --resume, then merge again",
+            units::counted(missing, "run")
         ));
     }
 }

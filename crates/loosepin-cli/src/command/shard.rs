@@ -8,6 +8,8 @@ use loosepin::study::{
     Begun, Means, Part, Study, StudyError, begin_in_folder, conduct_part, plan_shards, store_identity,
 };
 
+use loosepin::units::counted;
+
 use super::signals::stop_on_signals;
 use super::stored::{tell_going_on, to_json};
 use super::threads::threads;
@@ -66,11 +68,12 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         Err(StudyError::RoundOpen(open)) => {
             let made = match open.made {
                 0 => "has no run to make".to_owned(),
+                1 => "has made its run".to_owned(),
                 made => format!("has made its {made} runs"),
             };
             console::message(&format!(
-                "shard {shard} {made} in the present round of {} runs\nhint: {merge} goes on when all shards have made theirs",
-                open.runs
+                "shard {shard} {made} in the present round of {}\nhint: {merge} goes on when all shards have made theirs",
+                counted(open.runs, "run")
             ));
             Ok(Done::Well)
         }

@@ -176,6 +176,95 @@ fn drives_that_are_too_few_or_too_many() {
     );
 }
 
+/// A pendulum beside the slider-crank of the case, and a second drive in the loop of the crank.
+fn with_pendulum(start_angle: &str) -> String {
+    let pendulum = "[body.bob]\nmass = \"0.2 kg\"\ninertia = \"1e-4 kg m^2\"\ncentre_of_mass = [\"20 mm\", \"0 mm\"]\n\
+                    points = { o = [\"0 mm\", \"0 mm\"], tip = [\"40 mm\", \"0 mm\"] }\n\n\
+                    [joint.hang]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"bob.o\"\n\n";
+    let drive = format!("[drive.rod]\njoint = \"crank_pin\"\nspeed = \"3 rpm\"\nstart_angle = \"{start_angle}\"\n\n");
+    case_text("slider_crank_5000", "model.toml")
+        .replace("[drive.crank]\n", &format!("{pendulum}{drive}[drive.crank]\n"))
+}
+
+#[test]
+fn two_drives_on_one_freedom_are_named_whether_the_loop_closes_or_not() {
+    // At 0 deg the loop closes by chance, and at -20 deg it does not.
+    for start_angle in ["0 deg", "-20 deg"] {
+        let desk = Desk::new();
+        desk.write("model.toml", &with_pendulum(start_angle));
+        desk.fail(
+            &["check", "model.toml"],
+            "model.toml:75:8: error[E0710]: the drives 'rod' and 'crank' move the same freedom: where one of them puts the links, \
+             there is nothing left for the other\n\
+             model.toml:70:8: note: this moves the same freedom\n\
+             hint: keep one of them, and drive a joint of another freedom by the other",
+        );
+    }
+    // The second freedom driven as well: nothing to complain of.
+    let desk = Desk::new();
+    desk.write("model.toml", &with_pendulum("0 deg").replace("joint = \"crank_pin\"", "joint = \"hang\""));
+    desk.succeed(&["check", "model.toml"]);
+}
+
+#[test]
+fn joints_that_hold_one_another_are_named_with_the_whole_loop() {
+    let pinned = "[joint.extra]\nkind = \"revolute\"\nbearing = \"ground.fixed\"\njournal = \"rod.small_end\"\n\n[drive.crank]\n";
+    let text = case_text("slider_crank_5000", "model.toml").replace("[drive.crank]\n", pinned);
+    // The rod's end is pinned where it is at the start, or elsewhere.
+    for place in ["[\"170 mm\", \"0 mm\"]", "[\"100 mm\", \"30 mm\"]"] {
+        let desk = Desk::new();
+        let points = format!("points = {{ o = [\"0 mm\", \"0 mm\"], fixed = {place} }}");
+        desk.write("model.toml", &text.replace("points = { o = [\"0 mm\", \"0 mm\"] }", &points));
+        let said = desk.run(&["check", "model.toml"]);
+        assert_eq!(said.status, 2, "{}", said.messages);
+        let first = said.messages.lines().next().unwrap_or_default();
+        assert_eq!(
+            first,
+            "model.toml:59:8: error[E0711]: the joints 'main', 'crank_pin', 'gudgeon', 'guide' and 'extra' hold one another: \
+             together they leave their bodies no motion that fits general lengths"
+        );
+    }
+}
+
+#[test]
+fn a_study_that_names_a_study_as_its_model() {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    let text = case_text("slider_crank_worn_pin", "study.toml");
+    desk.write("study.toml", &text.replace("model = \"model.toml\"", "model = \"study.toml\""));
+    desk.fail(
+        &["check", "study.toml"],
+        "study.toml:2:9: error[E0905]: model is 'study.toml', this study itself; must be a file with bodies and joints\n\
+         hint: for example model = \"model.toml\"",
+    );
+    desk.write("other.toml", &text.replace("model = \"model.toml\"", "model = \"study.toml\""));
+    desk.fail(
+        &["check", "other.toml"],
+        "other.toml:2:9: error[E0905]: model is 'study.toml', another study; must be a file with bodies and joints\n\
+         hint: for example model = \"model.toml\"",
+    );
+}
+
+#[test]
+fn a_drawing_that_is_not_there() {
+    let desk = Desk::new();
+    desk.write("crane.dxf", "");
+    desk.fail(
+        &["import", "krane.dxf"],
+        "error[E0101]: cannot read krane.dxf: there is no such file\nhint: did you mean 'crane.dxf'?",
+    );
+}
+
+#[test]
+fn round_off_is_shown_as_zero() {
+    let desk = Desk::new();
+    let output = "[output.across]\nposition_of = \"slider.pin\"\nalong = \"y\"\n";
+    let text = case_text("slider_crank_5000", "model.toml");
+    desk.write("model.toml", &format!("{text}\n{output}"));
+    let said = desk.succeed(&["simulate", "model.toml", "--out", "run"]).output;
+    let line = said.lines().find(|line| line.starts_with("across ")).expect("the output in the table");
+    assert_eq!(line.matches(" 0 mm ").count(), 2, "{line}");
+}
+
 #[test]
 fn a_singular_position_on_the_way() {
     let desk = Desk::new();

@@ -1,12 +1,21 @@
 //! Compile and sample errors as complaints at a place of the model file.
 
+use super::blocking::{Blocking, blocking};
 use super::error::{MechanismError, SampleError};
 use crate::model::{CycleSpan, Model};
-use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::diagnostics::{Complaint, Place, Problem};
 
 impl MechanismError {
     /// The complaint about the model that could not be compiled, at the joint, body or drive that it is about.
     pub fn complaint(&self, model: &Model) -> Complaint {
+        let may_be_blocked = match self {
+            Self::CannotClose { .. } | Self::CannotCloseAsGiven { .. } | Self::SingularStart { .. } => true,
+            Self::TooManyDrives { mobility, .. } => *mobility == 0,
+            _ => false,
+        };
+        if let Some(blocking) = may_be_blocked.then(|| blocking(model)).flatten() {
+            return blocking.complaint(model);
+        }
         match self {
             Self::Quantity(error) => Complaint::error(error, model.place(error.path())),
             Self::TooFewDrives { undetermined: bodies, .. } | Self::SingularStart { bodies } => {
@@ -35,8 +44,19 @@ impl MechanismError {
     }
 }
 
+impl Blocking {
+    /// The complaint at the last of the drives or joints, the others beside it.
+    fn complaint(&self, model: &Model) -> Complaint {
+        let (kind, names, text) = match self {
+            Self::Drives { drives } => ("drive", drives, "this moves the same freedom"),
+            Self::Joints { joints } => ("joint", joints, "this holds the others too"),
+        };
+        labelled(self, names.iter().rev().map(|name| model.place(&format!("{kind}.{name}"))), text)
+    }
+}
+
 /// A complaint at the first place, with the others beside it.
-fn labelled(error: &MechanismError, mut places: impl Iterator<Item = Option<Place>>, text: &str) -> Complaint {
+fn labelled(error: &dyn Problem, mut places: impl Iterator<Item = Option<Place>>, text: &str) -> Complaint {
     let complaint = Complaint::error(error, places.next().flatten());
     places.flatten().fold(complaint, |complaint, place| complaint.with_label(place, text))
 }
@@ -44,6 +64,9 @@ fn labelled(error: &MechanismError, mut places: impl Iterator<Item = Option<Plac
 impl SampleError {
     /// The complaint about the model whose values give no motion.
     pub fn complaint(&self, model: &Model) -> Complaint {
+        if let Some(blocking) = matches!(self, Self::CannotClose { .. }).then(|| blocking(model)).flatten() {
+            return blocking.complaint(model);
+        }
         let path = match self {
             Self::Quantity(error) => return Complaint::error(error, model.place(error.path())),
             Self::ClearanceChangesTopology { joint, .. }

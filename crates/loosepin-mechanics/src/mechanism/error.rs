@@ -3,7 +3,7 @@
 use super::constraints::Opening;
 use crate::model::{PeriodProblem, QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::units::{Dimension, format_apart, format_value, quoted};
+use loosepin_text::units::{Dimension, counted, format_apart, format_value, quoted};
 
 problems! {
     /// Why a model cannot be compiled.
@@ -17,8 +17,9 @@ problems! {
             undetermined: Vec<String>,
         } => Code::TooFewDrives,
             says(
-                "the mechanism has {mobility} degrees of freedom and {drives} {}: {} not determined",
-                if *drives == 1 { "drive" } else { "drives" },
+                "the mechanism has {} of freedom and {}: {} not determined",
+                counted(*mobility, "degree"),
+                counted(*drives, "drive"),
                 undetermined_words(undetermined)
             ),
             hint("add a drive, or a joint that holds what can still move; what only forces move needs its start under \
@@ -29,10 +30,12 @@ problems! {
             drives: usize,
         } => Code::TooManyDrives,
             says(
-                "the mechanism has {mobility} {} of freedom and {drives} drives: they work against each other",
-                if *mobility == 1 { "degree" } else { "degrees" }
+                "the mechanism has {} of freedom and {}: {}",
+                counted(*mobility, "degree"),
+                counted(*drives, "drive"),
+                if *drives == 1 { "nothing can move" } else { "they work against each other" }
             ),
-            hint("remove a drive");
+            hint("remove a {}", if *mobility == 0 { "joint" } else { "drive" });
         DrivenLoop { joint: String } => Code::DrivenLoop,
             says("joint '{joint}' closes a loop in which every joint is driven"),
             hint("remove one of the drives of this loop");

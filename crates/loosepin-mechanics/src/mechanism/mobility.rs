@@ -121,7 +121,7 @@ fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Ve
 
 /// What makes a Jacobian dimensionless: lengths counted in sizes of the mechanism, so that they weigh like angles however small or large
 /// it is. The size is rounded to a power of two: then no entry is rounded.
-struct Scale {
+pub(super) struct Scale {
     size_m: f64,
     rows_are_lengths: Vec<bool>,
     columns_are_lengths: Vec<bool>,
@@ -129,7 +129,7 @@ struct Scale {
 
 impl Scale {
     /// Of the constraint rows and all coordinates of `tree`.
-    fn new(tree: &Tree, size_m: f64) -> Self {
+    pub(super) fn new(tree: &Tree, size_m: f64) -> Self {
         let of_cut = |cut: &Cut| {
             let (rows, holds_angle) = (cut.kind.rows(), cut.kind.holds_angle());
             (0..rows).map(move |row| !(holds_angle && row + 1 == rows))
@@ -159,7 +159,7 @@ impl Scale {
         }
     }
 
-    fn dimensionless(&self, jacobian: &[f64]) -> Vec<f64> {
+    pub(super) fn dimensionless(&self, jacobian: &[f64]) -> Vec<f64> {
         let rows = jacobian.chunks(self.columns_are_lengths.len().max(1)).zip(&self.rows_are_lengths);
         let of_row = |(row, &is_row_length): (&[f64], &bool)| {
             let entry = |(entry, &is_column_length): (&f64, &bool)| match (is_row_length, is_column_length) {

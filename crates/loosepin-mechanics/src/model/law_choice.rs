@@ -5,6 +5,7 @@ use super::path_error::PathError;
 use super::topology::{JointKind, Model, Stiffness};
 use crate::contact::{NormalDescription, point_law};
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
+use loosepin_text::units::quoted;
 
 problems! {
     /// Why a contact cannot have a law.
@@ -29,9 +30,12 @@ impl Model {
         let name = path.strip_prefix("contact.")?.strip_suffix(".law").filter(|name| !name.contains('.'))?;
         let index = self.contacts.iter().position(|contact| contact.name == name);
         Some(index.map(ContactId).ok_or_else(|| {
-            let nearest = nearest_name(name, self.contacts.iter().map(|contact| contact.name.as_str()));
-            let nearest = nearest.map(|name| format!("contact.{name}.law"));
-            PathError::Unknown { path: path.to_owned(), nearest }
+            let known = || self.contacts.iter().map(|contact| contact.name.as_str());
+            let hint = match nearest_name(name, known()) {
+                Some(nearest) => format!("did you mean 'contact.{nearest}.law'?"),
+                None => format!("there is {}", quoted(&known().collect::<Vec<_>>())),
+            };
+            PathError::Unknown { path: path.to_owned(), why: Some(format!("it has no contact '{name}'")), hint }
         }))
     }
 

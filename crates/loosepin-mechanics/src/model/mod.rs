@@ -16,6 +16,7 @@ mod law_choice;
 mod load;
 mod load_table;
 mod path_error;
+mod path_hint;
 mod plausible;
 mod problem;
 mod quantity;

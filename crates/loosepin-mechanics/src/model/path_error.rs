@@ -8,15 +8,10 @@ problems! {
     /// Why a path names no quantity that can be set.
     #[derive(Debug, Clone, PartialEq)]
     pub enum PathError {
-        Unknown { path: String, nearest: Option<String> } => Code::UnknownPath,
-            says("the model has no quantity '{path}'"),
-            hint_of(Some(match nearest {
-                Some(nearest) if nearest.ends_with(RADIAL) && path.contains("diamet") => {
-                    format!("did you mean '{nearest}'? It is half of the clearance on the diameter")
-                }
-                Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => "paths follow the model file, for example joint.gudgeon.radial_clearance".to_owned(),
-            }));
+        /// `why` tells which part of it is not known, `hint` what was probably meant.
+        Unknown { path: String, why: Option<String>, hint: String } => Code::UnknownPath,
+            says("the model has no quantity '{path}'{}", why.as_ref().map_or(String::new(), |why| format!(": {why}"))),
+            hint_of(Some(hint.clone()));
         /// The joint states its clearance under the other of the two keys.
         OtherClearance { path: String, stated: String } => Code::UnknownPath,
             says("'{path}' cannot be set: the model states '{stated}'"),

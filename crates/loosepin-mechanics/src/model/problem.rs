@@ -2,7 +2,7 @@
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
-use loosepin_text::units::{Dimension, quoted};
+use loosepin_text::units::{Dimension, ReadableUnit, counted, format_number, quoted};
 
 problems! {
     /// An error in a model file. `entry` is a path in words.
@@ -111,6 +111,10 @@ problems! {
         DoesNotTurn { entry: String, joint: String } => Code::UnknownReference,
             says("{entry}: joint '{joint}' does not turn; a torsional spring lies around a revolute joint"),
             hint("name a revolute joint, or two bodies as first and second");
+        /// A number under [parameter] that is used where something is measured.
+        ParameterWithoutUnit { name: String, value: f64, entry: String, due: Dimension } => Code::MissingUnit,
+            says("parameter '{name}' is {} without a unit; {entry} makes it {due}", format_number(*value)),
+            hint("write its unit, for example {name} = \"{} {}\"", format_number(*value), ReadableUnit::default_for(*due).text);
         /// A clearance on the radius and one on the diameter.
         ClearanceTwice { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'radial_clearance' and 'diametral_clearance' cannot be used together"),
@@ -155,9 +159,16 @@ problems! {
             hint("write {due}");
         DrivenTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
             says("{entry}: joint '{joint}' is already driven by '{other}'");
-        CsvColumns { found: usize } => Code::TableNotReadable,
-            says("a row has {found} {}; expected two", if *found == 1 { "column" } else { "columns" }),
-            hint("for example: time [s], angle [deg]");
+        CsvColumns { found: usize, text: String } => Code::TableNotReadable,
+            says("a row has {}; expected two", counted(*found, "column")),
+            hint_of(Some(if text.contains(';') {
+                format!("columns are separated by commas, and numbers have a decimal point: write '{text}' as '{}'",
+                    text.replace(',', ".").replace(';', ","))
+            } else if *found > 2 {
+                "a comma separates columns; decimal numbers have a point".to_owned()
+            } else {
+                "for example: time [s], angle [deg]".to_owned()
+            }));
         CsvHeader { text: String } => Code::TableNotReadable,
             says("the header is '{text}'; must be a name with a unit in brackets"),
             hint("for example: time [s], angle [deg]");
@@ -165,7 +176,11 @@ problems! {
             says("the column '{text}' must hold {due}");
         CsvNumber { text: String } => Code::TableNotReadable,
             says("'{text}' is not a number"),
-            hint("with a point and no thousands separator, for example 0.25 or 1e-3");
+            hint("{}", if text.contains(';') {
+                "columns are separated by commas, and numbers have a decimal point"
+            } else {
+                "with a point and no thousands separator, for example 0.25 or 1e-3"
+            });
         SameJoint { entry: String, joint: String } => Code::SameBody,
             says("{entry} couples joint '{joint}' to itself");
         WrongJoint { entry: String, joint: String, due: &'static str } => Code::CouplingNotPossible,

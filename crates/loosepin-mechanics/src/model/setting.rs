@@ -6,7 +6,7 @@ use super::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
 use super::topology::{Joint, Model};
 use std::sync::Arc;
 
-use loosepin_text::diagnostics::{Code, Complaint, Place, Source, nearest_name, problems};
+use loosepin_text::diagnostics::{Code, Complaint, Place, Source, problems};
 use loosepin_text::units::{Dimension, ExpressionProblem, format_value, parse_quantity};
 
 /// A quantity with the value that it is to have.
@@ -80,9 +80,7 @@ impl Model {
             if let Some(joint) = joint.filter(|joint| is_ideal(joint)) {
                 return Err(PathError::NoPlay { path: path.to_owned(), joint: joint.to_owned() });
             }
-            let settable = self.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
-            let nearest = nearest_name(path, settable.map(|(_, quantity)| quantity.path.as_str())).map(str::to_owned);
-            return Err(PathError::Unknown { path: path.to_owned(), nearest });
+            return Err(self.unknown_path(path));
         };
         match &self.quantities[id].origin {
             Origin::Literal | Origin::Default => Ok(id),

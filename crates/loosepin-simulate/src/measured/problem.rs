@@ -1,7 +1,7 @@
 //! Errors of a table of measured values.
 
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::units::{Dimension, ExpressionProblem};
+use loosepin_text::units::{Dimension, ExpressionProblem, counted};
 
 problems! {
     /// An error in a table of measured values.
@@ -11,6 +11,10 @@ problems! {
         Empty { what: &'static str } => Code::MeasuredTable,
             says("the table has no {what}"),
             hint("for example a first line: angle [deg], slider [mm]");
+        /// A table as spreadsheets write it where numbers have a decimal comma.
+        Semicolons { line: String, meant: String } => Code::MeasuredTable,
+            says("the columns are separated by semicolons; must be commas, and numbers have a decimal point"),
+            hint("write '{line}' as '{meant}'; spreadsheets do so with the region English (United States)");
         /// A cell of the header without a unit.
         NoUnit { text: String } => Code::MeasuredTable,
             says("the header '{text}' is not written name [unit]"),
@@ -53,7 +57,7 @@ problems! {
             /// Cells of the header.
             due: usize,
         } => Code::MeasuredTable,
-            says("the row has {found} cells; the header has {due}"),
+            says("the row has {}; the header has {due}", counted(*found, "cell")),
             hint_of((found > due).then(|| "a comma separates columns; decimal numbers have a point".to_owned()));
         /// A line of comment.
         Comment => Code::MeasuredTable,

@@ -194,6 +194,14 @@ impl TableReader {
         // A byte order mark is no part of the first name.
         let start = if source.text().starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let text = &source.text()[start..];
+        let first_line = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        if first_line.contains(';') && !first_line.contains(',') {
+            let line = text.lines().map(str::trim).filter(|line| !line.is_empty()).nth(1).unwrap_or(first_line.trim());
+            let (line, meant) = (line.to_owned(), line.replace(',', ".").replace(';', ","));
+            let at = start + text.find(first_line).unwrap_or(0);
+            self.complain(&MeasuredProblem::Semicolons { line, meant }, (at..at + first_line.len()).into());
+            return None;
+        }
         let mut records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
         let mut rows = Vec::new();
         for record in records.records() {

@@ -66,7 +66,7 @@ problems! {
             /// Why the first one did.
             reason: String,
         } => Code::AllRunsFailed,
-            says("all {runs} runs failed; the first one: {reason}"),
+            says("{}: {reason}", if *runs == 1 { "the run failed".to_owned() } else { format!("all {runs} runs failed; the first one") }),
             hint("loosepin simulate with --set shows a single run");
         /// It was interrupted.
         Interrupted { finished: usize, runs: usize } => Code::Interrupted,

@@ -2,6 +2,7 @@
 
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
+use loosepin_text::units::counted;
 
 problems! {
     /// What can be wrong with a reference case. `entry` is a path in words.
@@ -46,7 +47,7 @@ problems! {
             says("the cell '{cell}' is no number");
         /// A row of a reference file with too few or too many cells.
         BadRow { found: usize, due: usize } => Code::WrongType,
-            says("the row has {found} cells; the header has {due}");
+            says("the row has {}; the header has {due}", counted(*found, "cell"));
         /// A reference file that no run can be compared with.
         BadTimes { file: String, rows: usize, end_s: String } => Code::WrongType,
             says("{file}: {rows} rows that end at {end_s} s; expected at least two, at equal times from zero");

@@ -62,6 +62,17 @@ pub fn study_schema() -> serde_json::Value {
     json_schema("loosepin study", &STUDY_KEYS)
 }
 
+/// Keys at the top of study files that model files do not have.
+const STUDY_MARKS: [&str; 6] = ["model", "random", "epistemic", "ask", "require", "sampling"];
+
+/// Whether a text has keys of a study at its top and no body; a text that is not TOML says nothing.
+pub(super) fn says_study(source: &Arc<Source>) -> bool {
+    parse_toml(source).is_ok_and(|toml| {
+        let has = |key: &str| toml.get_ref().contains_key(key);
+        STUDY_MARKS.iter().any(|key| has(key)) && !has("body")
+    })
+}
+
 impl Study {
     /// Reads a study file and the model file that it names, whose path is taken from the folder of the study file.
     ///
@@ -84,7 +95,15 @@ impl Study {
         let folder = path.parent().unwrap_or(Path::new(""));
         read(source, |written| {
             let model_path = folder.join(written);
-            Ok((Model::from_path(&model_path)?, model_path))
+            let file = read_source(&model_path)?;
+            if says_study(&file) {
+                let problem = StudyProblem::ModelIsStudy {
+                    file: written.to_owned(),
+                    is_itself: std::fs::canonicalize(&model_path).ok() == std::fs::canonicalize(path).ok(),
+                };
+                return Err(Complaints::one(&problem, None));
+            }
+            Ok((Model::from_source(file)?, model_path))
         })
     }
 

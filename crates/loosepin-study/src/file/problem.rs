@@ -181,6 +181,11 @@ problems! {
             says("'{path}' is {value} in the model, and from {from} to {to} here"),
             hint("correct the wrong value, or ignore this if it is intended: deviations are from the ideal motion of \
                   the model");
+        /// A study where its model is to be named.
+        ModelIsStudy { file: String, is_itself: bool } => Code::WrongKindOfFile,
+            says("model is '{file}', {}; must be a file with bodies and joints",
+                if *is_itself { "this study itself" } else { "another study" }),
+            hint("for example model = \"model.toml\"");
         /// A length that varies as no part does.
         WildScatter { path: String, found: String, nominal: String } => Code::HardlyPossible,
             says("'{path}' has a standard deviation of {found}, with {nominal} in the model; usual is below a hundredth"),

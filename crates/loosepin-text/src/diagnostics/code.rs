@@ -352,6 +352,17 @@ how they share the force."
 "The quasi-static answer takes each joint as anywhere within its play. A slider whose half-height and clearance together \
 exceed half its diagonal can turn over in its guide, and then its play has no end. A dynamic run still tells what happens."
 
+    DrivesOnOneFreedom "E0710" "two drives move the same freedom"
+"Each drive moves a freedom of its own. Two drives on joints of one loop with a single freedom contradict each other at all instants but \
+some, whatever the lengths are: the angle of the crank tells that of the rod. The message names the drives. The mechanism may have as many \
+drives as freedoms and one that no drive moves."
+
+    JointsBlock "E0711" "joints hold one another"
+"A revolute joint takes two freedoms of a body, a prismatic joint two, a slot one, a rigid joint three. The joints that the message names take \
+more than their bodies have: a triangle of links, a rod that is pinned to the ground at both ends. Such a mechanism closes only where the \
+lengths agree by chance or to all digits, and then does not move. Mechanisms that repeat a joint on purpose (parallel cranks) need lengths \
+that agree exactly: give them one parameter."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 

@@ -18,5 +18,5 @@ pub use keys::{optional, quantity, required};
 pub use path::EntryPath;
 pub use path::describe_path;
 pub use problem::DocumentProblem;
-pub use reader::{Reader, parse_toml, read_beside, read_source, source_from_bytes};
+pub use reader::{Reader, not_readable, parse_toml, read_beside, read_source, source_from_bytes};
 pub use schema::json_schema;

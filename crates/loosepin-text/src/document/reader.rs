@@ -18,26 +18,29 @@ use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 /// Mark in a file where a value is still to be filled in.
 const TO_FILL_IN: &str = "?";
 
+/// Why a file cannot be read, with the name that was probably meant.
+pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
+    let reason = match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        std::io::ErrorKind::PermissionDenied => "reading it is not permitted".to_owned(),
+        std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        _ => error.to_string(),
+    };
+    let hint = match error.kind() {
+        std::io::ErrorKind::NotFound => file_of_like_name(path),
+        std::io::ErrorKind::IsADirectory => files_inside(path),
+        _ => None,
+    };
+    Complaints::one(&DocumentProblem::NotReadable { file: path.display().to_string(), reason, hint }, None)
+}
+
 /// Reads a file as UTF-8 text.
 ///
 /// # Errors
 /// A file that cannot be read, is too large, or is not UTF-8 (with the place of the first wrong byte).
 pub fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
     let name = path.display().to_string();
-    let not_readable = |error: std::io::Error| {
-        let reason = match error.kind() {
-            std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-            std::io::ErrorKind::PermissionDenied => "reading it is not permitted".to_owned(),
-            std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
-            _ => error.to_string(),
-        };
-        let hint = match error.kind() {
-            std::io::ErrorKind::NotFound => file_of_like_name(path),
-            std::io::ErrorKind::IsADirectory => files_inside(path),
-            _ => None,
-        };
-        Complaints::one(&DocumentProblem::NotReadable { file: name.clone(), reason, hint }, None)
-    };
+    let not_readable = |error: std::io::Error| not_readable(path, &error);
     // Asked first, so that a device or an enormous file is not read into memory.
     let metadata = std::fs::metadata(path).map_err(not_readable)?;
     if !metadata.is_file() && !metadata.is_dir() {

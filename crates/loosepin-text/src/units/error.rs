@@ -91,7 +91,7 @@ problems! {
             says("'{name}' is a name; expected a number with its unit"),
             hint("names of parameters are known in the model file only");
         WrongArgumentCount { function: &'static str, due: usize, given: usize } => Code::ExpressionSyntax,
-            says("{function} takes {due} value(s); {given} given");
+            says("{function} takes {}; {given} given", super::counted(*due, "value"));
         MixedDimensions { operation: &'static str, first: Dimension, second: Dimension } => Code::MixedDimensions,
             says("{operation} needs two values of one dimension; the first is {first}, the second {second}"),
             hint_of(

@@ -11,6 +11,11 @@ pub fn listed(items: &[String], conjunction: &str) -> String {
     }
 }
 
+/// `1 run`, `3 runs`: a count with its noun, whose plural ends in s.
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// `'a'`, `'a' and 'b'`, `'a', 'b' and 'c'`: names as they stand in a file.
 pub fn quoted(names: &[impl Display]) -> String {
     listed(&names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>(), "and")

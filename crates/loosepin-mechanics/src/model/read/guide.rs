@@ -77,10 +77,7 @@ impl ModelReader {
             }
             return Some(None);
         };
-        let expression = self.expression_of(&entry, Some(Dimension::LENGTH))?;
-        if !self.reader.measures(&entry, expression.dimension, Dimension::LENGTH) {
-            return None;
-        }
+        let expression = self.expression_due(&entry, Dimension::LENGTH)?;
         if !missing.is_empty() && is_literal_zero(&expression) {
             // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
             self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;

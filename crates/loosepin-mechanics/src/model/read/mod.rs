@@ -18,6 +18,7 @@ mod reader;
 mod slot;
 mod spring;
 mod table_points;
+mod unitless;
 
 use crate::model::ids::BodyId;
 use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};

@@ -12,6 +12,8 @@ pub(super) struct Parameters {
     pub order: Vec<String>,
     /// Those that were complained about: whoever uses them is not complained about again.
     pub broken: HashSet<String>,
+    /// Those that were complained about where they are used, since they lack their unit.
+    blamed: HashSet<String>,
     used: HashSet<usize>,
 }
 
@@ -28,6 +30,11 @@ impl Parameters {
     /// Whether a parameter of this name was complained about.
     pub fn is_broken(&self, name: &str) -> bool {
         self.broken.contains(name)
+    }
+
+    /// Notes that a parameter is complained about for its missing unit; false where it was before.
+    pub fn blame(&mut self, name: &str) -> bool {
+        self.blamed.insert(name.to_owned())
     }
 
     /// Notes that expressions use these slots.

@@ -118,11 +118,17 @@ impl ModelReader {
 
     /// The quantity at an entry, of a given dimension.
     pub fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
-        let expression = self.expression_of(entry, Some(dimension))?;
-        if !self.reader.measures(entry, expression.dimension, dimension) {
+        let expression = self.expression_due(entry, dimension)?;
+        self.add(entry, &expression, rule)
+    }
+
+    /// The expression at an entry, of the dimension that is due.
+    pub fn expression_due(&mut self, entry: &Entry<'_>, due: Dimension) -> Option<Expression> {
+        let expression = self.expression_of(entry, Some(due))?;
+        if expression.dimension != due && self.blames_parameter(entry, due) {
             return None;
         }
-        self.add(entry, &expression, rule)
+        self.reader.measures(entry, expression.dimension, due).then_some(expression)
     }
 
     /// The text or number at an entry as an expression over parameters.
@@ -141,7 +147,8 @@ impl ModelReader {
                 }
                 Err(error) => {
                     let is_echo = matches!(&error.problem, ExpressionProblem::UnknownName { name, .. } if self.parameters.is_broken(name));
-                    if !is_echo {
+                    let is_blamed = due.is_some_and(|due| !is_echo && self.blames_parameter(entry, due));
+                    if !is_echo && !is_blamed {
                         let error = due.map_or(error.clone(), |due| error.for_due(text, due));
                         let span = self.reader.inside(entry, text, &error.span);
                         self.reader.complain(&error.problem, span);

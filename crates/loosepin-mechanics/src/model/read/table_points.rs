@@ -73,7 +73,8 @@ impl ModelReader {
         for (row, cells) in rows(&source).into_iter().enumerate() {
             let [Some(first), Some(second), None] = [cells.first(), cells.get(1), cells.get(2)] else {
                 let span = cells.first().map_or(0, |cell| cell.start)..cells.last().map_or(0, |cell| cell.end);
-                complain(self, ModelProblem::CsvColumns { found: cells.len() }, span);
+                let text = source.text()[span.clone()].to_owned();
+                complain(self, ModelProblem::CsvColumns { found: cells.len(), text }, span);
                 return None;
             };
             let cells = [first.clone(), second.clone()];
