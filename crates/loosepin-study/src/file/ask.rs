@@ -15,8 +15,8 @@ use loosepin_bounds::{Reading, Statistic};
 use loosepin_mechanics::model::OutputKind;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule, format_refused, format_value};
+use loosepin_text::document::{Entry, Reader, Table, Written};
+use loosepin_text::units::{Dimension, Rule, format_number, format_refused, format_value, parse_quantity};
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Words for statistics that are written in another form.
@@ -230,6 +230,11 @@ impl StudyReader {
         of: Option<(usize, Deviation)>,
     ) -> Option<Where> {
         if let Some(entry) = table.get(everywhere) {
+            if let Some(found) = angle_of(&entry, &mut self.reader) {
+                let drive = self.model.cycle_input(&self.model.quantities.nominal()).name;
+                let problem = StudyProblem::AngleForCurve { entry: entry.path.describe(), found, drive };
+                return self.refused(&problem, entry.span);
+            }
             return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
         }
         if let Some(entry) = table.get("poses") {
@@ -309,6 +314,11 @@ impl StudyReader {
         if entry.is_text() {
             let text = self.reader.text(entry)?;
             if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
+                let (entry_words, word) = (entry.path.describe(), text.to_owned());
+                let problem = StudyProblem::StatisticForm { entry: entry_words, word, form: form.to_owned() };
+                return self.refused(&problem, entry.span);
+            }
+            if let Some(form) = as_quantile(text) {
                 let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
                 return self.refused(&problem, entry.span);
             }
@@ -374,4 +384,25 @@ impl StudyReader {
         let found = format_refused(limit, dimension);
         self.refused(&StudyProblem::Limit { entry: entry.path.describe(), found, rule: rule.words() }, entry.span)
     }
+}
+
+/// The angle that stands where a whole curve is named, as it is written.
+fn angle_of(entry: &Entry<'_>, reader: &mut Reader) -> Option<String> {
+    if entry.is_table() {
+        return None;
+    }
+    if !entry.is_text() {
+        return reader.number_at(entry).map(format_number);
+    }
+    let Some(Written::Text(text)) = reader.written(entry) else { return None };
+    parse_quantity(text).is_ok_and(|read| read.dimension == Dimension::ANGLE).then(|| format!("\"{text}\""))
+}
+
+/// A percentile as it is written elsewhere (`p95`, `95 %`, `95th percentile`) as a quantile.
+fn as_quantile(text: &str) -> Option<String> {
+    let digits = text.trim_start_matches(['p', 'P', 'q', 'Q']);
+    let digits =
+        digits.trim_end_matches("percentile").trim_end().trim_end_matches("th").trim_end_matches('%').trim_end();
+    let percent: f64 = digits.parse().ok().filter(|_| digits.len() < text.len())?;
+    (percent > 0.0 && percent < 100.0).then(|| format!("{{ quantile = {} }}", format_number(percent / 100.0)))
 }

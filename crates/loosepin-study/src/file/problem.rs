@@ -16,8 +16,12 @@ problems! {
             says("'{path}' is not in quotes; TOML takes it for tables within tables"),
             hint("write \"{path}\" = {{ ... }}");
         /// A statistic that is written in another form.
-        StatisticForm { entry: String, word: String, form: &'static str } => Code::AskNotPossible,
+        StatisticForm { entry: String, word: String, form: String } => Code::AskNotPossible,
             says("{entry}: '{word}' is written {form}");
+        /// An angle where the whole curve is named.
+        AngleForCurve { entry: String, found: String, drive: String } => Code::AskNotPossible,
+            says("{entry} is {found}; must be \"cycle\", which is the whole curve"),
+            hint("angles of the drive are written poses = {{ {drive} = [\"90 deg\"] }}");
         /// A probability as text.
         Percent { entry: String, found: String } => Code::BadProbability,
             says("{entry} is \"{found}\"; expected a number between 0 and 1"),

@@ -65,6 +65,11 @@ impl<'t> Table<'t> {
         quantity_of(self.keys.find(key)?)
     }
 
+    /// Whether a key is written that the table cannot have: it was complained about.
+    pub fn has_unknown(&self) -> bool {
+        self.entries.keys().any(|written| self.keys.find(written.get_ref()).is_none())
+    }
+
     /// Whether a key is written.
     pub fn has(&self, key: &str) -> bool {
         self.get(key).is_some()

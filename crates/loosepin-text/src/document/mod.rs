@@ -6,6 +6,7 @@
 mod entry;
 mod keys;
 mod meant_file;
+mod other_words;
 mod path;
 mod problem;
 mod reader;

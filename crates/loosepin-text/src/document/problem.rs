@@ -20,18 +20,30 @@ problems! {
             says("{file} has {size_bytes} bytes; a file of at most {LARGEST_FILE_BYTES} is read");
         Syntax { reason: String, line: String } => Code::TomlSyntax,
             says("not TOML here: {reason}"),
-            hint_of(number_with_comma(line).map(|written| format!("decimal numbers have a point: {written}")));
+            hint_of(number_with_comma(line)
+                .map(|written| format!("decimal numbers have a point: {written}"))
+                .or_else(|| in_straight_quotes(line)));
         DecimalComma { entry: String, written: String } => Code::ExpressionSyntax,
             says("{entry} has a decimal comma; numbers have a point"),
             hint("write \"{written}\"");
-        DuplicateKey { key: String } => Code::TomlSyntax,
+        DuplicateKey { key: String, is_listed: bool } => Code::TomlSyntax,
             says("'{key}' is defined twice"),
-            hint("define each key and each table once");
-        UnknownKey { table: String, key: String, nearest: Option<String>, known: Vec<&'static str> } =>
-            Code::UnknownKey,
+            hint_of(Some(if *is_listed {
+                format!("tables that have names are written [{key}.NAME], with one pair of brackets")
+            } else {
+                "define each key and each table once".to_owned()
+            }));
+        UnknownKey {
+            table: String,
+            key: String,
+            nearest: Option<String>,
+            /// What else differs, where the nearest one is the same thing by another name.
+            note: &'static str,
+            known: Vec<&'static str>,
+        } => Code::UnknownKey,
             says("{} has no key '{key}'", or_file(table)),
             hint_of(Some(match nearest {
-                Some(nearest) => format!("did you mean '{nearest}'?"),
+                Some(nearest) => format!("did you mean '{nearest}'? {note}").trim_end().to_owned(),
                 None => format!("its keys are {}", known.join(", ")),
             }));
         NotYetSupported { entry: String, instead: String } => Code::NotYetSupported,
@@ -52,10 +64,20 @@ problems! {
             says("{}one of {} is missing", prefix(table), quoted(keys));
         MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> } => Code::ConflictingKeys,
             says("{}{} cannot be used together; give exactly one of {}", prefix(table), quoted(given), quoted(keys));
-        WrongType { entry: String, found: String, due: &'static str } => Code::WrongType,
+        WrongType {
+            entry: String,
+            found: String,
+            due: &'static str,
+            /// How it is written, for example `mass = "0.3 kg"`; empty where no key tells.
+            example: String,
+        } => Code::WrongType,
             says("{entry} is {found}; expected {due}"),
-            hint_of((*due == TEXT_WITH_UNIT)
-                .then(|| "values with units are written as text, for example \"0.5 mm\"".to_owned()));
+            hint_of(match *due {
+                _ if !example.is_empty() => Some(format!("for example {example}")),
+                TEXT_WITH_UNIT => Some("values with units are written as text, for example \"0.5 mm\"".to_owned()),
+                PAIR => Some("for example [\"50 mm\", \"0 mm\"]".to_owned()),
+                _ => None,
+            });
         ControlCharacter { entry: String, character: char } => Code::WrongType,
             says("{entry} holds the control character {}; it cannot be shown", character.escape_unicode()),
             hint("leave it out");
@@ -63,10 +85,19 @@ problems! {
             says("{entry} is still to be filled in");
         WrongLength { entry: String, found: usize, due: usize } => Code::WrongType,
             says("{entry} has {found} entries; expected {due}");
-        UnknownChoice { entry: String, found: String, choices: Vec<&'static str>, nearest: Option<String> } =>
-            Code::UnknownChoice,
+        UnknownChoice {
+            entry: String,
+            found: String,
+            choices: Vec<&'static str>,
+            nearest: Option<String>,
+            /// What the key means; empty where no key tells.
+            doc: &'static str,
+        } => Code::UnknownChoice,
             says("{entry} is '{found}'; must be {}", one_of(choices)),
-            hint_of(nearest.as_ref().map(|nearest| format!("did you mean \"{nearest}\"?")));
+            hint_of(match nearest {
+                Some(nearest) => Some(format!("did you mean \"{nearest}\"?")),
+                None => (!doc.is_empty()).then(|| (*doc).to_owned()),
+            });
         BadName { what: &'static str, name: String } => Code::BadName,
             says("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -");
         BadCount { entry: String, found: String, least: u64, most: u64 } => Code::BadCount,
@@ -119,6 +150,21 @@ fn number_with_comma(line: &str) -> Option<String> {
     })
 }
 
+/// The value of a line with straight quotes around it, where it has others or none.
+fn in_straight_quotes(line: &str) -> Option<String> {
+    const CURLY: [char; 10] = ['“', '”', '„', '‟', '«', '»', '‘', '’', '‚', '′'];
+    let (key, value) = line.split_once('=')?;
+    let (key, value) = (key.trim(), value.split('#').next().unwrap_or_default().trim());
+    let bare = value.trim_matches(CURLY);
+    let is_number_with_unit = bare.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+        && bare.contains(char::is_alphabetic)
+        && !bare.contains(['"', '\'', '[', '{', ',']);
+    if bare.len() < value.len() {
+        return Some(format!("quotes are straight: {key} = \"{bare}\""));
+    }
+    is_number_with_unit.then(|| format!("a value with its unit is text: {key} = \"{bare}\""))
+}
+
 /// How a number without a unit is written with one: the customary unit and that of SI.
 fn with_unit(found: &str, due: Dimension) -> String {
     let customary = due.example().and_then(|example| example.split_once(' ')).map(|(_, unit)| unit);
@@ -129,6 +175,9 @@ fn with_unit(found: &str, due: Dimension) -> String {
         _ => format!("write the unit, for example \"{number} {si}\""),
     }
 }
+
+/// The value that is due where two belong together, in words.
+pub(super) const PAIR: &str = "a list of two";
 
 /// The value that is due for a quantity, in words.
 pub(super) const TEXT_WITH_UNIT: &str = "text with a unit";

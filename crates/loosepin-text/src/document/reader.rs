@@ -10,8 +10,9 @@ use toml::de::{DeTable, DeValue};
 use super::entry::{Entry, Table, Written, shortened};
 use super::keys::Keys;
 use super::meant_file::{file_of_like_name, files_inside};
+use super::other_words::by_other_word;
 use super::path::{EntryPath, is_name};
-use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, TEXT_WITH_UNIT};
+use super::problem::{DocumentProblem, LARGEST_FILE_BYTES, PAIR, TEXT_WITH_UNIT};
 use crate::diagnostics::{Complaint, Complaints, Place, Problem, Source, Span, first_control_character, nearest_name};
 use crate::units::{Dimension, Measured, Rule, format_refused, parse_quantity};
 
@@ -108,7 +109,9 @@ pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Complain
         let place = error.span().map(|span| Place::new(source, span));
         let problem = if error.message() == "duplicate key" {
             let key = error.span().map(|span| source.text()[source.clamp(span.into())].to_owned());
-            DocumentProblem::DuplicateKey { key: shortened(&key.unwrap_or_default()) }
+            let line = place.as_ref().map_or(String::new(), |place| line_of(source, place));
+            let is_listed = line.trim_start().starts_with("[[");
+            DocumentProblem::DuplicateKey { key: shortened(&key.unwrap_or_default()), is_listed }
         } else {
             let line = place.as_ref().map_or(String::new(), |place| line_of(source, place));
             DocumentProblem::Syntax { reason: error.message().replace('\n', "; "), line }
@@ -214,10 +217,12 @@ impl Reader {
                 DocumentProblem::RemovedKey { entry: table.path.join(key).describe(), instead: (*instead).to_owned() }
             } else {
                 let known: Vec<&'static str> = keys.keys.iter().map(|key| key.name).collect();
-                let nearest = nearest_name(key, known.iter().copied()).map(str::to_owned);
+                let other = by_other_word(key, &known);
+                let nearest = other.map(|(same, _)| same).or_else(|| nearest_name(key, known.iter().copied()));
+                let (nearest, note) = (nearest.map(str::to_owned), other.map_or("", |(_, note)| note));
                 has_unknown = true;
                 meant.extend(nearest.clone());
-                DocumentProblem::UnknownKey { table: words.clone(), key: shortened(key), nearest, known }
+                DocumentProblem::UnknownKey { table: words.clone(), key: shortened(key), nearest, note, known }
             };
             self.complain(&problem, written.span().into());
         }
@@ -321,6 +326,9 @@ impl Reader {
 
     /// The elements of a list of two.
     pub fn pair<'t>(&mut self, entry: &Entry<'t>) -> Option<[Entry<'t>; 2]> {
+        if !matches!(entry.value, DeValue::Array(_)) {
+            return self.wrong_type(entry, PAIR);
+        }
         let elements = self.list(entry)?;
         match <[Entry<'t>; 2]>::try_from(elements) {
             Ok(pair) => Some(pair),
@@ -334,8 +342,25 @@ impl Reader {
 
     /// Complains that something else is due here.
     pub fn wrong_type<T>(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<T> {
-        let problem = DocumentProblem::WrongType { entry: entry.path.describe(), found: entry.found(), due };
+        let example = entry.key.map_or(String::new(), |key| match key.example {
+            // [[random]] instead of [random].
+            "" if due == "a table" && matches!(entry.value, DeValue::Array(_)) => {
+                format!("[{}], with one pair of brackets ({})", key.name, key.doc)
+            }
+            "" => String::new(),
+            example => format!("{} = {example} ({})", key.name, key.doc),
+        });
+        let problem = DocumentProblem::WrongType { entry: entry.path.describe(), found: entry.found(), due, example };
         self.refuse(&problem, entry.span)
+    }
+
+    /// The number at an entry; nothing is said where it is something else.
+    pub fn number_at(&self, entry: &Entry<'_>) -> Option<f64> {
+        match entry.value {
+            DeValue::Integer(number) => number.as_str().parse().ok(),
+            DeValue::Float(number) => number.as_str().parse().ok(),
+            _ => None,
+        }
     }
 
     /// Text that is not empty and can be shown.
@@ -351,6 +376,7 @@ impl Reader {
                     entry: entry.path.describe(),
                     found: "empty".to_owned(),
                     due: "text that is not empty",
+                    example: String::new(),
                 };
                 self.refuse(&problem, entry.span)
             }
@@ -365,9 +391,16 @@ impl Reader {
             return Some(*meaning);
         }
         let choices: Vec<&'static str> = choices.iter().map(|(word, _)| *word).collect();
-        let nearest = nearest_name(text, choices.iter().copied()).map(str::to_owned);
-        let problem =
-            DocumentProblem::UnknownChoice { entry: entry.path.describe(), found: shortened(text), choices, nearest };
+        let other = by_other_word(text, &choices).map(|(same, _)| same);
+        let nearest = other.or_else(|| nearest_name(text, choices.iter().copied())).map(str::to_owned);
+        let doc = entry.key.map_or("", |key| key.doc);
+        let problem = DocumentProblem::UnknownChoice {
+            entry: entry.path.describe(),
+            found: shortened(text),
+            choices,
+            nearest,
+            doc,
+        };
         self.refuse(&problem, entry.span)
     }
 

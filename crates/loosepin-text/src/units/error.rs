@@ -30,6 +30,10 @@ impl ExpressionError {
                 *nearest = Some(unit.to_owned());
             }
         }
+        let is_turns = due == Dimension::ANGULAR_VELOCITY && text.replace(' ', "").contains("1/min");
+        if is_turns && matches!(self.problem, ExpressionProblem::Unexpected { .. }) {
+            self.problem = ExpressionProblem::UnknownUnit { symbol: "1/min".to_owned(), nearest: None };
+        }
         self
     }
 }
@@ -55,11 +59,18 @@ problems! {
             says("the number {text} is too large; at most 1.8e308 can be held");
         Unexpected { found: String, expected: &'static str } => Code::ExpressionSyntax,
             says("found {found}; expected {expected}"),
-            hint_of((found == "','").then(|| "decimal numbers have a point, for example \"0.5 mm\"".to_owned()));
+            hint_of(match found.as_str() {
+                "','" => Some("decimal numbers have a point, for example \"0.5 mm\"".to_owned()),
+                "'*'" => Some("a power is written with ^, for example length^2".to_owned()),
+                _ => None,
+            });
         UnknownUnit { symbol: String, nearest: Option<String> } => Code::UnknownUnit,
             says("'{symbol}' is not a known unit"),
             hint_of(Some(match nearest {
                 _ if TURNS_A_MINUTE.contains(&symbol.as_str()) => "write turns per minute as rpm".to_owned(),
+                _ if in_words(symbol).is_some() => {
+                    format!("write it as {}", in_words(symbol).unwrap_or_default())
+                }
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None => "known units include m, mm, µm, kg, g, s, ms, rad, deg, rpm, N, kN, Pa, GPa, J, W; products and \
                          powers are written kg m^2, m/s^2"
@@ -127,5 +138,38 @@ fn in_si(value_si: f64, dimension: Dimension) -> String {
 /// Names of the logarithm with base 10 elsewhere.
 const TENTH_LOGARITHMS: [&str; 3] = ["log10", "lg", "lg10"];
 
+/// The symbol of a unit that is written in words.
+fn in_words(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    let singular = word.strip_suffix('s').unwrap_or(&word);
+    let known = [
+        ("gram", "g"),
+        ("kilogram", "kg"),
+        ("kilo", "kg"),
+        ("ton", "t"),
+        ("tonne", "t"),
+        ("meter", "m"),
+        ("metre", "m"),
+        ("millimeter", "mm"),
+        ("millimetre", "mm"),
+        ("micron", "um"),
+        ("micrometer", "um"),
+        ("micrometre", "um"),
+        ("inch", "in"),
+        ("second", "s"),
+        ("sec", "s"),
+        ("minute", "min"),
+        ("hour", "h"),
+        ("degree", "deg"),
+        ("grad", "deg"),
+        ("radian", "rad"),
+        ("newton", "N"),
+        ("pascal", "Pa"),
+        ("hertz", "Hz"),
+        ("percent", "%"),
+    ];
+    known.into_iter().find(|(name, _)| *name == singular).map(|(_, symbol)| symbol)
+}
+
 /// Abbreviations of turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
-const TURNS_A_MINUTE: [&str; 9] = ["U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];
+const TURNS_A_MINUTE: [&str; 10] = ["1/min", "U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];

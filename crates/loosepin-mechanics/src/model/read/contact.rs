@@ -161,14 +161,16 @@ impl ModelReader {
                 if missing.is_empty() {
                     return of_bearing.zip(of_journal).map(|(bearing, journal)| [bearing, journal]);
                 }
-                self.reader.refuse(&ModelProblem::NeedsKeys { entry, key: one, needs: missing }, table.span)
+                self.complain_of_missing(table, one, missing);
+                None
             }
             (false, None) => {
                 // The other material value is there, or we would not be here.
                 let [key, missing] =
                     if both == YOUNGS_MODULUS[0] { [POISSON_RATIO, keys] } else { [YOUNGS_MODULUS, keys] };
                 let key = key.into_iter().find(|key| table.has(key)).unwrap_or(key[0]);
-                self.reader.refuse(&ModelProblem::NeedsKeys { entry, key, needs: vec![missing[0]] }, table.span)
+                self.complain_of_missing(table, key, vec![missing[0]]);
+                None
             }
         }
     }

@@ -244,6 +244,10 @@ impl ModelReader {
 
     /// Complains about a key that needs others.
     pub fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>) {
+        // A key that is not known may have been meant for it.
+        if table.has_unknown() {
+            return;
+        }
         let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs };
         self.reader.complain(&problem, table.get(key).map_or(table.span, |entry| entry.key_span));
     }
