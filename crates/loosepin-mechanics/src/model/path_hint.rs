@@ -52,7 +52,10 @@ impl Model {
             .collect();
         let below: Vec<&str> = keys.iter().copied().filter(|known| known.starts_with(&format!("{key}."))).collect();
         let words = describe_path(table.trim_end_matches('.'));
-        let hint = match nearest_name(key, keys.iter().copied()) {
+        // `clearance` for `radial_clearance`, where nothing else ends so.
+        let mut ending = keys.iter().copied().filter(|known| known.ends_with(&format!("_{key}")));
+        let only = ending.next().filter(|_| ending.next().is_none());
+        let hint = match only.or_else(|| nearest_name(key, keys.iter().copied())) {
             _ if keys.is_empty() => format!("{words} has no number that can be set"),
             _ if !below.is_empty() && !key.is_empty() => format!("{words} has {}", named(below.iter().copied())),
             _ if key.contains("diamet") && keys.contains(&RADIAL) => {

@@ -113,7 +113,7 @@ fn contacts_that_no_joint_has_are_named() {
     );
     assert_eq!(
         warning("restitution = 0.9", "restitution = 0.9\nfriction = { coefficient = 3 }"),
-        "contact 'steel_pin' friction: coefficient 3; usual is 0.001 (oil) to 1 (dry)\nhint: did you mean 0.03?"
+        "contact 'steel_pin': friction coefficient 3; usual is 0.001 (oil) to 1 (dry)\nhint: did you mean 0.03?"
     );
 }
 

@@ -103,8 +103,8 @@ fn wrong_tables_are_told_with_their_places() {
     );
     assert_eq!(
         refused("angle [deg]; slider [mm]\n0; 1\n"),
-        "m.csv:1:1: error[E1001]: the header 'angle [deg]; slider [mm]' is not written name [unit]\n\
-         hint: columns are separated by commas"
+        "m.csv:1:1: error[E1001]: the columns are separated by semicolons; must be commas, and numbers have a decimal \
+         point\nhint: write '0; 1' as '0, 1'; spreadsheets do so with the region English (United States)"
     );
     assert_eq!(
         refused("# bench 3\nangle [deg], slider [mm]\n0, 1\n"),
