@@ -291,7 +291,7 @@ fn starts_that_do_not_fit_are_refused() {
     };
     assert_eq!(
         refused(""),
-        "the mechanism has 1 degrees of freedom and 0 drives: the motions of 'left', 'top_left', 'middle', 'top_right' and 'right' are not determined"
+        "the mechanism has 1 degree of freedom and 0 drives: the motions of 'left', 'top_left', 'middle', 'top_right' and 'right' are not determined"
     );
     assert_eq!(
         refused("[initial.body.left]\nangular_velocity = \"1 rad/s\"\n"),
