@@ -250,7 +250,7 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
     assert!(!folder.path().join("onnx").exists());
     values.insert("parameter.rod_length".to_owned(), 0.1215);
     let error = loaded.predict(0, &values).expect_err("beyond the interval").to_string();
-    assert!(error.starts_with("'parameter.rod_length' is 0.1215 m; learned was from 0.1195 to 0.1207 m"), "{error}");
+    assert!(error.starts_with("'parameter.rod_length' is 0.1215 m; learned was from 0.1195 m to 0.1207 m"), "{error}");
     values.remove("parameter.rod_length");
     assert_eq!(
         loaded.predict(0, &values).expect_err("a value is missing").to_string(),
