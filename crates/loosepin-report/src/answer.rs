@@ -3,11 +3,13 @@
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::told::{SENTENCE_DIGITS, between, largest, smallest, told};
 use super::wording::{
-    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, place_words, verdict_words,
+    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
+    verdict_words,
 };
 use loosepin_result::study::{
-    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PromiseRecord, Reduction,
-    RequirementOutcome, ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
+    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PathError, PromiseRecord,
+    Reduction, RequirementOutcome, ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand,
+    TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -50,7 +52,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let caveats = caveats(result, writer);
     // Without a verdict they concern the numbers of the answer.
     let (caveats, mut details) = if verdict.is_some() { (caveats, Vec::new()) } else { (Vec::new(), caveats) };
-    details.extend(curve.and_then(|curve| scatter_sentence(curve, writer)));
+    details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
     details.push(error_sentence(result, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
@@ -151,7 +153,12 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
 }
 
 /// The band of scatter alone beside that of all unknown values; nothing for the output itself, whose size is no deviation.
-fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<String> {
+fn scatter_sentence(
+    result: &StudyResult,
+    curve: &DeviationCurve,
+    of_several: bool,
+    writer: &NumberWriter,
+) -> Option<String> {
     if curve.of == Deviation::Value {
         return None;
     }
@@ -170,10 +177,17 @@ fn scatter_sentence(curve: &DeviationCurve, writer: &NumberWriter) -> Option<Str
         } else {
             [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer))
         };
-        format!(
-            "With the unknown values in the middle of their ranges, {share} of mechanisms stay {random} at each angle. With all \
-             unknown values and the numerical error, they stay {mixed}."
-        )
+        let of_several = of_several.then(|| format!("the {} stays", deviation_of(&curve.output, curve.of, &result.outputs)));
+        match of_several {
+            None => format!(
+                "With the unknown values in the middle of their ranges, {share} of mechanisms stay {random} at each angle. With all \
+                 unknown values and the numerical error, they stay {mixed}."
+            ),
+            Some(it_stays) => format!(
+                "With the unknown values in the middle of their ranges, {it_stays} {random} in {share} of mechanisms at each angle. With all \
+                 unknown values and the numerical error, it stays {mixed}."
+            ),
+        }
     })
 }
 
@@ -183,7 +197,7 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
         .iter()
         .map(|requirement| {
             let unit = output_unit(result, &requirement.output);
-            let limits = limits_words(requirement.lower_si, requirement.upper_si, &unit, writer);
+            let limits = requirement_words(result, requirement, &unit, writer);
             let way_out = match requirement.verdict {
                 Verdict::Undecided => format!(" {}", way_to_decide(result, requirement, writer)),
                 Verdict::Met | Verdict::Promised | Verdict::NotMet => String::new(),
@@ -254,6 +268,21 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     }
 }
 
+/// The limits of a requirement; a distance stays within its limit, which has no sign.
+pub(super) fn requirement_words(
+    result: &StudyResult,
+    requirement: &RequirementOutcome,
+    unit: &SiUnit,
+    writer: &NumberWriter,
+) -> String {
+    let RequirementOutcome { lower_si, upper_si, .. } = *requirement;
+    let is_distance = matches!(path_part(&requirement.output, &result.outputs), Some((_, PathError::Magnitude)));
+    if is_distance && lower_si == -upper_si && upper_si.is_finite() {
+        return format!("within {}", writer.value_shortest(upper_si, unit));
+    }
+    limits_words(lower_si, upper_si, unit, writer)
+}
+
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
 pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     match (lower_si.is_finite(), upper_si.is_finite()) {
@@ -269,18 +298,19 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 
 fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
-    let error_text = match (main_bound(&result.bounds), main_curve(result)) {
-        (Some((bound, _)), _) => Some(writer.error(bound.upper.error.total_si(), &bound.unit)),
-        (None, Some(curve)) => Some(writer.error(curve.numerical_error_si, &curve.unit)),
-        (None, None) => None,
-    };
+    let answers = told(result);
+    let headline = answers.first();
+    let error_text = headline.and_then(|told| told.error_si()).map(|(error_si, unit)| writer.error(error_si, unit));
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
+        Some(error) if answers.len() > 1 => format!(
+            "Numerical error: at most {error} in the first sentence, included in it. The table shows the others, which are included as well."
+        ),
         Some(error) => format!("Numerical error: at most {error}, included in the answer."),
         None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
-        let is_answer = main_bound(&result.bounds).is_some_and(|(bound, _)| bound.guarantee == Guarantee::Inner);
+        let is_answer = headline.is_some_and(|told| told.is_unconfirmed());
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "This answer".to_owned(),
             (true, all) => format!("{inner} of {all} bounds, this answer included,"),

@@ -4,8 +4,8 @@ use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
 use super::wording::{deviation_words, output_unit, output_words, path_part, place_words, statistic_words};
 use loosepin_result::study::{
-    BoundRecord, Deviation, DeviationCurve, PathError, Reduction, ResponsePoint, Statistic, StudyResult, Treatment,
-    Verdict,
+    BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, Statistic, StudyResult,
+    Treatment, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -26,7 +26,7 @@ pub(super) enum Told<'r> {
 }
 
 /// What answers for each output that has an answer: outputs whose requirement is not met first, then those whose requirement is undecided, then
-/// the others, in the order of the study.
+/// the others; of these what holds over the whole cycle before curves, and both before other statistics; then in the order of the study.
 pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
     let rank = |name: &str| {
         let verdicts = result.requirements.iter().filter(|own| own.output == name).map(|own| own.verdict);
@@ -39,7 +39,6 @@ pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
             names.push(name);
         }
     }
-    // Outputs with a quantile of the largest deviation answer what a designer asks first.
     let told = names.into_iter().filter_map(|name| of_output(result, name));
     let mut ranked: Vec<((u8, u8), Told<'_>)> = told.map(|told| ((rank(told.output()), told.kind()), told)).collect();
     ranked.sort_by_key(|(rank, _)| *rank);
@@ -54,23 +53,26 @@ fn severity(verdict: Verdict) -> u8 {
     }
 }
 
+/// What answers for an output: the total before its parts, the largest value over the cycle before the curve.
 fn of_output<'r>(result: &'r StudyResult, name: &str) -> Option<Told<'r>> {
     let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
-    let largest = bounds().find_map(|bound| {
-        let is_largest = bound.of != Deviation::Value
-            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
-            && bound.upper.widened_si.is_finite();
-        match bound.statistic {
-            Statistic::Quantile(probability) if is_largest && probability > 0.5 => Some((bound, probability)),
-            _ => None,
-        }
-    });
-    if let Some((bound, probability)) = largest {
-        return Some(Told::Largest(bound, probability));
-    }
+    let largest = || {
+        bounds().filter_map(|bound| {
+            let is_largest = bound.of != Deviation::Value
+                && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
+                && bound.upper.widened_si.is_finite();
+            match bound.statistic {
+                Statistic::Quantile(probability) if is_largest && probability > 0.5 => {
+                    Some(Told::Largest(bound, probability))
+                }
+                _ => None,
+            }
+        })
+    };
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
-    let curve = curves().find(|curve| curve.of == Deviation::Total).or_else(|| curves().next());
-    curve.map(Told::Curve).or_else(|| bounds().next().map(Told::Bound))
+    let told = || largest().chain(curves().map(Told::Curve));
+    let total = told().find(|told| told.of() == Deviation::Total);
+    total.or_else(|| told().next()).or_else(|| bounds().next().map(Told::Bound))
 }
 
 impl<'r> Told<'r> {
@@ -82,11 +84,36 @@ impl<'r> Told<'r> {
         }
     }
 
+    /// Which deviation of it.
+    fn of(self) -> Deviation {
+        match self {
+            Self::Largest(bound, _) | Self::Bound(bound) => bound.of,
+            Self::Curve(curve) => curve.of,
+        }
+    }
+
     fn kind(self) -> u8 {
         match self {
             Self::Largest(..) => 0,
             Self::Curve(_) => 1,
             Self::Bound(_) => 2,
+        }
+    }
+
+    /// Its numerical error, with the unit; nothing of a bound that the table shows.
+    pub fn error_si(self) -> Option<(f64, &'r SiUnit)> {
+        match self {
+            Self::Largest(bound, _) => Some((bound.upper.error.total_si(), &bound.unit)),
+            Self::Curve(curve) => Some((curve.numerical_error_si, &curve.unit)),
+            Self::Bound(_) => None,
+        }
+    }
+
+    /// Whether it is a bound that nothing confirms.
+    pub fn is_unconfirmed(self) -> bool {
+        match self {
+            Self::Largest(bound, _) | Self::Bound(bound) => bound.guarantee == Guarantee::Inner,
+            Self::Curve(_) => false,
         }
     }
 

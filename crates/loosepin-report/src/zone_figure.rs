@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::mechanism_shapes::MM_PER_M;
 use super::number::{NumberWriter, Rounding};
-use loosepin_result::study::{DeviationCurve, PathCurve, SimultaneousCurve};
+use loosepin_result::study::{Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
 
 /// The longer side of the picture in its own units; a unit is about a pixel.
@@ -63,14 +63,19 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
         && path.y_m.len() == poses
         && path.tangent_x.len() == poses
         && path.tangent_y.len() == poses
-        && ends.iter().all(|end| end.len() == poses && end.iter().all(|value| value.is_finite()));
+        && ends.iter().all(|end| end.len() == poses && end.iter().all(|value| value.is_finite()))
+        && [&path.x_m, &path.y_m, &path.tangent_x, &path.tangent_y]
+            .iter()
+            .all(|list| list.iter().all(|v| v.is_finite()));
     if !is_complete {
         return html! {};
     }
     let largest_m = ends.iter().flat_map(|end| end.iter()).fold(0.0_f64, |most, value| most.max(value.abs()));
     let size_m = size_m(path);
     let magnification = round_factor(VISIBLE_SHARE * size_m / largest_m.max(1e-9 * size_m));
-    let view = View::new(path, magnification * largest_m);
+    let nominal_m =
+        curve.nominal_si.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, own| most.max(own.abs()));
+    let view = View::new(path, magnification * largest_m.max(nominal_m));
     let beside = |offsets_m: &[f64]| -> Vec<[f64; 2]> {
         let one = |k: usize| {
             let offset_m = magnification * offsets_m[k];
@@ -81,14 +86,26 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
     let is_closed = is_closed(path, size_m);
     let closing = if is_closed { "Z" } else { "" };
     let [lower, upper] = ends.map(|end| beside(end));
-    let zone = if is_closed {
-        format!("{}Z{}Z", view.line(&upper), view.line(&lower))
-    } else {
-        let back: Vec<[f64; 2]> = upper.iter().copied().chain(lower.iter().rev().copied()).collect();
-        format!("{}Z", view.line(&back))
-    };
+    // One piece of the band for each step along the path, all turned the same way round: where the path is passed again, or crosses itself,
+    // the pieces lie upon each other and leave no hole.
+    let steps = if is_closed { poses } else { poses - 1 };
+    let zone: String = (0..steps)
+        .map(|k| (k, (k + 1) % poses))
+        .map(|(k, next)| {
+            let mut corners = [lower[k], lower[next], upper[next], upper[k]];
+            if area(&corners) < 0.0 {
+                corners.reverse();
+            }
+            format!("{}Z", view.line(&corners))
+        })
+        .collect();
+    let borders = format!("{}{closing}{}{closing}", view.line(&upper), view.line(&lower));
     let ideal: Vec<[f64; 2]> = (0..poses).map(|k| [path.x_m[k], path.y_m[k]]).collect();
-    let nominal = (curve.nominal_si.len() == poses).then(|| beside(&curve.nominal_si));
+    // Scatter of the parts alone leaves nominal parts where they are.
+    let has_nominal = curve.of != Deviation::Dimensional
+        && curve.nominal_si.len() == poses
+        && curve.nominal_si.iter().all(|value| value.is_finite());
+    let nominal = has_nominal.then(|| beside(&curve.nominal_si));
     let stay = stay_words(curve, whole, writer);
     let magnified = format!("{magnification}");
     let alternative = format!(
@@ -99,7 +116,8 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
     html! {
         figure.zone {
             svg viewBox=(format!("0 0 {:.0} {:.0}", view.width, view.height)) role="img" aria-label=(alternative) {
-                path.band fill-rule="evenodd" d=(zone) {}
+                path.band d=(zone) {}
+                path.border d=(borders) {}
                 @if let Some(nominal) = &nominal { path.actual d={ (view.line(nominal)) (closing) } {} }
                 path.ideal d={ (view.line(&ideal)) (closing) } {}
                 circle.start r="5" cx=(start(&view, &ideal[0]).0) cy=(start(&view, &ideal[0]).1) {}
@@ -110,10 +128,19 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
                 " Dashed: the ideal path; the dot is where the recorded part begins. Orange: where " (stay) ", for all unknown values, \
                  numerical error included: up to "
                 (writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)) " to a side."
-                @if nominal.is_some() { " Black: nominal parts with play." }
+                @if nominal.is_some() { " Black: nominal parts." }
+                @if curve.of == Deviation::Clearance {
+                    " Deviations are those of each mechanism from its own ideal path, drawn on that of the drawing."
+                }
             }
         }
     }
+}
+
+/// Twice the area that corners enclose, above zero against the clock.
+fn area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
 }
 
 fn stay_words(curve: &DeviationCurve, whole: Option<&SimultaneousCurve>, writer: &NumberWriter) -> String {

@@ -371,19 +371,24 @@ fn check_paths(plan: &ColumnPlan, positions: &[Reading], curve: &IdealCurve, spa
         let places = readings.map(|reading| positions.iter().position(|known| *known == reading));
         let ([Some(x), Some(y)], true) = (places, part != PathError::Magnitude) else { continue };
         let looks = LOOKS * curve.nodes.pieces().iter().sum::<usize>();
-        let speeds: Vec<[f64; 2]> = (0..=looks)
-            .map(|look| look as f64 / looks as f64)
-            .map(|share| {
-                let [x, y] = [x, y].map(|reading| curve.jet(reading, share, span_s)[1]);
-                [share, x.hypot(y)]
-            })
-            .collect();
-        let mean = speeds.iter().map(|[_, speed]| speed).sum::<f64>() / speeds.len() as f64;
-        if let Some([share, _]) = speeds.iter().find(|[_, speed]| !(*speed > LEAST_SHARE * mean)) {
-            return Err(PrepareError::PathStandsStill { output: output.name.clone(), share_percent: 100.0 * share });
+        let velocity = |look: usize| [x, y].map(|reading| curve.jet(reading, look as f64 / looks as f64, span_s)[1]);
+        let velocities: Vec<[f64; 2]> = (0..=looks).map(velocity).collect();
+        let mean = velocities.iter().map(|[x, y]| x.hypot(*y)).sum::<f64>() / velocities.len() as f64;
+        let slow = velocities.windows(2).position(|pair| !(least_length(pair[0], pair[1]) > LEAST_SHARE * mean));
+        if let Some(look) = slow {
+            let share_percent = 100.0 * (look as f64 + 0.5) / looks as f64;
+            return Err(PrepareError::PathStandsStill { output: output.name.clone(), share_percent });
         }
     }
     Ok(())
+}
+
+/// The least length of a vector on its straight way from one to another.
+fn least_length([x, y]: [f64; 2], to: [f64; 2]) -> f64 {
+    let [along_x, along_y] = [to[0] - x, to[1] - y];
+    let square = along_x * along_x + along_y * along_y;
+    let share = if square > 0.0 { (-(x * along_x + y * along_y) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (x + share * along_x).hypot(y + share * along_y)
 }
 
 /// The recorded part of a run.

@@ -113,7 +113,7 @@ impl<'a> IdealMotion<'a> {
     }
 
     /// Guesses the free coordinates at `next_s`: by the polynomial of degree five through the present state and the one before it,
-    /// or by that of degree two through the present one where the step is much longer than the last, or goes back.
+    /// or by that of degree two through the present one where the step is much longer than the last, goes back, or follows a jump of the rate.
     ///
     /// ```text
     /// q(τ) = q + q' τ + q'' τ²/2 + τ³ (c + (τ + d)(c' + (τ + d) c'')),   τ = t - present, d = present - before
@@ -122,6 +122,8 @@ impl<'a> IdealMotion<'a> {
     fn predict(&mut self, next_s: f64) {
         /// The longest step that the last one tells about, in units of it: the error grows with its sixth power.
         const FURTHEST: f64 = 2.0;
+        /// What it may add to the guess of degree two, as a share of the step.
+        const LARGEST_CORRECTION: f64 = 0.25;
         let (free, h) = (self.mechanism.ideal.free, next_s - self.time_s);
         let mut before = self.before.take().unwrap_or_else(|| Before {
             time_s: self.time_s,
@@ -143,7 +145,11 @@ impl<'a> IdealMotion<'a> {
                 let c0 = -left / cube;
                 let c1 = (3.0 * d * d * c0 - left_rate) / cube;
                 let c2 = (6.0 * d * (d * c1 - c0) - left_acceleration) / (2.0 * cube);
-                self.coordinates[k] += h * h * h * (c0 + (h + d) * (c1 + (h + d) * c2));
+                let beyond = h * h * h * (c0 + (h + d) * (c1 + (h + d) * c2));
+                // Where a rate has jumped, the polynomial is far off, and might close the loops the other way round.
+                if beyond.abs() <= LARGEST_CORRECTION * (h * rate).abs().max((0.5 * h * h * acceleration).abs()) {
+                    self.coordinates[k] += beyond;
+                }
             }
             (before.coordinates[k], before.rates[k], before.accelerations[k]) = (q, rate, acceleration);
         }

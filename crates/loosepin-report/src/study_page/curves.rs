@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::answer::limits_words;
+use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::round_to_digits;
@@ -125,7 +125,7 @@ fn limits(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -
         .iter()
         .filter(concerns)
         .map(|requirement| {
-            let words = limits_words(requirement.lower_si, requirement.upper_si, &curve.unit, writer);
+            let words = requirement_words(result, requirement, &curve.unit, writer);
             (format!("required: {words}"), requirement.lower_si, requirement.upper_si)
         })
         .collect()

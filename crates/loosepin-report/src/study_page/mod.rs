@@ -13,7 +13,7 @@ use maud::{Markup, html};
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
 
 use super::accuracy_text::accuracy_sentences;
-use super::answer::{Answer, answer, limits_words, verdict_headline};
+use super::answer::{Answer, answer, requirement_words, verdict_headline};
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
@@ -173,7 +173,7 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                     tr {
                         th scope="row" {
                             (requirement.output) ", " (super::wording::deviation_words(requirement.of)) " "
-                            (limits_words(requirement.lower_si, requirement.upper_si, &unit, writer)) ", "
+                            (requirement_words(result, requirement, &unit, writer)) ", "
                             (place_words(requirement.at, writer))
                         }
                         td.number data-label="Required share" {

@@ -138,7 +138,9 @@ impl PathLayout {
             let [low, high] =
                 [points.iter().fold(points[0], |l, p| l.min(*p)), points.iter().fold(points[0], |h, p| h.max(*p))];
             let room = T::from_f64(ROOM) * (high - low);
-            let (largest, smallest) = (numbers[own].max(high), numbers[own + 1].min(low));
+            // A part without a value anywhere has none from then on: the sum is no number then, and comparisons would pass over it.
+            let nothing = points.iter().fold(zero, |sum, point| sum + *point) * zero;
+            let (largest, smallest) = (high.max(numbers[own]) + nothing, low.min(numbers[own + 1]) + nothing);
             is_extreme = T::select(largest.less_than(high + room), one, is_extreme);
             is_extreme = T::select((low - room).less_than(smallest), one, is_extreme);
             numbers[own] = T::select(is_chosen, largest, numbers[own]);

@@ -130,6 +130,12 @@ fn a_path_is_told_by_part_and_shown_with_its_zone() {
     // 8 % of the diagonal of 283 mm over 0.59 mm is 38.
     assert!(page.contains("The path of tool (coupler.tool), deviations magnified 20 times."));
     assert!(page.contains("where 95 % of mechanisms stay at each angle, for all unknown values"));
+    // Two turns: the band is filled where both lie, since all its pieces are turned the same way round.
+    let zone = |page: &str| {
+        let from = page.find("<path class=\"band\" d=\"").expect("a band");
+        page[from..].split('"').nth(3).expect("its pieces").matches('Z').count()
+    };
+    assert_eq!(zone(&page), result.curves[0].pose_rad.len(), "one piece a pose");
     // Without an end somewhere there is none.
     result.curves[0].mixed.upper_si[0] = f64::INFINITY;
     assert!(!study_page(&result).contains("<figure class=\"zone\">"));

@@ -268,13 +268,17 @@ fn a_path_is_asked_for_by_part_and_its_error_is_no_value() {
 #[test]
 fn a_path_whose_point_stands_still_has_no_direction() {
     let model = MODEL.replace("path_of = \"coupler.tool\"", "path_of = \"rocker.pin\"");
-    let refused = |ask: &str| {
-        let study = read(&model, ask).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let refused = |model: &str, ask: &str| {
+        let study = read(model, ask).unwrap_or_else(|complaints| panic!("{complaints}"));
         let stop = AtomicBool::new(false);
         let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
         conduct(&study, "", &means).map(|_| ()).map_err(|error| error.to_string())
     };
-    let said = refused(ASK).expect_err("a path without direction");
-    assert!(said.starts_with("output 'tool normal': its point hardly moves after "), "{said}");
-    assert!(refused(&ASK.replace("normal", "magnitude")).is_ok(), "a distance needs no direction");
+    // Wherever between two looks the stop lies.
+    for start_deg in ["0", "0.23", "0.47", "0.7"] {
+        let model = model.replace("start_angle = \"0 deg\"", &format!("start_angle = \"{start_deg} deg\""));
+        let said = refused(&model, ASK).expect_err("a path without direction");
+        assert!(said.starts_with("output 'tool normal': its point hardly moves after "), "{said}");
+    }
+    assert!(refused(&model, &ASK.replace("normal", "magnitude")).is_ok(), "a distance needs no direction");
 }
