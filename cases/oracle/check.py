@@ -74,7 +74,7 @@ def free_pair(law, restitution, friction, is_literal=False, spin_rad_s=(0.0, 0.0
         *joint.point_i_m, *joint.point_j_m, joint.bearing_radius_m, joint.radial_clearance_m, joint.stiffness_n_m_n,
         joint.exponent, joint.damping_factor, joint.minimum_impact_speed_m_s, friction, 1e-4, 1e-3,
     ]])  # fmt: skip
-    system = (masses, 0.0, empty_integers, empty_numbers, 0, pair, numbers, *mechanics.load_tables([]))
+    system = (masses, 0.0, empty_integers, empty_numbers, 0, pair, numbers, np.zeros((1, 8)), *mechanics.load_tables([]))
     start = np.zeros(12 + mechanics.INTEGRALS)
     start[:6] = 0.0, 0.0, 0.3, 0.0, 0.0, 0.0
     start[3:5] = mechanics.arm(start[:6], 0, *joint.point_i_m)

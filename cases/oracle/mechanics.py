@@ -14,16 +14,18 @@ contact loss, friction loss and work of the drives and loads, J.
 import numpy as np
 
 from compiled import njit
-from model_file import DRIVE, PRISMATIC, REVOLUTE, RIGID, SLIDE, Constraint, Mechanism
+from model_file import DRIVE, GROUND, MESH, PRISMATIC, REVOLUTE, RIGID, SLIDE, Constraint, Mechanism
 
-ROWS = {REVOLUTE: 2, PRISMATIC: 2, RIGID: 3, DRIVE: 1, SLIDE: 1}
+ROWS = {REVOLUTE: 2, PRISMATIC: 2, RIGID: 3, DRIVE: 1, SLIDE: 1, MESH: 1}
 CONTACT, CUT, ZONE = 0, 1, 2
 INTEGRALS = 3
 
 
 def tables(mechanism):
     """Flat arrays of a mechanism: (masses, gravity, constraint integers, constraint numbers, joint integers and
-    numbers of the clearance joints, integers, numbers and pieces of the loads)."""
+    numbers of the clearance joints, rims of the gears, integers, numbers and pieces of the loads). The contacts of the gears
+    stand behind the clearance joints; a row of rims is [first, second, carrier, ±r1, r2, offset, half of the backlash, -1 for the
+    second gear behind, 1 for ahead], side 0 for a clearance joint."""
     masses = np.array([[b.mass_kg, b.inertia_kg_m2] for b in mechanism.bodies])
     integers, numbers, row = [], [], 0
     for c in mechanism.constraints:
@@ -31,15 +33,27 @@ def tables(mechanism):
         numbers.append([*c.point_i_m, *c.point_j_m, c.angle_i_rad, c.angle_j_rad, c.start, c.speed])
         row += ROWS[c.kind]
     pair = [[c.i, c.j, int(c.is_literal)] for c in mechanism.clearances]
+    contacts = list(mechanism.clearances)
+    rims = [[-1.0, -1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0] for _ in contacts]
+    # Two contacts for each pair of gears: the second gear behind the first, then ahead.
+    for m in mechanism.meshes:
+        for side in (-1.0, 1.0):
+            pair.append([GROUND, GROUND, 0])
+            contacts.append(m.contact)
+            rims.append([
+                float(m.first), float(m.second), float(m.carrier), m.first_arm_m, m.second_arm_m, m.offset_m,
+                0.5 * m.backlash_m, side,
+            ])  # fmt: skip
     joint = [
         [*c.point_i_m, *c.point_j_m, c.bearing_radius_m, c.radial_clearance_m, c.stiffness_n_m_n, c.exponent,
          c.damping_factor, c.minimum_impact_speed_m_s, c.friction_coefficient, c.lower_speed_m_s, c.upper_speed_m_s]
-        for c in mechanism.clearances
+        for c in contacts
     ]  # fmt: skip
     return (
         masses, mechanism.gravity_m_s2, np.array(integers, dtype=np.int64).reshape(-1, 4),
         np.array(numbers).reshape(-1, 8), row,
-        np.array(pair, dtype=np.int64).reshape(-1, 3), np.array(joint).reshape(-1, 13), *load_tables(mechanism.loads),
+        np.array(pair, dtype=np.int64).reshape(-1, 3), np.array(joint).reshape(-1, 13),
+        np.array(rims).reshape(-1, 8), *load_tables(mechanism.loads),
     )  # fmt: skip
 
 
@@ -95,6 +109,13 @@ def turn(q, body):
 
 
 @njit()
+def rim(angles, first, second, carrier, first_arm, second_arm):
+    """r2 φ2 ± r1 φ1 of two gears, φ from the carrier; of the angles, or of the angular velocities."""
+    base = turn(angles, carrier)
+    return first_arm * (turn(angles, first) - base) + second_arm * (turn(angles, second) - base)
+
+
+@njit()
 def put(jacobian, row, body, fx, fy, moment):
     if body >= 0:
         jacobian[row, 3 * body] += fx
@@ -118,6 +139,13 @@ def constraint_rows(time_s, q, v, system):
             c_t[row] = -number[7]
             put(jacobian, row, j, 0.0, 0.0, 1.0)
             put(jacobian, row, i, 0.0, 0.0, -1.0)
+            continue
+        if kind == MESH:
+            carrier = int(number[3])
+            c[row] = rim(q, i, j, carrier, number[0], number[1]) - number[2]
+            put(jacobian, row, i, 0.0, 0.0, number[0])
+            put(jacobian, row, j, 0.0, 0.0, number[1])
+            put(jacobian, row, carrier, 0.0, 0.0, -number[0] - number[1])
             continue
         ix, iy = arm(q, i, number[0], number[1])
         jx, jy = arm(q, j, number[2], number[3])
@@ -173,6 +201,12 @@ def gap(q, v, system, k):
     point. Bearing i, journal j; both bodies are touched in one point with arms R_j - δ/2 and R_i + δ/2."""
     i, j, literal = system[5][k]
     number = system[6][k]
+    teeth = system[7][k]
+    if teeth[7] != 0.0:
+        first, second, carrier = int(teeth[0]), int(teeth[1]), int(teeth[2])
+        ahead = rim(q, first, second, carrier, teeth[3], teeth[4]) - teeth[5]
+        ahead_rate = rim(v, first, second, carrier, teeth[3], teeth[4])
+        return teeth[7] * ahead - teeth[6], teeth[7] * ahead_rate, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     ix, iy = arm(q, i, number[0], number[1])
     jx, jy = arm(q, j, number[2], number[3])
     px, py = place(q, i, ix, iy)
@@ -245,6 +279,16 @@ def derivative(time_s, y, system, mode, v0_m_s):
         i, j, _ = system[5][k]
         delta, rate, sliding, material, nx, ny, x, y_point = gap(q, v, system, k)
         normal, elastic, tangential = contact_force(delta, rate, sliding, system[6][k], mode[k], v0_m_s[k])
+        teeth = system[7][k]
+        if teeth[7] != 0.0:
+            # Virtual work: -N δ(rim), a torque on each of the three bodies.
+            pressed = -normal * teeth[7]
+            first, second, carrier = int(teeth[0]), int(teeth[1]), int(teeth[2])
+            for body, lever in ((first, teeth[3]), (second, teeth[4]), (carrier, -teeth[3] - teeth[4])):
+                if body >= 0:
+                    force[3 * body + 2] += pressed * lever
+            result[2 * size] += (normal - elastic) * rate
+            continue
         fx = -normal * nx - tangential * ny
         fy = -normal * ny + tangential * nx
         push(force, q, j, x, y_point, fx, fy)
@@ -331,7 +375,10 @@ def assemble(mechanism, system, tolerance=1e-15):
     ideal_constraints = list(mechanism.constraints)  # and the clearance joints as constraints
     for c in mechanism.clearances:
         ideal_constraints.append(Constraint(c.name, REVOLUTE, c.i, c.j, c.point_i_m, c.point_j_m))
-    twin = Mechanism(**{**mechanism.__dict__, "constraints": ideal_constraints, "clearances": []})
+    for m in mechanism.meshes:
+        arms = (m.first_arm_m, m.second_arm_m)
+        ideal_constraints.append(Constraint(m.name, MESH, m.first, m.second, arms, (m.offset_m, float(m.carrier))))
+    twin = Mechanism(**{**mechanism.__dict__, "constraints": ideal_constraints, "clearances": [], "meshes": []})
     ideal = tables(twin)
     size = 3 * len(mechanism.bodies)
     if ideal[4] != size:

@@ -21,7 +21,8 @@ UNITS = {
 }  # fmt: skip
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)|([A-Za-z_]\w*)|([-+*/^()]))")
 
-REVOLUTE, PRISMATIC, RIGID, DRIVE, SLIDE = 0, 1, 2, 3, 4  # DRIVE is of a revolute joint, SLIDE of a prismatic one
+# DRIVE is of a revolute joint, SLIDE of a prismatic one; MESH is a pair of gears.
+REVOLUTE, PRISMATIC, RIGID, DRIVE, SLIDE, MESH = 0, 1, 2, 3, 4, 5
 GROUND = -1
 
 
@@ -167,12 +168,30 @@ class Load:
 
 
 @dataclass
+class Mesh:
+    """Two gears `first` and `second` on the carrier `carrier`, seen at the pitch point: the rim of the second gear is ahead of
+    that of the first by x = r2 (φ2 - offset) ± r1 φ1 (+ in external mesh), φ counted from the carrier. It has two flanks, each
+    with half of the backlash."""
+
+    name: str
+    first: int
+    second: int
+    carrier: int
+    first_arm_m: float  # ±r1
+    second_arm_m: float  # r2
+    offset_m: float  # r2 times the offset
+    backlash_m: float
+    contact: "Clearance"
+
+
+@dataclass
 class Mechanism:
     name: str
     gravity_m_s2: float
     bodies: list
     constraints: list
     clearances: list
+    meshes: list
     guess_rad: dict
     recorded_turns: float
     samples_per_turn: int
@@ -271,6 +290,9 @@ def read(path):
                 constraints.append(Constraint(name, RIGID, i, j, point_i, point_j, 0.0, si(table["angle"])))
             case kind:
                 raise ValueError(f"joint '{name}' has kind '{kind}'")
+    meshes = []
+    for name, table in document.get("coupling", {}).items():
+        meshes.append(mesh(name, table, document, index, si))
     speeds = {}
     for name, table in document["drive"].items():
         joint = next(c for c in constraints if c.name == table["joint"] and c.kind in (REVOLUTE, PRISMATIC))
@@ -287,7 +309,7 @@ def read(path):
     cycle = document["cycle"]
     guess = {index[name]: si(value) for name, value in document.get("assembly", {}).get("guess", {}).items()}
     return Mechanism(
-        document["name"], si(document["gravity"]), bodies, constraints, clearances, guess,
+        document["name"], si(document["gravity"]), bodies, constraints, clearances, meshes, guess,
         float(cycle["recorded_turns"]), int(cycle["samples_per_turn"]), speeds[cycle["drive"]], loads, document,
     )  # fmt: skip
 
@@ -327,6 +349,30 @@ def load(name, table, folder, si, point, angles):
     body, point_m = point(table["point"])
     joint = angles[table["joint"]] if table["of"] == "angle" else None
     return Load(body, point_m, si(table["direction"]), joint, period, pieces)
+
+
+def mesh(name, table, document, index, si):
+    """A pair of gears on one body, which has the bearing of both."""
+    if table["kind"] != "gears":
+        raise ValueError(f"coupling '{name}' has kind '{table['kind']}'")
+    joints = [document["joint"][table[side]] for side in ("first", "second")]
+    first, second = (index[joint["journal"].split(".")[0]] for joint in joints)
+    carriers = {index[joint["bearing"].split(".")[0]] for joint in joints}
+    if len(carriers) != 1:
+        raise ValueError(f"coupling '{name}' has its bearings on two bodies")
+    first_radius_m, second_radius_m = (si(radius) for radius in table["radii"])
+    sign = 1.0 if table["mesh"] == "external" else -1.0
+    contact = document["contact"][table["contact"]]
+    law, restitution = contact.get("law", "lankarani-nikravesh"), si(contact["restitution"])
+    return Mesh(
+        name, first, second, carriers.pop(), sign * first_radius_m, second_radius_m,
+        second_radius_m * si(table.get("offset", "0 rad")), si(table["backlash"]),
+        Clearance(
+            name, -1, -1, (0.0, 0.0), (0.0, 0.0), 0.0, 0.0, si(contact["stiffness"]), si(contact["exponent"]),
+            damping_factor(law, restitution), si(contact.get("minimum_impact_speed", 1e-3)), 0.0, 1e-4, 1e-3, False, law,
+            restitution,
+        ),
+    )  # fmt: skip
 
 
 def clearance(name, i, j, point_i, point_j, table, contact, si):

@@ -20,11 +20,13 @@ FINER = Settings(position_error=2e-16, velocity_error=2e-13, largest_step_s=2.3e
 
 
 def history_of(path, settings, wider_m=0.0):
-    """The mechanism at `path` and its history over the recorded turns of its cycle; every radial clearance is made
-    `wider_m` larger, at the same stiffness."""
+    """The mechanism at `path` and its history over the recorded turns of its cycle; every radial clearance, and
+    half of every backlash, is made `wider_m` larger, at the same stiffness."""
     mechanism = model_file.read(path)
     for joint in mechanism.clearances:
         joint.radial_clearance_m += wider_m
+    for mesh in mechanism.meshes:
+        mesh.backlash_m += 2.0 * wider_m
     system = mechanics.tables(mechanism)
     start, _ = mechanics.assemble(mechanism, system)
     turn_s = 2.0 * np.pi / abs(mechanism.drive_speed_rad_s)
@@ -46,9 +48,20 @@ def header(bodies):
     return ",".join(names)
 
 
+def events_of(history, contacts):
+    return history.events[np.isin(history.events[:, 1], contacts)]
+
+
+def contacts_of(mechanism):
+    """Each clearance joint and each pair of gears with the numbers of its contacts: gears have a contact for each flank."""
+    joints = [(joint, [k]) for k, joint in enumerate(mechanism.clearances)]
+    first = len(joints)
+    return joints + [(mesh.contact, [first + 2 * k, first + 2 * k + 1]) for k, mesh in enumerate(mechanism.meshes)]
+
+
 def count_of(history, kind, joint=None):
-    """How many logged events are of a kind (at a joint); cuts count where they begin."""
-    mine = history.events if joint is None else history.events[history.events[:, 1] == joint]
+    """How many logged events are of a kind (at some contacts); cuts count where they begin."""
+    mine = history.events if joint is None else events_of(history, joint)
     return int(np.sum((mine[:, 2] == kind) & ((mine[:, 5] == 1) if kind == CUT_CHANGE else True)))
 
 
@@ -115,9 +128,8 @@ def expected(mechanism, fine, finer, worst, growth):
         f"agreement_j = {np.max(np.abs(fine.integrals[-1, :3] - other)):.1e}",
         f"residual_j = {fine.energy_residual_j:.1e}",
     ]
-    for k, joint in enumerate(mechanism.clearances):
-        mine = fine.events[fine.events[:, 1] == k]
-        theirs = finer.events[finer.events[:, 1] == k]
+    for joint, k in contacts_of(mechanism):
+        mine, theirs = events_of(fine, k), events_of(finer, k)
         onsets, ends = mine[mine[:, 2] == ONSET], mine[mine[:, 2] == END]
         other_onsets, other_ends = theirs[theirs[:, 2] == ONSET], theirs[theirs[:, 2] == END]
         if len(onsets) != len(other_onsets):

@@ -25,7 +25,7 @@ impl RunReport {
         ];
         for (joint, law, loss_j) in of_joints.chain(of_all) {
             if loss_j < -LARGEST_ENERGY_RESIDUAL * exchange_j {
-                let joint = joint.map(|joint| model.joints[joint.0].name.clone());
+                let joint = joint.map(|joint| model.play_name(joint).to_owned());
                 return Err(RunFailure::LawGainsEnergy { law, joint, gained_j: -loss_j, exchange_j });
             }
         }

@@ -198,7 +198,9 @@ impl RunFailure {
     pub fn number(&self) -> u16 {
         match self {
             Self::Sample(SampleError::Quantity(_) | SampleError::Period(_)) => 0,
-            Self::Sample(SampleError::ClearanceChangesTopology { .. }) => 1,
+            Self::Sample(
+                SampleError::ClearanceChangesTopology { .. } | SampleError::BacklashChangesTopology { .. },
+            ) => 1,
             Self::Sample(SampleError::CannotClose { .. }) => 2,
             Self::Sample(SampleError::Singular { .. }) => 3,
             Self::StepTooSmall { .. } => 4,

@@ -425,7 +425,7 @@ impl<'a> Recorder<'a> {
             .collect();
         let joints = self.joint_summaries(sample, plan, &report);
         let extremes = self.extreme_records();
-        let name_of = |play: usize| self.mechanism.model.joints[self.mechanism.plays[play].0].name.clone();
+        let name_of = |play: usize| self.mechanism.model.play_name(self.mechanism.plays[play]).to_owned();
         let outputs = self
             .columns
             .iter()
@@ -473,7 +473,7 @@ impl<'a> Recorder<'a> {
                     force_n: self.contact_forces[contact].clone(),
                 })
                 .collect(),
-            // A slider has no orbit in a hole.
+            // What is no pin has no orbit in a hole.
             orbits: (0..self.orbits.len())
                 .filter(|&play| matches!(sample.plays[play].shape, PlayShape::Pin { .. }))
                 .map(|play| JournalOrbit {
@@ -517,15 +517,13 @@ impl<'a> Recorder<'a> {
         let turns = plan.cycle.recorded_turns;
         let plays = self.mechanism.plays.iter().zip(&sample.plays).zip(&report.plays).enumerate();
         plays
-            .filter_map(|(index, ((joint, numbers), summary))| {
-                let joint = &model.joints[joint.0];
-                let (_, contact) = joint.kind.play()?;
-                let contact = &model.contacts[contact.0];
+            .filter_map(|(index, ((&play, numbers), summary))| {
+                let contact = &model.contacts[model.play_contact(play)?.0];
                 let impacts = summary.contacts - summary.floored_contacts;
                 let contacts = self.mechanism.contacts_of(index);
                 let largest = |values: &[f64]| values[contacts.clone()].iter().copied().fold(0.0, f64::max);
                 Some(JointSummary {
-                    joint: joint.name.clone(),
+                    joint: model.play_name(play).to_owned(),
                     radial_clearance_m: numbers.clearance_m,
                     law: contact.law.name().to_owned(),
                     contacts: summary.contacts,

@@ -10,7 +10,7 @@ use loosepin_math::integrate::System;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
-use loosepin_mechanics::model::{JointId, JointKind, SlidingVelocity};
+use loosepin_mechanics::model::{JointKind, PlayId, SlidingVelocity};
 
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
@@ -57,10 +57,10 @@ impl Watched {
     }
 
     /// The joint.
-    pub fn joint(self, mechanism: &Mechanism, sample: &Sample<f64>) -> JointId {
+    pub fn joint(self, mechanism: &Mechanism, sample: &Sample<f64>) -> PlayId {
         match self {
             Self::Play(play) => mechanism.plays[play],
-            Self::Joint(index) => sample.frictions[index].joint,
+            Self::Joint(index) => PlayId::Joint(sample.frictions[index].joint),
         }
     }
 }

@@ -327,13 +327,13 @@ impl Pass {
             // δ from the gap or from the root; δ̇ is below v0 or twice its values at the ends.
             let has_root = if self.layout.roots[contact].is_some() { of_lane[LaneLayout::HAS_ROOT] } else { zero };
             let is_root = is_set(has_root);
-            let (depth_m, half_rate_share) = match numbers.shape {
+            let (depth_m, half_rate_share) = match &numbers.shape {
                 PlayShape::Pin { .. } | PlayShape::Slot(_) => {
                     let clearance_m = numbers.clearance_m;
                     let distance_m = (clearance_m.mul_add(clearance_m, limit.max(zero))).sqrt();
                     (limit / (distance_m + clearance_m), clearance_m)
                 }
-                PlayShape::Slider(_) => (limit, T::from_f64(0.5)),
+                PlayShape::Slider(_) | PlayShape::Flanks(_) => (limit, T::from_f64(0.5)),
             };
             let depth_m = T::select(is_root, limit * limit, depth_m);
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);

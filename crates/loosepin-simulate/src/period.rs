@@ -2,7 +2,7 @@
 
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, PlayShape, Sample};
 use loosepin_result::simulation::REPEAT_SHARE;
 use std::f64::consts::TAU;
 
@@ -36,10 +36,15 @@ pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
 /// The sizes that go with [`section`]: the clearances, and over half the length of a slider for its tilt; a tenth of the mechanism's size for positions, a tenth of a radian
 /// for angles.
 pub fn section_sizes(mechanism: &Mechanism, sample: &Sample<f64>) -> Vec<f64> {
-    let mut sizes: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
+    // A follower that may lift off its cam has no clearance: as much as a body.
+    let size_m = |play: &PlayGeometry<f64>| match &play.shape {
+        PlayShape::Flanks(flanks) if flanks.is_one_sided => 0.1 * mechanism.size_m,
+        _ => play.clearance_m,
+    };
+    let mut sizes: Vec<f64> = sample.plays.iter().map(size_m).collect();
     sizes.extend(sample.plays.iter().filter_map(|play| match &play.shape {
         PlayShape::Slider(block) => Some(play.clearance_m / block.half_length_m),
-        PlayShape::Pin { .. } | PlayShape::Slot(_) => None,
+        PlayShape::Pin { .. } | PlayShape::Slot(_) | PlayShape::Flanks(_) => None,
     }));
     if !mechanism.is_driven() {
         let length_m = 0.1 * mechanism.size_m;

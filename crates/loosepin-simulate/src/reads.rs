@@ -4,7 +4,7 @@ use super::column::{Arms, Reading};
 use super::motion::Motion;
 use loosepin_math::Real;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointId, JointKind};
+use loosepin_mechanics::model::{JointKind, PlayId};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -23,9 +23,13 @@ pub struct ReadLayout {
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
-        let is_slot = |joint: &JointId| matches!(mechanism.model.joints[joint.0].kind, JointKind::Slot { .. });
-        let has_ends = |joint: &JointId| match &mechanism.model.joints[joint.0].kind {
-            JointKind::Prismatic { clearance: Some(clearance), .. } => clearance.ends_m.is_some(),
+        let kind = |play: &PlayId| match *play {
+            PlayId::Joint(joint) => Some(&mechanism.model.joints[joint.0].kind),
+            PlayId::Coupling(_) => None,
+        };
+        let is_slot = |play: &PlayId| matches!(kind(play), Some(JointKind::Slot { .. }));
+        let has_ends = |play: &PlayId| match kind(play) {
+            Some(JointKind::Prismatic { clearance: Some(clearance), .. }) => clearance.ends_m.is_some(),
             _ => false,
         };
         Self {

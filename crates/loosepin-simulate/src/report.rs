@@ -2,7 +2,7 @@
 
 use super::follow::Findings;
 use loosepin_mechanics::dynamics::MechanicalEnergy;
-use loosepin_mechanics::model::JointId;
+use loosepin_mechanics::model::PlayId;
 
 /// Exchanges smaller than this share of all energy at the start are round-off: nothing is measured by them.
 const ROUND_OFF_SHARE: f64 = 1e-6;
@@ -85,7 +85,7 @@ impl EnergyAccount {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionLoss {
     /// The joint.
-    pub joint: JointId,
+    pub joint: PlayId,
     /// Energy, J; below zero where friction gave more than it took.
     pub loss_j: f64,
 }

@@ -25,18 +25,18 @@ problems! {
 /// The smallest play of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmallestClearance {
-    /// Its joint.
-    pub joint: String,
+    /// What has it, in words: `joint 'gudgeon'`.
+    pub play: String,
     /// Clearance, m: above zero.
     pub clearance_m: f64,
 }
 
 impl SmallestClearance {
-    /// That of `model` with `values`; none where no joint has play.
+    /// That of `model` with `values`; none where nothing has play.
     pub fn of(model: &Model, values: &Values) -> Option<Self> {
-        let plays = model.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
+        let plays = model.play_clearances();
         plays
-            .map(|(joint, clearance)| Self { joint: joint.name.clone(), clearance_m: values[clearance] })
+            .map(|(play, clearance)| Self { play: model.play_words(play), clearance_m: values[clearance] })
             .filter(|smallest| smallest.clearance_m > 0.0)
             .min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
     }
@@ -54,7 +54,7 @@ impl SmallestClearance {
     }
 
     fn words(&self) -> String {
-        format!("the smallest clearance, {} in joint '{}'", length(self.clearance_m), self.joint)
+        format!("the smallest clearance, {} in {}", length(self.clearance_m), self.play)
     }
 }
 
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn tolerances_are_warned_of_from_a_hundredth_of_the_clearance_and_refused_from_the_whole() {
-        let clearance = SmallestClearance { joint: "gudgeon".to_owned(), clearance_m: 2e-6 };
+        let clearance = SmallestClearance { play: "joint 'gudgeon'".to_owned(), clearance_m: 2e-6 };
         let check = |tolerance_m| clearance.clone().check(tolerance_m);
         assert_eq!(check(2e-8), Ok(None));
         assert_eq!(

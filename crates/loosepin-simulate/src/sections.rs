@@ -77,11 +77,11 @@ impl SectionRecorder {
             period_turns: period.map(|turns| turns as u32),
             repeat_share: REPEAT_SHARE,
             section_angle_rad: angle_rad.rem_euclid(std::f64::consts::TAU),
-            // A slider or a pin in a slot has no orbit in a hole.
+            // What is no pin has no orbit in a hole.
             journals: journals
                 .filter(|((_, numbers), _)| matches!(numbers.shape, PlayShape::Pin { .. }))
                 .map(|((joint, numbers), (x_m, y_m))| JournalOrbit {
-                    joint: mechanism.model.joints[joint.0].name.clone(),
+                    joint: mechanism.model.play_name(*joint).to_owned(),
                     label: String::new(),
                     radial_clearance_m: numbers.clearance_m,
                     x_m: x_m.clone(),

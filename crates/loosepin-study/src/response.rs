@@ -10,7 +10,7 @@ use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
-    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, QuantityError, QuantityId, Values,
+    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, PlayId, QuantityError, QuantityId, Values,
 };
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
@@ -171,15 +171,15 @@ impl StudyResponse {
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
         let turns = study.cycle.recorded_turns;
         let shared = share_nominal(plan, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, turns)?;
-        let joint_name = |joint: &loosepin_mechanics::model::JointId| study.model.joints[joint.0].name.clone();
+        let play_name = |&play: &PlayId| study.model.play_name(play).to_owned();
         let restitutions = mechanism
             .plays
             .iter()
-            .map(|joint| study.model.joints[joint.0].kind.play())
-            .map(|play| play.and_then(|(_, contact)| study.model.contacts[contact.0].restitution))
+            .map(|&play| study.model.play_contact(play))
+            .map(|contact| contact.and_then(|contact| study.model.contacts[contact.0].restitution))
             .collect();
         Ok(Self {
-            joints: mechanism.plays.iter().map(joint_name).collect(),
+            joints: mechanism.plays.iter().map(play_name).collect(),
             ideal,
             nominal_ideal,
             nominal_window,

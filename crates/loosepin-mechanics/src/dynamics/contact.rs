@@ -2,7 +2,7 @@
 
 use super::contact_motion::{ContactForce, ContactMotion, ContactUnknowns, GapMotion, Sliding};
 use super::play::PlayMotion;
-use super::{corner, film, pin, slot};
+use super::{corner, film, flanks, pin, slot};
 use crate::contact::{NormalContact, PlayState};
 use crate::mechanism::{PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};
@@ -15,6 +15,7 @@ impl<T: Real> PlayMotion<T> {
             PlayShape::Pin { .. } => pin::contact(self, play),
             PlayShape::Slider(block) => corner::contact(self, play, block, place),
             PlayShape::Slot(shape) => slot::contact(self, play, shape),
+            PlayShape::Flanks(_) => flanks::contact(self, play, place),
         }
     }
 
@@ -25,6 +26,7 @@ impl<T: Real> PlayMotion<T> {
             PlayShape::Pin { .. } => self.penetration_m(play.clearance_m),
             PlayShape::Slider(block) => corner::penetration_m(self, play, block, place),
             PlayShape::Slot(shape) => slot::penetration_m(self, play, shape),
+            PlayShape::Flanks(_) => flanks::contact(self, play, place).penetration_m,
         }
     }
 
@@ -34,7 +36,7 @@ impl<T: Real> PlayMotion<T> {
         let stored_j = play.normal.stored_energy_j(penetration_m);
         match &play.shape {
             PlayShape::Slot(shape) => stored_j * slot::stiffening(self, shape).share,
-            PlayShape::Pin { .. } | PlayShape::Slider(_) => stored_j,
+            PlayShape::Pin { .. } | PlayShape::Slider(_) | PlayShape::Flanks(_) => stored_j,
         }
     }
 
@@ -104,6 +106,10 @@ impl<T: Real> PlayMotion<T> {
                 }
                 PlayShape::Slider(block) => corner::sliding(self, block, place, tangent),
                 PlayShape::Slot(shape) => slot::sliding(self, play, shape, contact.normal, penetration_m),
+                // Its contact has no friction.
+                PlayShape::Flanks(_) => {
+                    Sliding { sliding_m_s: T::zero(), material_m_s: T::zero(), arms_m: [T::zero(); 2] }
+                }
             };
             let friction_n = match unknowns.bristle_m {
                 None => play.friction.force_n(sliding_m_s, force.total_n),
@@ -134,8 +140,8 @@ impl<T: Real> PlayMotion<T> {
         result
     }
 
-    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame, and the rates of both
-    /// spins, rad/s².
+    /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame (of a coupling ẍ and zero),
+    /// and the rates of both spins, rad/s².
     #[inline(always)]
     pub fn gap(
         &self,
@@ -147,6 +153,7 @@ impl<T: Real> PlayMotion<T> {
         match &play.shape {
             PlayShape::Pin { .. } => pin::gap(self, play, acceleration_m_s2),
             PlayShape::Slider(block) => corner::gap(self, play, block, place, acceleration_m_s2, spin_rates_rad_s2),
+            PlayShape::Flanks(_) => flanks::gap(self, play, place, acceleration_m_s2.x),
             PlayShape::Slot(shape) => slot::gap(self, play, shape, acceleration_m_s2, spin_rates_rad_s2[0]),
         }
     }

@@ -3,7 +3,7 @@
 use super::element_force::ActuatorForce;
 use super::equations::Dynamics;
 use crate::model::FeedForward;
-use loosepin_math::{Real, Vec2};
+use loosepin_math::Real;
 
 impl<T: Real> Dynamics<'_, T> {
     /// Actuators at the last evaluation, in the order of the controls of the model.
@@ -58,17 +58,8 @@ impl<T: Real> Dynamics<'_, T> {
             }
             let rate = numbers.actuated.motion(&actuated, &self.kinematics)[1];
             self.controls_w = effort.mul_add(rate, self.controls_w);
-            let mut on_second_n = Vec2::zero();
-            let [i, j] = actuated.slots;
-            if actuated.is_prismatic {
-                let (arms_m, line) = numbers.actuated.line_of_action(&actuated, &self.kinematics);
-                on_second_n = line * effort;
-                self.add_force(i, arms_m[0], -on_second_n, T::zero());
-                self.add_force(j, arms_m[1], on_second_n, T::zero());
-            } else {
-                self.add_force(i, Vec2::zero(), Vec2::zero(), -effort);
-                self.add_force(j, Vec2::zero(), Vec2::zero(), effort);
-            }
+            let joint = numbers.actuated;
+            let on_second_n = self.add_effort(&joint, &actuated, effort);
             self.actuators[index] = ActuatorForce { reference: motion[0], error, effort, rate, on_second_n };
         }
     }

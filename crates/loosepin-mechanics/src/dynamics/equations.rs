@@ -7,9 +7,10 @@ use super::joint_friction::JointFrictions;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
+    JointPlace, Kinematics, Mechanism, PlayShape, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room,
+    turned_by,
 };
-use crate::model::{Course, FeedForward};
+use crate::model::{Course, FeedForward, PlayId};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
@@ -42,7 +43,7 @@ pub struct Dynamics<'a, T> {
     pub(super) coordinates: Vec<T>,
     pub(super) rates: Vec<T>,
     pub(super) driven_accelerations: Vec<T>,
-    /// Slots of bearing body and journal body of each joint with play.
+    /// Slots of bearing body and journal body of each joint with play; both the ground for a coupling.
     pub(super) play_slots: Vec<[usize; 2]>,
     pub(super) plays: Vec<PlayMotion<T>>,
     /// Forces of all contacts.
@@ -105,7 +106,13 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let play_slots: Vec<[usize; 2]> = mechanism
             .plays
             .iter()
-            .map(|joint| mechanism.model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0]))
+            .map(|play| match play {
+                PlayId::Joint(joint) => {
+                    mechanism.model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0])
+                }
+                // A coupling acts on the bodies of two joints.
+                PlayId::Coupling(_) => [0, 0],
+            })
             .collect();
         let plays: Vec<_> = play_slots
             .iter()
@@ -291,6 +298,10 @@ impl<'a, T: Real> Dynamics<'a, T> {
     fn add_plays(&mut self) {
         for index in 0..self.contacts.len() {
             let (force, at) = (self.contacts[index], self.sample.contacts[index]);
+            if let PlayShape::Flanks(_) = self.sample.plays[at.play].shape {
+                self.add_flank_force(at.play, force.on_journal_n.x);
+                continue;
+            }
             let (motion, [slot_i, slot_j]) = (self.plays[at.play], self.play_slots[at.play]);
             self.add_force(slot_i, motion.bearing_arm_m, -force.on_journal_n, force.moment_on_bearing_n_m);
             self.add_force(slot_j, motion.journal_arm_m, force.on_journal_n, force.moment_on_journal_n_m);
@@ -409,15 +420,20 @@ impl<'a, T: Real> Dynamics<'a, T> {
     pub fn gap(&self, contact: usize) -> GapMotion<T> {
         let at = self.sample.contacts[contact];
         let motion = &self.plays[at.play];
+        let play = &self.sample.plays[at.play];
+        if let PlayShape::Flanks(flanks) = &play.shape {
+            let acceleration = Vec2::new(self.flank_acceleration_m_s2(flanks), T::zero());
+            return motion.gap(play, at.place, acceleration, [T::zero(); 2]);
+        }
         let [i, j] = self.play_slots[at.play];
         let twists = &self.kinematics.twists;
         let (change_i, change_j) = (self.acceleration(i), self.acceleration(j));
         let acceleration = acceleration_at(&change_j, &twists[j], motion.journal_arm_m)
             - acceleration_at(&change_i, &twists[i], motion.bearing_arm_m);
         let spin_rates = [change_i.angular, change_j.angular];
-        motion.gap(&self.sample.plays[at.play], at.place, acceleration, spin_rates)
+        motion.gap(play, at.place, acceleration, spin_rates)
     }
-    /// Slots of bearing body and journal body of the joints with play.
+    /// Slots of bearing body and journal body of the joints with play; both the ground for couplings.
     pub fn play_slots(&self) -> &[[usize; 2]] {
         &self.play_slots
     }

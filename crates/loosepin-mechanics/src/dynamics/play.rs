@@ -1,5 +1,6 @@
 //! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1 to 6).
 
+use super::flanks;
 use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};
 
@@ -7,7 +8,7 @@ use loosepin_math::{Real, Vec2};
 #[derive(Debug, Clone, Copy)]
 pub struct PlayMotion<T> {
     /// Eccentricity e = r_j - r_i of the journal's centre from the bearing's (the slider's from the guide's point), m, in the
-    /// ground's frame.
+    /// ground's frame; of a coupling the length x by which it deviates, and zero.
     pub eccentricity_m: Vec2<T>,
     /// ė, m/s.
     pub eccentricity_rate_m_s: Vec2<T>,
@@ -25,6 +26,9 @@ impl<T: Real> PlayMotion<T> {
     /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
     #[inline(always)]
     pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
+        if let PlayShape::Flanks(flanks) = &play.shape {
+            return flanks::motion(kinematics, flanks);
+        }
         let bearing_arm_m = kinematics.poses[i].turn(play.bearing_arm_m);
         let journal_arm_m = kinematics.poses[j].turn(play.journal_arm_m);
         let (twist_i, twist_j) = (kinematics.twists[i], kinematics.twists[j]);
@@ -36,8 +40,8 @@ impl<T: Real> PlayMotion<T> {
             bearing_arm_m,
             journal_arm_m,
             spins_rad_s: [twist_i.angular, twist_j.angular],
-            directions: match play.shape {
-                PlayShape::Pin { .. } => [Vec2::zero(); 2],
+            directions: match &play.shape {
+                PlayShape::Pin { .. } | PlayShape::Flanks(_) => [Vec2::zero(); 2],
                 PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],
                 PlayShape::Slider(block) => {
                     [kinematics.poses[i].turn(block.line), kinematics.poses[j].turn(block.axis)]

@@ -2,8 +2,9 @@
 
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
-use crate::mechanism::{CutKind, acceleration_at};
-use crate::model::JointId;
+use super::flanks;
+use crate::mechanism::{CutKind, PlayShape, acceleration_at};
+use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -19,9 +20,22 @@ impl<T: Real> Dynamics<'_, T> {
         let motion = &self.plays[at.play];
         let ContactMotion { normal, reaches_m, .. } = motion.contact(&self.sample.plays[at.play], at.place);
         let [bearing, journal] = self.play_slots[at.play];
+        let mut push = vec![T::zero(); tree.coordinates()];
+        if let PlayShape::Flanks(flanks) = &self.sample.plays[at.play].shape {
+            let shares = flanks::shares(&self.kinematics, flanks);
+            for side in [0, 1] {
+                let factor = shares[side] * normal.x;
+                flanks.coupling.joints[side].add_gradient(
+                    &flanks.places[side],
+                    tree,
+                    &self.kinematics,
+                    factor,
+                    &mut push,
+                );
+            }
+        }
         let bearing = (bearing, motion.bearing_arm_m + reaches_m[0], -normal);
         let journal = (journal, motion.journal_arm_m + reaches_m[1], normal);
-        let mut push = vec![T::zero(); tree.coordinates()];
         for (slot, arm, force_n) in [bearing, journal] {
             if slot > 0 {
                 self.kinematics.add_push(tree, slot, force_n, arm.cross(force_n), &mut push);
@@ -47,7 +61,7 @@ impl<T: Real> Dynamics<'_, T> {
     /// With play: the sum of the contact forces. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint
     /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
     pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
-        if let Some(index) = self.mechanism.plays.iter().position(|&play| play == joint) {
+        if let Some(index) = self.mechanism.plays.iter().position(|&play| play == PlayId::Joint(joint)) {
             return self.play_force_n(index) + self.actuator_force_n(joint);
         }
         let tree = &self.mechanism.real;
@@ -108,7 +122,7 @@ impl<T: Real> Dynamics<'_, T> {
         if forward { needed } else { -needed }
     }
 
-    /// Force of the joint with play `play` on its journal, N: the sum over its contacts.
+    /// Force of the joint with play `play` on its journal, N: the sum over its contacts. Of a coupling the force along x.
     fn play_force_n(&self, play: usize) -> Vec2<T> {
         let forces = self.contacts.iter().zip(&self.sample.contacts).filter(|(_, at)| at.play == play);
         forces.map(|(force, _)| force.on_journal_n).reduce(|sum, force| sum + force).unwrap_or(Vec2::zero())
@@ -126,6 +140,18 @@ impl<T: Real> Dynamics<'_, T> {
                 if places[side].is_prismatic {
                     let (_, line) = numbers.joints[side].line_of_action(&places[side], &self.kinematics);
                     forces.push((places[side].slots, line * (gradient * *multiplier)));
+                }
+            }
+        }
+        for (play, numbers) in self.sample.plays.iter().enumerate() {
+            let PlayShape::Flanks(flanks) = &numbers.shape else { continue };
+            let force_n = self.play_force_n(play).x;
+            let shares = flanks::shares(&self.kinematics, flanks);
+            for (side, share) in shares.into_iter().enumerate() {
+                if flanks.places[side].is_prismatic {
+                    let joint = &flanks.coupling.joints[side];
+                    let (_, line) = joint.line_of_action(&flanks.places[side], &self.kinematics);
+                    forces.push((flanks.places[side].slots, line * (share * force_n)));
                 }
             }
         }

@@ -9,7 +9,7 @@ use super::kinematics::Kinematics;
 use super::mobility::{self, Mobility};
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
 use super::{assembly, constraints::RowOwner};
-use crate::model::{BodyId, JointId, Model, Values};
+use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;
 
 /// A compiled mechanism: topology and nominal start, no state. Many runs share one.
@@ -21,9 +21,9 @@ pub struct Mechanism {
     pub ideal: Tree,
     /// The tree in which joints with play are force elements.
     pub real: Tree,
-    /// Joints with play, in file order.
-    pub plays: Vec<JointId>,
-    /// Places where the bodies of joints with play may touch, joint by joint.
+    /// Joints and couplings with play, in file order.
+    pub plays: Vec<PlayId>,
+    /// Places where the bodies of joints with play or the flanks of couplings may touch, one after the other.
     pub contacts: Vec<ContactPlace>,
     /// Largest distance of two points of one body, m: the size against which lengths are judged.
     pub size_m: f64,
@@ -49,12 +49,10 @@ impl Mechanism {
     /// # Errors
     /// See [`MechanismError`].
     pub fn new(model: &Model, values: &Values) -> Result<Self, MechanismError> {
-        let has_play =
-            |joint: JointId| model.joints[joint.0].kind.play().is_some_and(|(clearance, _)| values[clearance] > 0.0);
         let driven_loop =
             |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
         let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
-        let real = Tree::new(model, |joint| !has_play(joint)).map_err(driven_loop)?;
+        let real = Tree::new(model, |id| !model.has_play(id, values)).map_err(driven_loop)?;
         let size_m = size_m(model, values);
         let geometry = Geometry::new(model, &ideal, values);
         let numbers = initial_numbers(model, values);
@@ -63,7 +61,7 @@ impl Mechanism {
         let Mobility { degrees_of_freedom, redundant, independent_rows } =
             mobility::count(model, &ideal, &geometry, &assembly.coordinates, size_m)?;
         let by_body = |angles: &Vec<f64>| ideal.slot_of_body.iter().map(|&slot| angles[slot]).collect();
-        let plays: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| has_play(joint)).collect();
+        let plays: Vec<PlayId> = model.plays().filter(|&id| model.has_play(id, values)).collect();
         let mut mechanism = Self {
             model: model.clone(),
             contacts: contact_places(model, &plays),

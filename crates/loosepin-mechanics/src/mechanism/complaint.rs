@@ -72,6 +72,7 @@ impl SampleError {
             Self::ClearanceChangesTopology { joint, .. }
             | Self::ClearanceOutsideFit { joint, .. }
             | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
+            Self::BacklashChangesTopology { path, .. } => format!("{path}.backlash"),
             Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Period(problem) => format!("load.{}", problem.load()),

@@ -206,7 +206,7 @@ impl RowOwner {
                 return Self::Joint(cut.joint);
             }
         }
-        Self::Coupling(row - first)
+        Self::Coupling(tree.coupling_indices[row - first])
     }
 
     /// Path of its table in the file.

@@ -1,6 +1,7 @@
 //! Where the two bodies of a joint with play may touch.
 
-use crate::model::{JointId, JointKind, Model};
+use super::flanks::{FLANKS, Flanks};
+use crate::model::{JointKind, Model, PlayId};
 use loosepin_math::{Vec2, numbers};
 
 /// A place where the two bodies of a joint with play may touch: a contact, with a state, forces and events of its own.
@@ -13,7 +14,7 @@ pub struct ContactPlace {
 }
 
 /// Shape of a joint with play.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub enum PlayShape<T> {
     /// A round pin in a round hole: one contact.
     Pin {
@@ -24,9 +25,11 @@ pub enum PlayShape<T> {
     Slider(SliderBlock<T>),
     /// A round pin in a straight slot with round ends: one contact.
     Slot(SlotShape<T>),
+    /// Teeth of a coupling with backlash: a contact for each flank; or a follower on its cam: one contact.
+    Flanks(Flanks<T>),
 }
 
-numbers!(enum PlayShape { Pin { bearing_radius_m }, Slider(block), Slot(slot) });
+numbers!(enum PlayShape { Pin { bearing_radius_m }, Slider(block), Slot(slot), Flanks(flanks) });
 
 /// A straight slot with round ends.
 #[derive(Debug, Clone, Copy)]
@@ -64,20 +67,29 @@ numbers!(struct SliderBlock { half_length_m, half_height_m, line, axis, ends_m }
 const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];
 
 /// The places of the joints with play, joint by joint.
-pub(super) fn contact_places(model: &Model, plays: &[JointId]) -> Vec<ContactPlace> {
-    let count = |joint: JointId| match model.joints[joint.0].kind {
-        JointKind::Prismatic { .. } => CORNERS.len(),
-        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => 1,
+pub(super) fn contact_places(model: &Model, plays: &[PlayId]) -> Vec<ContactPlace> {
+    let count = |id: PlayId| match id {
+        PlayId::Joint(joint) => match model.joints[joint.0].kind {
+            JointKind::Prismatic { .. } => CORNERS.len(),
+            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => 1,
+        },
+        PlayId::Coupling(_) if model.play_clearance(id).is_none() => 1,
+        PlayId::Coupling(_) => FLANKS.len(),
     };
-    let places = |(play, &joint): (usize, &JointId)| (0..count(joint)).map(move |place| ContactPlace { play, place });
+    let places = |(play, &id): (usize, &PlayId)| (0..count(id)).map(move |place| ContactPlace { play, place });
     plays.iter().enumerate().flat_map(places).collect()
 }
 
-/// Name of a contact of `joint`: that of the joint, for a slider with its corner.
-pub(super) fn contact_name(model: &Model, joint: JointId, place: usize) -> String {
-    let joint = &model.joints[joint.0];
-    match joint.kind {
-        JointKind::Prismatic { .. } => format!("{} ({})", joint.name, CORNERS[place]),
-        JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => joint.name.clone(),
-    }
+/// Name of a contact: that of its joint or coupling, for a slider with its corner, for teeth with the flank.
+pub(super) fn contact_name(model: &Model, play: PlayId, place: usize) -> String {
+    let name = model.play_name(play);
+    let places: &[&str] = match play {
+        PlayId::Joint(joint) => match model.joints[joint.0].kind {
+            JointKind::Prismatic { .. } => &CORNERS,
+            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => &[],
+        },
+        PlayId::Coupling(_) if model.play_clearance(play).is_none() => &[],
+        PlayId::Coupling(_) => &FLANKS,
+    };
+    places.get(place).map_or_else(|| name.to_owned(), |place| format!("{name} ({place})"))
 }

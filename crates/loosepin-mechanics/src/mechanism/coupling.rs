@@ -1,7 +1,7 @@
 //! Couplings as constraints: Φ = q_2 - f(q_1).
 
 use super::coupling_geometry::CouplingGeometry;
-use super::kinematics::Kinematics;
+use super::kinematics::{Kinematics, Twist};
 use super::tree::{CouplingPlace, Tree};
 use loosepin_math::Real;
 
@@ -24,14 +24,40 @@ impl<T: Real> CouplingGeometry<T> {
         self.joints[0].add_gradient(&places[0], tree, kinematics, -slope, row);
     }
 
+    /// dΦ/dt.
+    #[inline(always)]
+    pub fn rate(&self, places: &CouplingPlace, kinematics: &Kinematics<T>) -> T {
+        let [first, second] = [0, 1].map(
+            #[inline(always)]
+            |side| self.joints[side].motion(&places[side], kinematics),
+        );
+        second[1] - self.law.at(first[0])[1] * first[1]
+    }
+
     /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
     #[inline(always)]
     pub fn bias(&self, places: &CouplingPlace, kinematics: &Kinematics<T>) -> T {
+        self.acceleration(
+            places,
+            kinematics,
+            #[inline(always)]
+            |slot| kinematics.biases[slot],
+        )
+    }
+
+    /// d²Φ/dt² where `change` is the acceleration of the frame of each slot.
+    #[inline(always)]
+    pub fn acceleration(
+        &self,
+        places: &CouplingPlace,
+        kinematics: &Kinematics<T>,
+        change: impl Fn(usize) -> Twist<T>,
+    ) -> T {
         let [coordinate, rate] = self.joints[0].motion(&places[0], kinematics);
         let [_, slope, bend] = self.law.at(coordinate);
         let [first, second] = [0, 1].map(
             #[inline(always)]
-            |side| self.joints[side].bias(&places[side], kinematics),
+            |side| self.joints[side].acceleration(&places[side], kinematics, places[side].slots.map(&change)),
         );
         second - slope * first - bend * rate.squared()
     }

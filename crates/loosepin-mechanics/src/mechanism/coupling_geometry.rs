@@ -12,9 +12,11 @@ pub struct CouplingGeometry<T> {
     pub joints: [JointGeometry<T>; 2],
     /// Numbers of f.
     pub law: CouplingNumbers<T>,
+    /// r: the radius on which the angle of the second joint counts as a length where the coupling has play, m; else one.
+    pub lever: T,
 }
 
-numbers!(struct CouplingGeometry { joints, law });
+numbers!(struct CouplingGeometry { joints, law, lever });
 
 /// Numbers of the coordinate of the second joint over that of the first.
 #[derive(Debug, Clone)]
@@ -82,6 +84,16 @@ impl<T: Real> CouplingGeometry<T> {
         Self {
             joints: [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, number)),
             law: CouplingNumbers::new(&coupling.law, number),
+            lever: coupling.play.and_then(|play| play.second_radius_m).map_or(T::one(), number),
+        }
+    }
+
+    /// Displaces the second joint by `displacement_m` from where it is in `centred`. A follower stays on its cam.
+    pub fn set_displacement(&mut self, displacement_m: T, centred: &CouplingGeometry<f64>) {
+        if let (CouplingNumbers::Ratio { offset, .. }, CouplingNumbers::Ratio { offset: from, .. }) =
+            (&mut self.law, &centred.law)
+        {
+            *offset = T::from_f64(*from) + displacement_m / self.lever;
         }
     }
 }

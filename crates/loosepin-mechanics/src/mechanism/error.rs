@@ -137,6 +137,21 @@ problems! {
                 if *compiled_with_play { "a joint with play" } else { "ideal" }
             ),
             hint("with and without play are two mechanisms; run them one by one");
+        /// A backlash is zero in one and above zero in the other of sample and compiled mechanism.
+        BacklashChangesTopology {
+            /// Path of the table of the coupling.
+            path: String,
+            backlash_m: f64,
+            /// Whether it had play when the mechanism was compiled.
+            compiled_with_play: bool,
+        } => Code::ClearanceTouchesZero,
+            says(
+                "{} has a backlash of {}; the compiled mechanism treats it as {}",
+                describe_path(path),
+                format_value(*backlash_m, Dimension::LENGTH),
+                if *compiled_with_play { "a coupling with play" } else { "ideal" }
+            ),
+            hint("with and without play are two mechanisms; run them one by one");
         ClearanceOutsideFit {
             joint: String,
             law: &'static str,

@@ -20,7 +20,7 @@ impl GapMeasure {
     pub fn of(play: &PlayGeometry<f64>) -> Self {
         match play.shape {
             PlayShape::Pin { .. } | PlayShape::Slot(_) => Self::Squares { clearance_m: play.clearance_m },
-            PlayShape::Slider(_) => Self::Penetration,
+            PlayShape::Slider(_) | PlayShape::Flanks(_) => Self::Penetration,
         }
     }
 

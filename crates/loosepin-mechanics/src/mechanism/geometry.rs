@@ -3,7 +3,7 @@
 use super::coupling_geometry::CouplingGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree};
-use crate::model::{JointId, JointKind, Model, QuantityId, Values};
+use crate::model::{JointId, JointKind, Model, PlayId, QuantityId, Values};
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
@@ -58,7 +58,7 @@ pub struct Geometry<T> {
     pub links: Vec<LinkGeometry<T>>,
     /// One for each cut joint.
     pub cuts: Vec<CutGeometry<T>>,
-    /// One for each coupling.
+    /// One for each ideal coupling.
     pub couplings: Vec<CouplingGeometry<T>>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
@@ -122,14 +122,28 @@ impl<T: Real> Geometry<T> {
             })
             .collect();
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
-        let couplings = model.couplings.iter().map(|coupling| CouplingGeometry::new(model, coupling, number)).collect();
+        let coupling = |&index: &usize| CouplingGeometry::new(model, &model.couplings[index], number);
+        let couplings = tree.coupling_indices.iter().map(coupling).collect();
         Self { links, cuts, couplings, gravity_m_s2 }
+    }
+
+    /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second
+    /// joint of a coupling by the first part of the displacement, m.
+    pub fn set_displacement(&mut self, tree: &Tree, play: PlayId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+        match play {
+            PlayId::Joint(joint) => self.set_joint_displacement(tree, joint, displacement, centred),
+            PlayId::Coupling(index) => {
+                if let Some(place) = tree.coupling_indices.iter().position(|held| *held == index) {
+                    self.couplings[place].set_displacement(displacement.x, &centred.couplings[place]);
+                }
+            }
+        }
     }
 
     /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
     /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
     /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
-    pub fn set_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+    fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
         let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
         for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
             match link.attachment {

@@ -5,7 +5,7 @@
 //! slot likewise.
 
 use super::joint_geometry::JointGeometry;
-use super::kinematics::{Kinematics, acceleration_at, moved};
+use super::kinematics::{Kinematics, Twist, acceleration_at, moved};
 use super::tree::{JointPlace, Tree};
 use loosepin_math::{Real, Vec2};
 
@@ -52,20 +52,26 @@ impl<T: Real> JointGeometry<T> {
     }
 
     /// The second derivative of the coordinate when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+    #[inline(always)]
+    pub fn bias(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> T {
+        self.acceleration(place, kinematics, place.slots.map(|slot| kinematics.biases[slot]))
+    }
+
+    /// The second derivative of the coordinate for the accelerations `changes` of the frames of its two bodies.
     ///
     /// s̈ = d·ë + 2 ω d⊥·ė + α d⊥·e - ω² d·e, ω and α of the guide.
     #[inline(always)]
-    pub fn bias(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> T {
-        let ([i, j], twists, biases) = (place.slots, &kinematics.twists, &kinematics.biases);
+    pub fn acceleration(&self, place: &JointPlace, kinematics: &Kinematics<T>, changes: [Twist<T>; 2]) -> T {
+        let ([i, j], twists) = (place.slots, &kinematics.twists);
         if !place.is_prismatic {
-            return biases[j].angular - biases[i].angular;
+            return changes[1].angular - changes[0].angular;
         }
         let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
         let gap_rate = twists[j].at(arms_m[1]) - twists[i].at(arms_m[0]);
         let acceleration =
-            acceleration_at(&biases[j], &twists[j], arms_m[1]) - acceleration_at(&biases[i], &twists[i], arms_m[0]);
+            acceleration_at(&changes[1], &twists[j], arms_m[1]) - acceleration_at(&changes[0], &twists[i], arms_m[0]);
         let (normal, spin) = (line.turned(), twists[i].angular);
-        line.dot(acceleration) + T::from_f64(2.0) * spin * normal.dot(gap_rate) + biases[i].angular * normal.dot(gap_m)
+        line.dot(acceleration) + T::from_f64(2.0) * spin * normal.dot(gap_rate) + changes[0].angular * normal.dot(gap_m)
             - spin.squared() * line.dot(gap_m)
     }
 

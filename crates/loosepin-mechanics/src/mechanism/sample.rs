@@ -3,8 +3,10 @@
 use super::compile::Mechanism;
 use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
 use super::control::ControlGeometry;
+use super::coupling_geometry::CouplingGeometry;
 use super::drive::Drives;
 use super::error::SampleError;
+use super::flanks::Flanks;
 use super::geometry::Geometry;
 use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
@@ -16,19 +18,19 @@ use crate::contact::{
     compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
     restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
-use crate::model::{Clearance, Contact, JointId, JointKind, QuantityId, SlidingVelocity, Stiffness, Values};
+use crate::model::{Clearance, Contact, JointId, JointKind, PlayId, QuantityId, SlidingVelocity, Stiffness, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 
 /// Numbers of a joint with play.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct PlayGeometry<T> {
     /// Centre P_i of the bearing (hole), or the point of the guide, in its body's frame, m.
     pub bearing_arm_m: Vec2<T>,
     /// Centre P_j of the journal (pin), or of the slider, in its body's frame, m.
     pub journal_arm_m: Vec2<T>,
-    /// Pin, slider or slot, with its numbers.
+    /// Pin, slider, slot or flanks, with its numbers.
     pub shape: PlayShape<T>,
-    /// Clearance c, m: radial of a pin, on each side of a slider.
+    /// Clearance c, m: radial of a pin, on each side of a slider, half the backlash of a coupling.
     pub clearance_m: T,
     /// Normal force.
     pub normal: NormalLaw<T>,
@@ -58,7 +60,7 @@ pub struct Sample<T> {
     pub ideal: Geometry<T>,
     /// For the tree in which joints with play are force elements.
     pub real: Geometry<T>,
-    /// Joints with play, in the order of [`Mechanism::plays`].
+    /// Joints and couplings with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
     /// Their contacts, in the order of [`Mechanism::contacts`].
     pub contacts: Vec<ContactPlace>,
@@ -91,7 +93,7 @@ impl<T: Real> Sample<T> {
         for (index, joint) in model.joints.iter().enumerate() {
             if let Some((clearance, contact)) = joint.kind.play() {
                 let clearance_m = values[clearance];
-                let compiled_with_play = mechanism.plays.contains(&JointId(index));
+                let compiled_with_play = mechanism.plays.contains(&PlayId::Joint(JointId(index)));
                 if (clearance_m > 0.0) != compiled_with_play {
                     return Err(SampleError::ClearanceChangesTopology {
                         joint: joint.name.clone(),
@@ -114,7 +116,20 @@ impl<T: Real> Sample<T> {
                 }
             }
         }
-        let plays = mechanism.plays.iter().filter_map(|&joint| play(mechanism, values, joint)).collect();
+        for (index, coupling) in model.couplings.iter().enumerate() {
+            if let Some(backlash_m) = coupling.play.and_then(|play| play.backlash_m).map(|backlash| values[backlash]) {
+                let compiled_with_play = mechanism.plays.contains(&PlayId::Coupling(index));
+                if (backlash_m > 0.0) != compiled_with_play {
+                    let path = coupling.path.clone();
+                    return Err(SampleError::BacklashChangesTopology { path, backlash_m, compiled_with_play });
+                }
+            }
+        }
+        let plays = mechanism.plays.iter().filter_map(|&id| match id {
+            PlayId::Joint(joint) => play(mechanism, values, joint),
+            PlayId::Coupling(index) => flanks(mechanism, values, index),
+        });
+        let plays = plays.collect();
         let drives = Drives::broadcast(&Drives::new(model, values));
         let loads = model.loads.iter().map(|load| LoadGeometry::new(model, load, values));
         let loads = loads.collect::<Result<_, _>>()?;
@@ -244,6 +259,36 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         .map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
+        largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
+        delivered_restitution: delivered(&normal, contact, values),
+    })
+}
+
+/// A coupling with play. Its contact has a stiffness that is given, and neither friction nor a film.
+fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Option<PlayGeometry<T>> {
+    let model = &mechanism.model;
+    let coupling = &model.couplings[index];
+    let play = coupling.play?;
+    let contact = &model.contacts[play.contact.0];
+    let number = |id: QuantityId| T::from_f64(values[id]);
+    let half = T::from_f64(0.5);
+    let without_stiffness =
+        |_, _| NormalLaw::Point(PointContact { stiffness_n_m_n: f64::NAN, exponent: 1.5, damping_factor: 0.0 });
+    let normal = normal(contact, values, without_stiffness);
+    Some(PlayGeometry {
+        bearing_arm_m: Vec2::zero(),
+        journal_arm_m: Vec2::zero(),
+        shape: PlayShape::Flanks(Flanks {
+            coupling: CouplingGeometry::new(model, coupling, &number),
+            places: mechanism.real.coupling_place(model, index),
+            is_one_sided: play.backlash_m.is_none(),
+        }),
+        clearance_m: play.backlash_m.map_or(T::zero(), |backlash| half * number(backlash)),
+        normal: NormalLaw::broadcast(&normal),
+        friction: FrictionLaw::None,
+        film: None,
+        sliding_velocity: SlidingVelocity::Material,
+        minimum_impact_speed_m_s: number(contact.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
         delivered_restitution: delivered(&normal, contact, values),
     })

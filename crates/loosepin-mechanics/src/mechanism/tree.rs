@@ -1,6 +1,6 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
-use crate::model::{BodyId, DriveId, JointId, JointKind, Model};
+use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PlayId};
 use loosepin_math::Envelope;
 use loosepin_text::units::Dimension;
 
@@ -182,8 +182,10 @@ pub struct Tree {
     pub drives: Vec<DriveId>,
     /// Ideal joints that close loops, in file order.
     pub cuts: Vec<Cut>,
-    /// Places of all couplings of the model, in its order.
+    /// Places of the ideal couplings, in file order.
     pub couplings: Vec<CouplingPlace>,
+    /// Their indices in the model.
+    pub coupling_indices: Vec<usize>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
 }
@@ -196,7 +198,7 @@ pub struct DrivenLoop {
 }
 
 impl Tree {
-    /// Builds the tree over the joints for which `is_ideal` holds; the others (clearance joints) leave their loops
+    /// Builds the tree over the joints and couplings for which `is_ideal` holds; the others (with play) leave their loops
     /// open.
     ///
     /// Driven joints are always in the tree, so that their coordinates leave the state; rigid joints come next since
@@ -205,7 +207,7 @@ impl Tree {
     ///
     /// # Errors
     /// A loop of driven joints alone.
-    pub fn new(model: &Model, is_ideal: impl Fn(JointId) -> bool) -> Result<Self, DrivenLoop> {
+    pub fn new(model: &Model, is_ideal: impl Fn(PlayId) -> bool) -> Result<Self, DrivenLoop> {
         let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
         Self::with_driven(model, is_ideal, &driven)
     }
@@ -216,9 +218,11 @@ impl Tree {
     /// A loop of driven joints alone.
     pub fn with_driven(
         model: &Model,
-        is_ideal: impl Fn(JointId) -> bool,
+        is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],
     ) -> Result<Self, DrivenLoop> {
+        let is_coupled = |index: usize| is_ideal(PlayId::Coupling(index));
+        let is_ideal = |joint: JointId| is_ideal(PlayId::Joint(joint));
         let mut drives = vec![None; model.joints.len()];
         for (index, joint) in driven.iter().enumerate() {
             drives[joint.0].get_or_insert(DriveId(index));
@@ -248,6 +252,7 @@ impl Tree {
             drives: Vec::new(),
             cuts: Vec::new(),
             couplings: Vec::new(),
+            coupling_indices: (0..model.couplings.len()).filter(|&index| is_coupled(index)).collect(),
             floating_roots: Vec::new(),
         };
         tree.slot_of_body[0] = 0;
@@ -291,11 +296,14 @@ impl Tree {
                 },
             });
         }
-        let couplings = model.couplings.iter();
-        let places = couplings
-            .map(|coupling| [coupling.first, coupling.second].map(|joint| JointPlace::new(model, &tree, joint)));
-        tree.couplings = places.collect();
+        tree.couplings = tree.coupling_indices.iter().map(|&index| tree.coupling_place(model, index)).collect();
         Ok(tree)
+    }
+
+    /// Places of the two joints of a coupling of the model.
+    pub fn coupling_place(&self, model: &Model, index: usize) -> CouplingPlace {
+        let coupling = &model.couplings[index];
+        [coupling.first, coupling.second].map(|joint| JointPlace::new(model, self, joint))
     }
 
     /// Number of coordinates, free and driven.
@@ -303,7 +311,7 @@ impl Tree {
         self.free + self.drives.len()
     }
 
-    /// Number of scalar constraints: those of the cut joints, then one for each coupling.
+    /// Number of scalar constraints: those of the cut joints, then one for each ideal coupling.
     pub fn constraint_rows(&self) -> usize {
         self.cut_rows() + self.couplings.len()
     }

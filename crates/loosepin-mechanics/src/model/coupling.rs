@@ -1,10 +1,10 @@
 //! Couplings: the coordinate of one joint follows that of another.
 
-use super::ids::JointId;
+use super::ids::{ContactId, JointId};
 use super::quantity::QuantityId;
 
-/// An ideal coupling of two joints: the coordinate of the second (angle of the journal's body from the bearing's, rad, or
-/// position of the slider along the guide, m) is a function of that of the first. It does no net work.
+/// A coupling of two joints: the coordinate of the second (angle of the journal's body from the bearing's, rad, or position of
+/// the slider along the guide, m) is a function of that of the first. Without play it does no net work.
 #[derive(Debug, Clone)]
 pub struct Coupling {
     /// Its table in the file, for example `coupling.mesh`.
@@ -15,6 +15,19 @@ pub struct Coupling {
     pub second: JointId,
     /// How.
     pub law: CouplingLaw,
+    /// Absent for a coupling that is always ideal.
+    pub play: Option<CouplingPlay>,
+}
+
+/// The play of a coupling: contact in place of the relation of both coordinates.
+#[derive(Debug, Clone, Copy)]
+pub struct CouplingPlay {
+    /// Backlash j, m, >= 0; zero makes the coupling ideal. None of a follower that may lift off its cam.
+    pub backlash_m: Option<QuantityId>,
+    /// Radius on which the angle of the second joint counts as a length, m; none where its coordinate is a length.
+    pub second_radius_m: Option<QuantityId>,
+    /// The contact between the flanks, or between cam and follower.
+    pub contact: ContactId,
 }
 
 /// The coordinate of the second joint over that of the first.

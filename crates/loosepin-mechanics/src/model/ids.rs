@@ -29,6 +29,15 @@ pub enum Actuator {
     Control(ControlId),
 }
 
+/// What may have play: a joint, or a coupling by its index in [`crate::model::Model::couplings`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum PlayId {
+    /// A joint.
+    Joint(JointId),
+    /// A coupling.
+    Coupling(usize),
+}
+
 /// A point of a body: `body`, and the index in [`crate::model::Body::points`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PointId {

@@ -190,6 +190,21 @@ problems! {
                   wheels"),
             hint("mount both wheels on the same body: the frame, or the carrier of a planetary gear; kind = \"ratio\" \
                   couples any two joints");
+        BacklashNeedsRadii { entry: String } => Code::PlayOfCoupling,
+            says("{entry}: 'backlash' cannot be used with 'teeth'; it is a length on the pitch circles"),
+            hint("give the pitch radii as radii in place of teeth");
+        NotForFlanks {
+            entry: String,
+            contact: String,
+            /// What of it does not apply, in words.
+            what: String,
+            what_touches: &'static str,
+        } => Code::PlayOfCoupling,
+            says("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}"),
+            hint("give a contact its stiffness: stiffness and exponent, or a linear law; without friction and without a film");
+        FollowerTurns { entry: String, joint: String } => Code::PlayOfCoupling,
+            says("{entry}: joint '{joint}' turns; only a follower that slides may lift off"),
+            hint("leave contact out, or name a prismatic joint as follower");
         ControlledTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
             says("{entry}: joint '{joint}' is already moved by {other}");
         CycleNeedsTurns { drive: String } => Code::DriveNotPossible,

@@ -1,5 +1,6 @@
 //! Values set from outside: `--set path=value`, and the inputs of a study.
 
+use super::ids::PlayId;
 use super::law_choice::LawError;
 use super::path_error::PathError;
 use super::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
@@ -122,10 +123,9 @@ impl Model {
         roots
     }
 
-    /// The joints with play whose clearance is this quantity or depends on it, each with its clearance.
-    pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (&Joint, QuantityId)> {
-        let with_clearance = self.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
-        with_clearance.filter(move |(_, clearance)| *clearance == id || self.roots(*clearance).contains(&id))
+    /// The joints and couplings with play whose clearance is this quantity or depends on it, each with its clearance.
+    pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
+        self.play_clearances().filter(move |(_, clearance)| *clearance == id || self.roots(*clearance).contains(&id))
     }
 
     /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several

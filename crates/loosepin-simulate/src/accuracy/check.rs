@@ -6,7 +6,7 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayGeometry, PlayShape, Sample};
 use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{QuasiStaticShare, SimulationRecord};
 use loosepin_text::units::SiUnit;
@@ -20,7 +20,7 @@ const RELATIVE_TOLERANCE: f64 = 1e-9;
 /// `values` are those that the run was made with. A position counts as exceeded where it lies beyond by more than the
 /// tolerance of the run and round-off. Where the loops cannot be closed everywhere within the clearances (a dead point lies
 /// among them), there is no worst case: such samples are counted. With a slider that can turn over in its
-/// guide there is none at all, and no output is compared.
+/// guide, or a follower that may lift off its cam, there is none at all, and no output is compared.
 ///
 /// # Errors
 /// The ideal mechanism of the run cannot be built or moved.
@@ -32,6 +32,11 @@ pub fn quasi_static_check(
     let sample = Sample::new(mechanism, values)?;
     // Where forces move the mechanism, its ideal motion is no worst case of the real one: the two drift apart in time.
     if sample.plays.is_empty() || !mechanism.is_driven() {
+        return Ok(Vec::new());
+    }
+    // A follower that lifts off its cam goes as far as it flies.
+    let may_lift = |play: &PlayGeometry<f64>| matches!(&play.shape, PlayShape::Flanks(flanks) if flanks.is_one_sided);
+    if sample.plays.iter().any(may_lift) {
         return Ok(Vec::new());
     }
     let penetrations_m = record.joints.iter().map(|joint| joint.largest_penetration_m);

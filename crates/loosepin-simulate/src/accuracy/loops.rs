@@ -149,13 +149,13 @@ impl<'a> DisplacedLoops<'a> {
         direction: Vec2<f64>,
         readings: &[PositionReading],
     ) -> Result<Vec<f64>, AccuracyError> {
-        let joint = self.mechanism.plays[play];
+        let id = self.mechanism.plays[play];
         let at = self.displacements[play];
         let moving =
             Vec2::new(Dual { value: at.x, derivative: direction.x }, Dual { value: at.y, derivative: direction.y });
         let tree = &self.mechanism.ideal;
         let mut geometry = self.dual_geometry.clone();
-        geometry.set_displacement(tree, joint, moving, &self.centred_geometry);
+        geometry.set_displacement(tree, id, moving, &self.centred_geometry);
         let (model, values) = (&self.mechanism.model, self.values);
         let driven = vec![0.0; tree.drives.len()];
         self.derivatives(&geometry, &driven, readings, &|point| point_m(model, values, point))
@@ -213,9 +213,9 @@ impl<'a> DisplacedLoops<'a> {
     fn set_displacements(&mut self, displacements: &[Vec2<f64>]) {
         self.displacements.copy_from_slice(displacements);
         let (tree, centred) = (&self.mechanism.ideal, &self.centred_geometry);
-        for (&joint, &displacement) in self.mechanism.plays.iter().zip(displacements) {
-            self.geometry.set_displacement(tree, joint, displacement, centred);
-            self.dual_geometry.set_displacement(tree, joint, Vec2::from_f64(displacement), centred);
+        for (&id, &displacement) in self.mechanism.plays.iter().zip(displacements) {
+            self.geometry.set_displacement(tree, id, displacement, centred);
+            self.dual_geometry.set_displacement(tree, id, Vec2::from_f64(displacement), centred);
         }
     }
 

@@ -159,7 +159,7 @@ impl<'a> Recorder<'a> {
     ) -> Self {
         let model = &mechanism.model;
         let contributors = mechanism.plays.iter().zip(&sample.plays).map(|(joint, play)| JointContributor {
-            joint: model.joints[joint.0].name.clone(),
+            joint: model.play_name(*joint).to_owned(),
             radial_clearance_m: play.clearance_m,
             worst_case_si: Vec::new(),
         });

@@ -7,7 +7,8 @@ use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, PlayShape, Sample, 
 /// The displacements that the clearance of a joint allows.
 ///
 /// A displacement is a vector of two numbers: the eccentricity (e_x, e_y) of a journal in the ground's frame, m; the ordinate
-/// y, m, and the angle θ, rad, of a slider in its guide; the ordinate of a pin in its slot and zero.
+/// y, m, and the angle θ, rad, of a slider in its guide; the ordinate of a pin in its slot and zero; the length x by
+/// which a coupling deviates and zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlayReach {
     /// A journal in its bearing: |e| <= r.
@@ -26,7 +27,8 @@ pub enum PlayReach {
         /// θ_max with a sin θ_max = c + b (1 - cos θ_max), rad.
         largest_tilt_rad: f64,
     },
-    /// A pin between the faces of its slot: |y| <= c. The ends are not looked at: they can only make it less.
+    /// A pin between the faces of its slot: |y| <= c. The ends are not looked at: they can only make it less. Teeth between their
+    /// flanks: |x| <= c; a follower on its cam, with c = 0.
     Slot {
         /// Clearance c, m.
         clearance_m: f64,
@@ -46,7 +48,7 @@ impl PlayReach {
         let joints = mechanism.plays.iter().zip(&sample.plays).zip(penetrations_m);
         joints
             .map(|((joint, play), penetration_m)| {
-                let name = || mechanism.model.joints[joint.0].name.clone();
+                let name = || mechanism.model.play_name(*joint).to_owned();
                 Self::of_play(play, penetration_m).ok_or_else(|| AccuracyError::TurnsOver { joint: name() })
             })
             .collect()
@@ -54,10 +56,10 @@ impl PlayReach {
 
     fn of_play(play: &PlayGeometry<f64>, penetration_m: f64) -> Option<Self> {
         let clearance_m = play.clearance_m + penetration_m;
-        match play.shape {
+        match &play.shape {
             PlayShape::Pin { .. } => Some(Self::Disc { radius_m: clearance_m }),
-            PlayShape::Slot(_) => Some(Self::Slot { clearance_m }),
-            PlayShape::Slider(SliderBlock { half_length_m, half_height_m, .. }) => {
+            PlayShape::Slot(_) | PlayShape::Flanks(_) => Some(Self::Slot { clearance_m }),
+            &PlayShape::Slider(SliderBlock { half_length_m, half_height_m, .. }) => {
                 let largest_tilt_rad = largest_tilt_rad(clearance_m, half_length_m, half_height_m)?;
                 Some(Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad })
             }

@@ -8,7 +8,6 @@ use crate::memory::LaneLayout;
 use crate::pass::{LARGEST_RESIDUAL, step_in_time};
 use crate::reads::ReadLayout;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape};
-use loosepin_mechanics::model::JointKind;
 
 impl Batch<'_> {
     /// The drive, load or control whose expression has no value where the step at hand of a lane begins, or where it would end if all
@@ -48,7 +47,7 @@ impl Batch<'_> {
             }
             let play = run.sample.play_of(contact);
             if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =
-                (play.shape, self.core.pass.reads.along(contact))
+                (&play.shape, self.core.pass.reads.along(contact))
             {
                 let along_m = self.core.end_read(lane, place);
                 if !(ends_m[0] <= along_m && along_m <= ends_m[1]) {
@@ -56,7 +55,7 @@ impl Batch<'_> {
                         contact: self.mechanism.contact_name(contact),
                         joint: self.joint_name(contact).to_owned(),
                         along_m,
-                        ends_m,
+                        ends_m: *ends_m,
                         time_s,
                     });
                 }
@@ -100,29 +99,30 @@ impl Batch<'_> {
     }
 
     fn joint_name(&self, contact: usize) -> &str {
-        let joint = self.mechanism.plays[self.mechanism.contacts[contact].play];
-        &self.mechanism.model.joints[joint.0].name
+        self.mechanism.model.play_name(self.mechanism.plays[self.mechanism.contacts[contact].play])
     }
 
     fn too_deep(&self, run: &LaneRun, contact: usize, penetration_m: f64, time_s: f64) -> RunFailure {
         let model = &self.mechanism.model;
-        let joint = &model.joints[self.mechanism.plays[self.mechanism.contacts[contact].play].0];
+        let play = self.mechanism.plays[self.mechanism.contacts[contact].play];
+        let joint = model.play_name(play).to_owned();
         let limit = run.depth_limits[contact];
-        match (&joint.kind, run.sample.play_of(contact).shape) {
-            (JointKind::Revolute { clearance: Some(clearance), .. }, _) if limit.is_of_law => RunFailure::BeyondLaw {
-                joint: joint.name.clone(),
-                law: model.contacts[clearance.contact.0].law.name(),
-                penetration_m,
-                limit_m: limit.penetration_m,
-                time_s,
-            },
+        let limit_m = limit.penetration_m;
+        match (model.play_contact(play), &run.sample.play_of(contact).shape) {
+            (Some(of_law), PlayShape::Pin { .. }) if limit.is_of_law => {
+                let law = model.contacts[of_law.0].law.name();
+                RunFailure::BeyondLaw { joint, law, penetration_m, limit_m, time_s }
+            }
             (
                 _,
-                PlayShape::Pin { bearing_radius_m } | PlayShape::Slot(SlotShape { end_radius_m: bearing_radius_m, .. }),
-            ) => RunFailure::LeavesBearing { joint: joint.name.clone(), penetration_m, bearing_radius_m, time_s },
-            (_, PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
-                RunFailure::LeavesGuide { joint: joint.name.clone(), penetration_m, half_height_m, time_s }
+                &PlayShape::Pin { bearing_radius_m }
+                | &PlayShape::Slot(SlotShape { end_radius_m: bearing_radius_m, .. }),
+            ) => RunFailure::LeavesBearing { joint, penetration_m, bearing_radius_m, time_s },
+            (_, &PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
+                RunFailure::LeavesGuide { joint, penetration_m, half_height_m, time_s }
             }
+            // Without a limit nothing is too deep; a law with one is not for flanks.
+            (_, PlayShape::Flanks(_)) => RunFailure::NotFinite { time_s },
         }
     }
 }

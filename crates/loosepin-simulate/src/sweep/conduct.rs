@@ -127,7 +127,7 @@ pub fn sweep(
             .into_iter()
             .map(|column| SweptOutput { name: column.name, words: column.words, unit: column.unit })
             .collect(),
-        joints: mechanism.plays.iter().map(|joint| model.joints[joint.0].name.clone()).collect(),
+        joints: mechanism.plays.iter().map(|&play| model.play_name(play).to_owned()).collect(),
         points,
         display_units: model.shown_in(DisplayUnits::default()),
     })

@@ -105,7 +105,7 @@ impl Queue for Waiting<'_> {
         let factor = 0.9 + 0.2 * (index % MECHANISMS) as f64 / MECHANISMS as f64;
         let mut set = Vec::new();
         for play in &self.case.mechanism.plays {
-            if let Some((id, _)) = model.joints[play.0].kind.play() {
+            if let Some(id) = model.play_clearance(*play) {
                 set.push((id, factor * model.quantities.nominal()[id]));
             }
         }
@@ -182,8 +182,9 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
-/// friction in ideal joints, sliders with play in their guides, pins in slots.
-const CASES: [(&str, f64); 20] = [
+/// friction in ideal joints, sliders with play in their guides, pins in slots, gears and racks with
+/// backlash.
+const CASES: [(&str, f64); 22] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -204,6 +205,8 @@ const CASES: [(&str, f64); 20] = [
     ("slider_with_play_in_its_guide.toml", 0.1),
     ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
     ("disc_in_a_turning_slot.toml", 0.12),
+    ("geared_four_bar_backlash", 0.5),
+    ("planetary_backlash.toml", 0.3),
 ];
 
 #[test]

@@ -152,10 +152,10 @@ fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
     motion(material.response.mechanism(), &material.response.nominal, &plan).ok()
 }
 
-/// Names of the joints whose play an input decides.
+/// Names of the joints and couplings whose play an input decides.
 fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
-    let joints = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
-    joints.map(|(joint, _)| joint.name.as_str()).collect()
+    let plays = input.quantity().into_iter().flat_map(|id| study.model.play_from(id));
+    plays.map(|(play, _)| study.model.play_name(play)).collect()
 }
 
 /// The pose of a question at a single one.

@@ -225,7 +225,7 @@ impl ExpectedReader<'_> {
         let name = self.reader.text(&entry)?;
         let mechanism = &self.case.mechanism;
         let known: Vec<String> =
-            mechanism.plays.iter().map(|joint| mechanism.model.joints[joint.0].name.clone()).collect();
+            mechanism.plays.iter().map(|&play| mechanism.model.play_name(play).to_owned()).collect();
         let found = known.iter().position(|known| known == name);
         if found.is_none() {
             self.unknown(&entry, "joint with play", name, known);

@@ -68,11 +68,11 @@ pub(super) fn read_script(reader: &mut Reader, root: &Table<'_>, folder: &Path, 
     found.residual();
     for entry in root.get("joint").map(|entry| reader.named(&entry, "a joint")).unwrap_or_default() {
         let Some(table) = reader.table(&entry, joint_keys) else { continue };
-        let name_of = |play: usize| &case.model.joints[case.mechanism.plays[play].0].name;
+        let name_of = |play: usize| case.model.play_name(case.mechanism.plays[play]);
         match (0..case.mechanism.plays.len()).find(|&play| name_of(play) == entry.name) {
             Some(play) => found.joint(reader, &table, entry.name, play, case),
             None => {
-                let known = (0..case.mechanism.plays.len()).map(|play| name_of(play).clone()).collect();
+                let known = (0..case.mechanism.plays.len()).map(|play| name_of(play).to_owned()).collect();
                 let (what, name) = ("joint with play", entry.name.to_owned());
                 let problem = CaseProblem::UnknownName { entry: entry.path.describe(), what, name, known };
                 reader.complain(&problem, entry.key_span);

@@ -213,7 +213,7 @@ impl StudyReader {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
             return self.refused(&problem, entry.span);
         }
-        let has_play = self.model.joints.iter().any(|joint| joint.kind.play().is_some());
+        let has_play = self.model.plays().next().is_some();
         if deviation == Deviation::Clearance && !has_play {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }

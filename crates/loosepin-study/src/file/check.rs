@@ -53,10 +53,9 @@ impl StudyReader {
         Some(StudyProblem::ClearanceTouchesZero { path, end, clearance, is_member })
     }
 
-    /// The clearances of joints that follow from `quantity`: at 0 their joints would have no play.
+    /// The clearances that follow from `quantity`: at 0 their joints and couplings would have no play.
     fn plays_of(&self, quantity: QuantityId) -> Vec<QuantityId> {
-        let plays = self.model.joints.iter().filter_map(|joint| Some(joint.kind.play()?.0));
-        plays.filter(|&id| self.model.roots(id).contains(&quantity)).collect()
+        self.model.play_from(quantity).map(|(_, clearance)| clearance).collect()
     }
 
     /// Checks what only the whole study shows.

@@ -5,7 +5,7 @@ use super::random::Stated;
 use super::random_problem::RandomProblem;
 use super::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
-use loosepin_mechanics::model::{Joint, JointKind, QuantityId};
+use loosepin_mechanics::model::{Joint, JointKind, PlayId, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};
@@ -114,9 +114,13 @@ impl StudyReader {
         quantity: QuantityId,
         path: &str,
     ) -> Option<FitPlace<'t>> {
-        let concerned: Vec<&Joint> = self.model.play_from(quantity).map(|(joint, _)| joint).collect();
+        let joint_of = |play| match play {
+            PlayId::Joint(joint) => Some(&self.model.joints[joint.0]),
+            PlayId::Coupling(_) => None,
+        };
+        let concerned: Vec<&Joint> = self.model.play_from(quantity).filter_map(|(play, _)| joint_of(play)).collect();
         let per_radial = self.per_radial(quantity);
-        let is_play = per_radial.is_some();
+        let is_play = per_radial.is_some() && !concerned.is_empty();
         if !is_play {
             self.reader.complain(&RandomProblem::FitElsewhere { path: path.to_owned() }, entry.key_span);
         }

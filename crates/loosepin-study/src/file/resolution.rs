@@ -33,14 +33,13 @@ impl StudyReader {
         self.reader.complaints.push(complaint(&problem, Some(place)));
     }
 
-    /// The smallest clearance of all joints, each with the inputs that it depends on where they make it smallest.
+    /// The smallest clearance of all joints and couplings, each with the inputs that it depends on where they make it smallest.
     fn smallest_clearance(&self) -> Option<SmallestClearance> {
-        let joints = self.model.joints.iter().filter_map(|joint| Some((joint, joint.kind.play()?.0)));
-        let smallest = joints.filter_map(|(joint, clearance)| {
+        let smallest = self.model.play_clearances().filter_map(|(play, clearance)| {
             let sizes = SMALL.into_iter().filter_map(|small| self.clearance_m(clearance, small));
             // The smallest of all inputs at once may be impossible where each of them alone is not.
             let clearance_m = sizes.chain(self.middle_clearance_m(clearance)).find(|size| *size > 0.0)?;
-            Some(SmallestClearance { joint: joint.name.clone(), clearance_m })
+            Some(SmallestClearance { play: self.model.play_words(play), clearance_m })
         });
         smallest.min_by(|a, b| a.clearance_m.total_cmp(&b.clearance_m))
     }

@@ -313,6 +313,11 @@ of the limits, which are 3 Cpk standard deviations away. Cpk includes an offset 
 diameters of hole and shaft. Known are the holes D E F G H JS K M N P and the shafts d e f g h js k m n p r s, grades 3 to 13. A \
 joint with play needs a clearance above 0 for all sizes within the limits, which holes H have with shafts d to g."
 
+    PlayOfCoupling "E0640" "play of a coupling is not possible"
+"Backlash is a length on the pitch circles, so gears need their radii. Teeth, and a cam and its follower, touch where nothing tells \
+the radii of their surfaces and how they slide: their contact has a stiffness that is given, no friction and no film. A follower \
+that may lift off its cam slides in a prismatic joint."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \
 that can still move while all drives stand still. Add a drive or a joint. Often a joint names the wrong point, and a loop is open."

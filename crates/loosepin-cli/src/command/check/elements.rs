@@ -11,11 +11,15 @@ use loosepin::units::{Dimension, format_value};
 use super::law_words::law_words;
 use crate::console::counted;
 
-/// The couplings, the springs, the loads and the controls, each under a line that counts them; nothing where there are none.
-pub fn push_elements(text: &mut String, model: &Model, values: &Values) {
-    let couplings = model.couplings.iter().map(|coupling| {
-        let name = coupling.path.rsplit('.').next().unwrap_or_default();
-        (name, coupling_words(model, coupling, values))
+/// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them;
+/// nothing where there are none.
+pub fn push_elements(text: &mut String, model: &Model, values: &Values, coupling_lines: &[Vec<String>]) {
+    let name_of = |coupling: &'_ Coupling| coupling.path.rsplit('.').next().unwrap_or_default().to_owned();
+    let names: Vec<String> = model.couplings.iter().map(name_of).collect();
+    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let couplings = model.couplings.iter().zip(&names).zip(coupling_lines).map(|((coupling, name), lines)| {
+        let below = lines.iter().map(|line| format!("\n{:1$}{line}", "", width + 4));
+        (name.as_str(), std::iter::once(coupling_words(model, coupling, values)).chain(below).collect::<String>())
     });
     push_list(text, couplings.collect(), ("coupling", "couplings"));
     let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));

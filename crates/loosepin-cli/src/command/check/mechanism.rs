@@ -5,7 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Contact, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PointId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PlayId,
+    PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -29,7 +30,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     let mut text = format!("{}\n", model.name);
     push_bodies(&mut text, model, values);
     push_joints(&mut text, mechanism, values);
-    push_elements(&mut text, model, values);
+    push_elements(&mut text, model, values, &coupling_lines(mechanism, values));
     push_mobility(&mut text, mechanism);
     push_start(&mut text, mechanism, values, tried);
     push_cycle(&mut text, mechanism, tried);
@@ -55,7 +56,8 @@ fn push_bodies(text: &mut String, model: &Model, values: &Values) {
 
 fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
     let model = &mechanism.model;
-    let _ = writeln!(text, "\n{}, {} with play", counted(model.joints.len(), "joint", "joints"), mechanism.plays.len());
+    let with_play = mechanism.plays.iter().filter(|play| matches!(play, PlayId::Joint(_))).count();
+    let _ = writeln!(text, "\n{}, {with_play} with play", counted(model.joints.len(), "joint", "joints"));
     let width = model.joints.iter().map(|joint| joint.name.chars().count()).max().unwrap_or(0);
     let sample = Sample::<f64>::new(mechanism, values).ok();
     for (index, joint) in model.joints.iter().enumerate() {
@@ -75,7 +77,7 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let _ = writeln!(text, "{indent}{}, at {what} {size}", friction_words(model, &friction.friction, values));
         }
         let Some((clearance, contact)) = joint.kind.play() else { continue };
-        let Some(play) = mechanism.plays.iter().position(|play| *play == joint_id) else {
+        let Some(play) = mechanism.plays.iter().position(|play| *play == PlayId::Joint(joint_id)) else {
             let which = if matches!(joint.kind, JointKind::Revolute { .. }) { "radial clearance" } else { "clearance" };
             let _ = writeln!(text, "{indent}ideal, since its {which} is 0 mm");
             continue;
@@ -91,6 +93,26 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let _ = writeln!(text, "{indent}{line}");
         }
     }
+}
+
+/// What the play of each coupling is; no line for those that have none.
+fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
+    let model = &mechanism.model;
+    let sample = Sample::<f64>::new(mechanism, values).ok();
+    let lines = |(index, coupling): (usize, &Coupling)| {
+        let Some(play) = coupling.play else { return Vec::new() };
+        let Some(place) = mechanism.plays.iter().position(|play| *play == PlayId::Coupling(index)) else {
+            return vec!["ideal, since its backlash is 0 mm".to_owned()];
+        };
+        let words = match play.backlash_m {
+            Some(backlash) => format!("play: backlash {}", format_value(values[backlash], Dimension::LENGTH)),
+            None => "play: the follower may lift off".to_owned(),
+        };
+        let numbers = sample.as_ref().map(|sample| &sample.plays[place]);
+        let contact = contact_lines(model, &model.contacts[play.contact.0], None, values, numbers);
+        std::iter::once(words).chain(contact).collect()
+    };
+    model.couplings.iter().enumerate().map(lines).collect()
 }
 
 fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
@@ -274,11 +296,12 @@ fn friction_words(model: &Model, friction: &Friction, values: &Values) -> String
 
 fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     let model = &mechanism.model;
-    let name = |joint: &JointId| format!("'{}'", model.joints[joint.0].name);
+    let name = |play: &PlayId| format!("'{}'", model.play_name(*play));
+    let joints: Vec<PlayId> = mechanism.plays.iter().copied().filter(|play| matches!(play, PlayId::Joint(_))).collect();
     let loops = mechanism.ideal.cuts.len();
     let held = mechanism.real.cuts.len();
     let _ = writeln!(text);
-    let loop_words = match (loops, mechanism.plays.as_slice()) {
+    let loop_words = match (loops, joints.as_slice()) {
         (0, _) => "no closed loop".to_owned(),
         (_, []) => format!("{}, held by ideal joints", counted(loops, "closed loop", "closed loops")),
         (_, plays) => {

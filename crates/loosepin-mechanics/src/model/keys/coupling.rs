@@ -23,6 +23,19 @@ const TEETH: Key = optional(
     "numbers of teeth on the first and on the second joint, in place of radii",
 );
 
+const BACKLASH: Key = optional(
+    "backlash",
+    quantity(D::LENGTH, Rule::NonNegative),
+    "\"0.1 mm\"",
+    "way from flank to flank on the pitch circles; zero, or left out: none",
+);
+const CONTACT: Key = optional(
+    "contact",
+    Kind::Reference("contact"),
+    "\"teeth\"",
+    "contact between the flanks; with a backlash above zero",
+);
+
 const fn first(doc: &'static str) -> Key {
     required("first", Kind::Reference("joint"), "\"input\"", doc)
 }
@@ -46,6 +59,8 @@ static GEARS_KEYS: Keys = Keys::new(
         RADII,
         TEETH,
         OFFSET,
+        BACKLASH,
+        CONTACT,
     ],
 )
 .with_exactly_one(&[&["radii", "teeth"]]);
@@ -83,6 +98,8 @@ static RACK_KEYS: Keys = Keys::new(
             "how the rack goes along the line of its guide when the pinion turns from x towards y",
         ),
         OFFSET,
+        BACKLASH,
+        CONTACT,
     ],
 );
 
@@ -114,6 +131,12 @@ pub(in crate::model) static CAM_KEYS: Keys = Keys::new(
              to the last is a period",
         ),
         CSV,
+        optional(
+            "contact",
+            Kind::Reference("contact"),
+            "\"tappet\"",
+            "contact between cam and follower, which may then lift off; if left out, the cam holds it both ways",
+        ),
     ],
 )
 .with_exactly_one(&[&["points", "csv"]]);

@@ -1,11 +1,14 @@
 //! Reading couplings and cams.
 
+use super::guide::PlayKeys;
 use super::reader::ModelReader;
-use crate::model::coupling::{Coupling, CouplingLaw, Ratio};
-use crate::model::ids::{BodyId, JointId};
+use crate::contact::NormalDescription;
+use crate::model::coupling::{Coupling, CouplingLaw, CouplingPlay, Ratio};
+use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::keys::coupling::{CAM_KEYS, COUPLING_KINDS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
+use crate::model::topology::Stiffness;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -21,6 +24,9 @@ impl ModelReader {
 
     fn coupling(&mut self, entry: &Entry<'_>) -> Option<Coupling> {
         let (kind, table) = self.table_of_kind(entry, COUPLING_KINDS)?;
+        let has_backlash = matches!(kind, "gears" | "rack");
+        let contact = if has_backlash { self.contact_of(&table) } else { None };
+        let backlash = if has_backlash { self.backlash(&table, kind) } else { Some(None) };
         let [first, second] = self.two_joints(&table, ["first", "second"], kind)?;
         let (from, to) = (self.coordinate_of(first), self.coordinate_of(second));
         let ratio = match kind {
@@ -51,7 +57,50 @@ impl ModelReader {
             Some(entry) => self.quantity_of(&entry, to, Rule::Finite)?,
             None => self.default_quantity(&table.path.join("offset"), to, Rule::Finite, 0.0),
         };
-        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Ratio { ratio, offset } })
+        let second_radius_m = match ratio {
+            Ratio::Wheels { sizes: [_, radius_m], .. } => Some(radius_m),
+            Ratio::Given(_) | Ratio::Rack { .. } => None,
+        };
+        let play = match backlash? {
+            None => None,
+            backlash_m => {
+                let contact = contact?;
+                self.demand_contact_of_flanks(&table, contact, "the flanks of teeth")?;
+                Some(CouplingPlay { backlash_m, second_radius_m, contact })
+            }
+        };
+        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Ratio { ratio, offset }, play })
+    }
+
+    /// The backlash of gears or a rack; the outer option is absent after a complaint, the inner for an ideal coupling.
+    fn backlash(&mut self, table: &Table<'_>, kind: &str) -> Option<Option<QuantityId>> {
+        const KEYS: PlayKeys = PlayKeys { clearance: "backlash", needed: &["contact"], beside: &["contact"] };
+        let backlash = self.play_clearance(table, &KEYS)?;
+        if backlash.is_some() && kind == "gears" && table.has("teeth") {
+            let problem = ModelProblem::BacklashNeedsRadii { entry: table.path.describe() };
+            return self.reader.refuse(&problem, table.get("backlash").map_or(table.span, |entry| entry.key_span));
+        }
+        Some(backlash)
+    }
+
+    /// Complains where the contact is one that flanks of teeth, or a cam and its follower, cannot have: nothing tells the radii
+    /// where they touch, nor how they slide on each other.
+    fn demand_contact_of_flanks(&mut self, table: &Table<'_>, id: ContactId, what_touches: &'static str) -> Option<()> {
+        let contact = &self.contacts[id.0];
+        let what = match (&contact.stiffness, contact.law) {
+            (_, NormalDescription::Line(law)) => format!("the line-contact law '{}'", law.name),
+            (Stiffness::Material { .. }, _) => "a stiffness from the materials".to_owned(),
+            _ if contact.film.is_some() => "a film of oil".to_owned(),
+            _ if contact.friction.is_some() => "friction".to_owned(),
+            _ => return Some(()),
+        };
+        let problem = ModelProblem::NotForFlanks {
+            entry: table.path.describe(),
+            contact: contact.name.clone(),
+            what,
+            what_touches,
+        };
+        self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span))
     }
 
     /// Reads the table of cams.
@@ -68,7 +117,20 @@ impl ModelReader {
         let [first, second] = joints?;
         let [from, to] = [first, second].map(|joint| self.coordinate_of(joint));
         let points = self.table_points(table, [("cam", from), ("follower", to)])?;
-        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points } })
+        let play = if table.has("contact") {
+            let contact = self.contact_of(table)?;
+            self.demand_contact_of_flanks(table, contact, "a cam and its follower")?;
+            let follower = table.get("follower").filter(|_| to != Dimension::LENGTH);
+            if let Some(follower) = follower {
+                let joint = self.joints[second.0].name.clone();
+                let problem = ModelProblem::FollowerTurns { entry: table.path.describe(), joint };
+                return self.reader.refuse(&problem, follower.span);
+            }
+            Some(CouplingPlay { backlash_m: None, second_radius_m: None, contact })
+        } else {
+            None
+        };
+        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points }, play })
     }
 
     /// Dimension of the coordinate of a joint.

@@ -158,7 +158,7 @@ fn identity_a_floating_pair_in_contact_keeps_its_momenta() {
         let sample = built.sample();
         let model = &mechanism.model;
         let tree = &mechanism.real;
-        let apex = mechanism.plays.iter().position(|joint| model.joints[joint.0].name == "apex").expect("it has play");
+        let apex = mechanism.plays.iter().position(|&play| model.play_name(play) == "apex").expect("it has play");
         let floating: Vec<(usize, usize)> = tree
             .links
             .iter()

@@ -1,5 +1,6 @@
 //! Springs, dampers, loads, motions of drives and initial states against closed forms and against the energy account.
 
+mod backlash;
 mod cams;
 mod control;
 mod couplings;

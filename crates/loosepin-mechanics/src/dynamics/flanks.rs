@@ -1,0 +1,109 @@
+//! Teeth between flanks, and a follower on its cam: contacts of a coupling with play (`docs/notation.md`).
+//!
+//! Everything goes by one length, x = r (q_2 - f(q_1)): how far the second joint is from where the first would have it. With the
+//! clearance c (half the backlash) the two flanks meet at δ = -x - c (second behind) and δ = x - c (second ahead); a cam meets its
+//! follower at δ = -x. The normal force N acts along x. Its power is -N δ̇, so that the second joint gets the torque (or force)
+//! r N_x and the first one -f'(q_1) r N_x with N_x = ±N: energy is exact whatever f is.
+//!
+//! [`PlayMotion`] holds x as the first part of an eccentricity, without directions in the plane.
+//!
+//! The functions stand out of line, as those of a slot do.
+
+use super::contact_motion::{ContactMotion, GapMotion};
+use super::equations::Dynamics;
+use super::play::PlayMotion;
+use crate::mechanism::{Flanks, JointGeometry, JointPlace, Kinematics, PlayGeometry, PlayShape};
+use loosepin_math::{Real, Vec2};
+
+/// The motion x and ẋ.
+#[inline(never)]
+pub(super) fn motion<T: Real>(kinematics: &Kinematics<T>, flanks: &Flanks<T>) -> PlayMotion<T> {
+    let Flanks { coupling, places, .. } = flanks;
+    let lever = coupling.lever;
+    PlayMotion {
+        eccentricity_m: Vec2::new(lever * coupling.residual(places, kinematics), T::zero()),
+        eccentricity_rate_m_s: Vec2::new(lever * coupling.rate(places, kinematics), T::zero()),
+        bearing_arm_m: Vec2::zero(),
+        journal_arm_m: Vec2::zero(),
+        spins_rad_s: [T::zero(); 2],
+        directions: [Vec2::zero(); 2],
+    }
+}
+
+/// Direction of x in which the flank `place` is pressed: behind first, then ahead.
+fn sign<T: Real>(place: usize) -> T {
+    if place == 0 { -T::one() } else { T::one() }
+}
+
+/// Normal, penetration and its rate.
+#[inline(always)]
+pub(super) fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
+    let sign = sign::<T>(place);
+    ContactMotion {
+        normal: Vec2::new(sign, T::zero()),
+        penetration_m: sign * motion.eccentricity_m.x - play.clearance_m,
+        penetration_rate_m_s: sign * motion.eccentricity_rate_m_s.x,
+        reaches_m: [Vec2::zero(); 2],
+    }
+}
+
+/// δ and its derivatives where ẍ is `acceleration_m_s2`.
+#[inline(always)]
+pub(super) fn gap<T: Real>(
+    motion: &PlayMotion<T>,
+    play: &PlayGeometry<T>,
+    place: usize,
+    acceleration_m_s2: T,
+) -> GapMotion<T> {
+    let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = contact(motion, play, place);
+    let bent_m_s2 = normal.x * acceleration_m_s2;
+    GapMotion { gap: [penetration_m, penetration_rate_m_s, bent_m_s2], penetration_acceleration_m_s2: bent_m_s2 }
+}
+
+/// Torques or forces along the coordinates of both joints that a force of one newton along x is.
+#[inline(always)]
+pub(super) fn shares<T: Real>(kinematics: &Kinematics<T>, flanks: &Flanks<T>) -> [T; 2] {
+    let lever = flanks.coupling.lever;
+    [-(flanks.coupling.slope(&flanks.places, kinematics) * lever), lever]
+}
+
+impl<T: Real> Dynamics<'_, T> {
+    /// ẍ of the coupling with play `play` at the last evaluation.
+    #[inline(never)]
+    pub(super) fn flank_acceleration_m_s2(&self, flanks: &Flanks<T>) -> T {
+        flanks.coupling.lever
+            * flanks.coupling.acceleration(
+                &flanks.places,
+                &self.kinematics,
+                #[inline(always)]
+                |slot| self.acceleration(slot),
+            )
+    }
+
+    /// Adds the force `force_n` along x of the coupling with play `play`.
+    #[inline(never)]
+    pub(super) fn add_flank_force(&mut self, play: usize, force_n: T) {
+        let PlayShape::Flanks(flanks) = &self.sample.plays[play].shape else { return };
+        let (shares, joints, places) = (shares(&self.kinematics, flanks), flanks.coupling.joints, flanks.places);
+        for side in [0, 1] {
+            self.add_effort(&joints[side], &places[side], shares[side] * force_n);
+        }
+    }
+
+    /// Adds a torque or force `effort` along the coordinate of a joint; gives the force on its second body, N.
+    #[inline(always)]
+    pub(super) fn add_effort(&mut self, joint: &JointGeometry<T>, place: &JointPlace, effort: T) -> Vec2<T> {
+        let [i, j] = place.slots;
+        if place.is_prismatic {
+            let (arms_m, line) = joint.line_of_action(place, &self.kinematics);
+            let on_second_n = line * effort;
+            self.add_force(i, arms_m[0], -on_second_n, T::zero());
+            self.add_force(j, arms_m[1], on_second_n, T::zero());
+            on_second_n
+        } else {
+            self.add_force(i, Vec2::zero(), Vec2::zero(), -effort);
+            self.add_force(j, Vec2::zero(), Vec2::zero(), effort);
+            Vec2::zero()
+        }
+    }
+}

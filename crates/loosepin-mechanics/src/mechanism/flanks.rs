@@ -1,0 +1,22 @@
+//! The numbers of a coupling with play.
+
+use super::coupling_geometry::CouplingGeometry;
+use super::tree::CouplingPlace;
+use loosepin_math::numbers;
+
+/// Teeth between flanks, or a follower on its cam. The second joint's coordinate deviates by the length x = r (q_2 - f(q_1))
+/// from where the first would have it.
+#[derive(Debug, Clone)]
+pub struct Flanks<T> {
+    /// f, and the two joints.
+    pub coupling: CouplingGeometry<T>,
+    /// Where the two joints are in the real tree.
+    pub places: CouplingPlace,
+    /// Whether only x < 0 is resisted: a follower may lift off its cam, a tooth has another flank behind it.
+    pub is_one_sided: bool,
+}
+
+numbers!(struct Flanks { coupling; places, is_one_sided });
+
+/// Names of the two contacts of teeth, by where the second wheel is against the first.
+pub(super) const FLANKS: [&str; 2] = ["behind", "ahead"];
