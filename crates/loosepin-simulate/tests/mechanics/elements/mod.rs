@@ -10,6 +10,7 @@ mod expressions;
 mod initial;
 mod joint_friction;
 mod load_tables;
+mod lift_off;
 mod loads;
 mod neighbours;
 mod power_balance;
