@@ -96,12 +96,20 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         .joints
         .iter()
         .map(|joint| {
-            // In a guide or a slot it lies between faces.
-            let is_between_faces = record.drawing.joints.iter().any(|drawn| {
-                drawn.name == joint.joint && matches!(drawn.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
-            });
-            let clearance = writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH);
-            let kind = if is_between_faces { "clearance" } else { "radial clearance" };
+            let drawn = record.drawing.joints.iter().find(|drawn| drawn.name == joint.joint);
+            let value = |value_m: f64| writer.value_trimmed(value_m, &SiUnit::LENGTH);
+            let (kind, clearance) = match drawn.map(|drawn| drawn.kind) {
+                // No joint but a coupling: a cam has no clearance, teeth have half of their backlash on each side.
+                None if joint.radial_clearance_m == 0.0 => {
+                    return format!("a follower that may lift off in {}", joint.joint);
+                }
+                None => ("backlash", value(2.0 * joint.radial_clearance_m)),
+                // In a guide or a slot it lies between faces.
+                Some(DrawnJointKind::Prismatic | DrawnJointKind::Slot) => {
+                    ("clearance", value(joint.radial_clearance_m))
+                }
+                Some(_) => ("radial clearance", value(joint.radial_clearance_m)),
+            };
             format!("a {kind} of {clearance} in {}", joint.joint)
         })
         .collect();

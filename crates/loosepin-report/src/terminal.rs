@@ -287,7 +287,11 @@ fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
             tenths(joint.losses_per_turn),
             writer.percent(joint.flight_share, Rounding::Nearest),
             joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
-            writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up),
+            if joint.radial_clearance_m > 0.0 {
+                writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up)
+            } else {
+                "-".to_owned()
+            },
         ]);
     }
     contacts
