@@ -12,6 +12,7 @@ mod element_force;
 mod energy;
 mod equations;
 mod film;
+mod flank_force;
 mod flanks;
 mod inverse;
 mod joint_friction;

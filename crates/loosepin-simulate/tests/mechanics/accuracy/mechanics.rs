@@ -3,7 +3,7 @@
 use super::{build_case, build_text, case_names, ideal_at, spread};
 use loosepin_math::{Dual, Vec2};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{Attachment, Sample, acceleration_at};
+use loosepin_mechanics::mechanism::{Attachment, ContactPlace, Sample, acceleration_at};
 
 /// Round-off relative to the largest power, force or moment at work.
 const ROUND_OFF: f64 = 1e-10;
@@ -32,12 +32,9 @@ fn identity_power_balance_of_all_cases() {
             }
             let mut plain = Dynamics::new(mechanism, &sample);
             plain.set_state(time_s, &q[..n], &rates[..n]);
-            let touches: Vec<bool> = plain
-                .plays()
-                .iter()
-                .zip(&sample.plays)
-                .map(|(motion, play)| motion.gap_m2(play.clearance_m) > 0.0)
-                .collect();
+            let is_touched =
+                |at: &ContactPlace| plain.plays()[at.play].penetration_at_m(&sample.plays[at.play], at.place) > 0.0;
+            let touches: Vec<bool> = sample.contacts.iter().map(is_touched).collect();
             in_contact += touches.iter().filter(|touch| **touch).count();
             let states: Vec<PlayState<f64>> = touches
                 .iter()
@@ -55,7 +52,7 @@ fn identity_power_balance_of_all_cases() {
                 (0..n).map(|k| Dual { value: rates[k], derivative: plain.accelerations()[k] }).collect();
             let mut dual = Dynamics::new(mechanism, &dual_sample);
             dual.set_state(Dual::variable(time_s), &moving, &turning);
-            let energy = dual.energy(|play| touches[play]);
+            let energy = dual.energy(|contact| touches[contact]);
             let terms = [
                 energy.kinetic_j.derivative,
                 energy.potential_j.derivative,
