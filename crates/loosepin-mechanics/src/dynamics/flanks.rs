@@ -14,21 +14,6 @@ use super::play::PlayMotion;
 use crate::mechanism::{Flanks, Kinematics, PlayGeometry};
 use loosepin_math::{Real, Vec2};
 
-/// The motion x and ẋ.
-#[inline(never)]
-pub(super) fn motion<T: Real>(kinematics: &Kinematics<T>, flanks: &Flanks<T>) -> PlayMotion<T> {
-    let Flanks { coupling, places, .. } = flanks;
-    let lever = coupling.lever;
-    PlayMotion {
-        eccentricity_m: Vec2::new(lever * coupling.residual(places, kinematics), T::zero()),
-        eccentricity_rate_m_s: Vec2::new(lever * coupling.rate(places, kinematics), T::zero()),
-        bearing_arm_m: Vec2::zero(),
-        journal_arm_m: Vec2::zero(),
-        spins_rad_s: [T::zero(); 2],
-        directions: [Vec2::zero(); 2],
-    }
-}
-
 /// Direction of x in which the flank `place` is pressed: behind first, then ahead.
 fn sign<T: Real>(place: usize) -> T {
     if place == 0 { -T::one() } else { T::one() }

@@ -1,6 +1,5 @@
 //! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1 to 6).
 
-use super::flanks;
 use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};
 
@@ -27,7 +26,15 @@ impl<T: Real> PlayMotion<T> {
     #[inline(always)]
     pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
         if let PlayShape::Flanks(flanks) = &play.shape {
-            return flanks::motion(kinematics, flanks);
+            let [x_m, rate_m_s] = flanks.deviation_m(kinematics);
+            return Self {
+                eccentricity_m: Vec2::new(x_m, T::zero()),
+                eccentricity_rate_m_s: Vec2::new(rate_m_s, T::zero()),
+                bearing_arm_m: Vec2::zero(),
+                journal_arm_m: Vec2::zero(),
+                spins_rad_s: [T::zero(); 2],
+                directions: [Vec2::zero(); 2],
+            };
         }
         let bearing_arm_m = kinematics.poses[i].turn(play.bearing_arm_m);
         let journal_arm_m = kinematics.poses[j].turn(play.journal_arm_m);

@@ -1,8 +1,9 @@
 //! The numbers of a coupling with play.
 
 use super::coupling_geometry::CouplingGeometry;
+use super::kinematics::Kinematics;
 use super::tree::CouplingPlace;
-use loosepin_math::numbers;
+use loosepin_math::{Real, numbers};
 
 /// Teeth between flanks, or a follower on its cam. The second joint's coordinate deviates by the length x = r (q_2 - f(q_1))
 /// from where the first would have it.
@@ -17,6 +18,15 @@ pub struct Flanks<T> {
 }
 
 numbers!(struct Flanks { coupling; places, is_one_sided });
+
+impl<T: Real> Flanks<T> {
+    /// x, m, and ẋ, m/s. Out of line, as the functions of a slot: not every mechanism has flanks.
+    #[inline(never)]
+    pub fn deviation_m(&self, kinematics: &Kinematics<T>) -> [T; 2] {
+        let (coupling, places) = (&self.coupling, &self.places);
+        [coupling.lever * coupling.residual(places, kinematics), coupling.lever * coupling.rate(places, kinematics)]
+    }
+}
 
 /// Names of the two contacts of teeth, by where the second wheel is against the first.
 pub(super) const FLANKS: [&str; 2] = ["behind", "ahead"];
