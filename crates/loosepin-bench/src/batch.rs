@@ -2,7 +2,7 @@
 
 use crate::compiled;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, QuantityId};
+use loosepin::model::{JointKind, PlayId, QuantityId};
 use loosepin::simulate::{
     Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
     Step, Window, columns, conduct,
@@ -59,7 +59,11 @@ impl Case {
         let clearances = mechanism
             .plays
             .iter()
-            .filter_map(|play| match &model.joints[play.0].kind {
+            .filter_map(|play| match play {
+                PlayId::Joint(joint) => Some(&model.joints[joint.0].kind),
+                PlayId::Coupling(_) => None,
+            })
+            .filter_map(|kind| match kind {
                 JointKind::Revolute { clearance: Some(clearance), .. } => Some(clearance.radial_clearance_m),
                 _ => None,
             })
