@@ -295,11 +295,11 @@ def derivative(time_s, y, system, mode, v0_m_s):
         push(force, q, i, x, y_point, -fx, -fy)
         result[2 * size] += (normal - elastic) * rate
         result[2 * size + 1] -= tangential * material
-    for k in range(system[7].shape[0]):
-        body, is_angle, i, j, first, count = system[7][k]
-        number = system[8][k]
+    for k in range(system[8].shape[0]):
+        body, is_angle, i, j, first, count = system[8][k]
+        number = system[9][k]
         argument = turn(q, j) - turn(q, i) if is_angle == 1 else time_s
-        size_n = load_size(argument, system[9][first : first + count], number[4])
+        size_n = load_size(argument, system[10][first : first + count], number[4])
         ax, ay = arm(q, body, number[0], number[1])
         x, y_point = place(q, body, ax, ay)
         vx, vy = velocity(v, body, ax, ay)

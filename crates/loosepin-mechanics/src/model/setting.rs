@@ -4,7 +4,7 @@ use super::ids::PlayId;
 use super::law_choice::LawError;
 use super::path_error::PathError;
 use super::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
-use super::topology::{Joint, Model};
+use super::topology::Model;
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Code, Complaint, Place, Source, problems};

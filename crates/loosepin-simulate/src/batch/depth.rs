@@ -122,7 +122,7 @@ impl Batch<'_> {
                 RunFailure::LeavesGuide { joint, penetration_m, half_height_m, time_s }
             }
             // Without a limit nothing is too deep; a law with one is not for flanks.
-            (_, PlayShape::Flanks(_)) => RunFailure::NotFinite { time_s },
+            (_, PlayShape::Flanks(_)) => RunFailure::NotFinite { time_s, element: None },
         }
     }
 }
