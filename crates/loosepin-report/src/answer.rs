@@ -1,15 +1,14 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::told::{SENTENCE_DIGITS, between, largest, smallest, told};
+use super::told::{SENTENCE_DIGITS, Told, between, largest, smallest, told};
 use super::wording::{
     capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
     verdict_words,
 };
 use loosepin_result::study::{
     BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PathError, PromiseRecord,
-    Reduction, RequirementOutcome, ResponsePoint, Statistic, StudyResult, Treatment, TreatmentBand,
-    TreatmentComparison, Verdict,
+    RequirementOutcome, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -33,7 +32,8 @@ pub(super) struct Answer {
 /// the band over the cycle otherwise.
 pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let curve = main_curve(result);
-    let mut sentences = told(result).into_iter().map(|told| told.sentence(result, writer));
+    let answers = told(result);
+    let mut sentences = answers.iter().map(|told| told.sentence(result, writer));
     let headline = sentences.next().unwrap_or_else(|| {
         let empty = result.requirements.is_empty();
         let said = if empty {
@@ -53,7 +53,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     // Without a verdict they concern the numbers of the answer.
     let (caveats, mut details) = if verdict.is_some() { (caveats, Vec::new()) } else { (Vec::new(), caveats) };
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
-    details.push(error_sentence(result, writer));
+    details.push(error_sentence(result, &answers, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
     Answer { requirements, caveats, headline, further, details, verdict }
@@ -127,20 +127,6 @@ fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> S
         .collect();
     let for_what = if parts.is_empty() { "the stated scatter".to_owned() } else { listed(&parts) };
     format!(" {} for {for_what}.", if is_of_one { "This holds" } else { "All this holds" })
-}
-
-/// The quantile of the largest deviation, the first of these bounds that are asked for, with its probability.
-pub(super) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> {
-    bounds.iter().find_map(|bound| {
-        let is_main = bound.treatment == Treatment::Mixed
-            && bound.of == Deviation::Total
-            && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
-            && bound.upper.widened_si.is_finite();
-        match bound.statistic {
-            Statistic::Quantile(probability) if is_main && probability > 0.5 => Some((bound, probability)),
-            _ => None,
-        }
-    })
 }
 
 fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
@@ -296,9 +282,8 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
     }
 }
 
-fn error_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
+fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
-    let answers = told(result);
     let headline = answers.first();
     let error_text = headline.and_then(|told| told.error_si()).map(|(error_si, unit)| writer.error(error_si, unit));
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();

@@ -57,22 +57,26 @@ fn severity(verdict: Verdict) -> u8 {
 fn of_output<'r>(result: &'r StudyResult, name: &str) -> Option<Told<'r>> {
     let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
     let largest = || {
-        bounds().filter_map(|bound| {
-            let is_largest = bound.of != Deviation::Value
-                && bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute })
-                && bound.upper.widened_si.is_finite();
-            match bound.statistic {
-                Statistic::Quantile(probability) if is_largest && probability > 0.5 => {
-                    Some(Told::Largest(bound, probability))
-                }
-                _ => None,
-            }
-        })
+        let of_deviation = bounds().filter(|bound| bound.of != Deviation::Value);
+        of_deviation.filter_map(|bound| Some(Told::Largest(bound, probability_of_largest(bound)?)))
     };
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
     let told = || largest().chain(curves().map(Told::Curve));
     let total = told().find(|told| told.of() == Deviation::Total);
     total.or_else(|| told().next()).or_else(|| bounds().next().map(Told::Bound))
+}
+
+/// The first quantile of a largest total deviation that is asked for, with its probability.
+pub(super) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> {
+    let mut total = bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.of == Deviation::Total);
+    total.find_map(|bound| Some((bound, probability_of_largest(bound)?)))
+}
+
+/// The probability of a bound that is a quantile, above the median and known, of the largest magnitude over the cycle.
+fn probability_of_largest(bound: &BoundRecord) -> Option<f64> {
+    let Statistic::Quantile(probability) = bound.statistic else { return None };
+    let is_largest = bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute });
+    (is_largest && probability > 0.5 && bound.upper.widened_si.is_finite()).then_some(probability)
 }
 
 impl<'r> Told<'r> {
