@@ -258,13 +258,37 @@ fn too_few_points_and_too_many_elements_are_told_with_their_numbers() {
          hint: join elements of the inputs that matter least"
     );
     // Two ends and a middle: the middle is that of all.
-    let cuts = (0..300).map(|k| f64::from(k) / 300.0).map(|alpha| (alpha, interval(0.9 * alpha, 2.0 - 0.9 * alpha)));
-    let fuzzy = FuzzyNumber::try_new(cuts.collect()).unwrap();
     assert_eq!(
-        refused(vec![fuzzy.into()], 64),
-        "the corners and centres of all focal elements and cuts are 601; must be at most 512\n\
-         hint: fewer elements, cuts or degrees"
+        refused(vec![many_cuts().into()], 600),
+        "outer 600; the corners and centres of all focal elements and cuts need at least 601\n\
+         hint: 1202 is a good start, and elements that share ends need fewer"
     );
+}
+
+/// A fuzzy number of 300 cuts around 1, from [0, 2].
+fn many_cuts() -> FuzzyNumber {
+    let cuts = (0..300).map(|k| f64::from(k) / 300.0).map(|alpha| (alpha, interval(0.9 * alpha, 2.0 - 0.9 * alpha)));
+    FuzzyNumber::try_new(cuts.collect()).unwrap()
+}
+
+#[test]
+fn analytic_more_points_than_one_smoother_sees_give_the_bounds_of_every_cut() {
+    // 601 points: three parts. Y = X + sin 3u, whose summit at u = π/6 lies in some of the cuts and not in others.
+    let sampling = Sampling { outer: 601, inner: 16, ..Sampling::default() };
+    let problem = Problem { sampling, ..with(vec![many_cuts().into()], &[Statistic::Mean], 1) };
+    let bounds = evaluate(problem, &Function(|x: &[f64], u: &[f64]| x[0] + libm::sin(3.0 * u[0]))).unwrap();
+    assert_eq!((bounds.outer_points.len(), bounds.levels.len()), (601, 300));
+    for level in &bounds.levels {
+        let alpha = level.alpha.unwrap();
+        let (low, high) = (0.9 * alpha, 2.0 - 0.9 * alpha);
+        let ends = [low, high].map(|u| libm::sin(3.0 * u));
+        let extreme = |turns: f64, own: f64, of: fn(f64, f64) -> f64| {
+            let place = turns * core::f64::consts::PI;
+            let inside = if low <= place && place <= high { own } else { ends[0] };
+            of(of(ends[0], ends[1]), inside)
+        };
+        check(&level.pairs[0], (extreme(0.5, -1.0, f64::min), extreme(1.0 / 6.0, 1.0, f64::max)), 1e-3);
+    }
 }
 
 fn read(reading: Reading, problem: Problem) -> Bounds {

@@ -7,7 +7,6 @@ use crate::data::statistic::Statistic;
 use crate::search::design::structural_point_count;
 use crate::search::parts::{Structure, element_count};
 use crate::search::search_box::SearchBox;
-use crate::search::smoother::MOST_POINTS;
 use loosepin_uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENSIONS};
 
 /// Why a problem cannot be planned.
@@ -87,10 +86,6 @@ pub enum ProblemError {
     )]
     TooFewForElements { name: &'static str, count: usize, least: usize, recommended: usize },
     #[error(
-        "the corners and centres of all focal elements and cuts are {least}; must be at most {most}\nhint: fewer elements, cuts or degrees"
-    )]
-    TooManyParts { least: usize, most: usize },
-    #[error(
         "{elements} combinations of focal elements; must be at most {MOST_ELEMENTS}\n\
          hint: join elements of the inputs that matter least"
     )]
@@ -114,8 +109,9 @@ const MOST_ELEMENTS: usize = 256;
 /// Every combination of members is run, and searched by itself.
 const MOST_COMBINATIONS: usize = 64;
 
-/// Points in the box of the epistemic inputs at most, with all combinations of the members of lists.
-pub const MOST_OUTER: usize = MOST_POINTS * MOST_COMBINATIONS;
+/// Points in the box of the epistemic inputs at most, with all combinations of the members of lists: with as many, a search takes
+/// longer than all else.
+pub const MOST_OUTER: usize = 1 << 20;
 
 impl ProblemError {
     /// The number of runs, of points or of replicates that it is about, by the name of its field.
@@ -181,12 +177,8 @@ impl Problem {
         let structure = Structure::new(&search_box);
         if structure.is_divided() {
             let least = combinations * structure.points(wide).len();
-            let most = MOST_POINTS * combinations;
-            if least > most {
-                return Err(ProblemError::TooManyParts { least, most });
-            }
             if outer < least {
-                let recommended = (2 * least).max(64).min(most);
+                let recommended = (2 * least).max(64);
                 return Err(ProblemError::TooFewForElements { name: "outer", count: outer, least, recommended });
             }
         }
@@ -262,15 +254,15 @@ fn check_multiple(name: &'static str, count: usize, replicates: usize) -> Result
 fn check_points(name: &'static str, count: usize, dimensions: usize, combinations: usize) -> Result<(), ProblemError> {
     let least = combinations * structural_point_count(dimensions);
     if count < least {
-        let recommended = (3 * least).max(64).min(MOST_POINTS * combinations);
+        let recommended = (3 * least).max(64);
         return Err(if combinations == 1 {
             ProblemError::TooFewPoints { name, count, dimensions, least, recommended }
         } else {
             ProblemError::TooFewForCombinations { name, count, combinations, dimensions, least, recommended }
         });
     }
-    if count > MOST_POINTS * combinations {
-        return Err(ProblemError::TooManyPoints { name, count, most: MOST_POINTS * combinations });
+    if count > MOST_OUTER {
+        return Err(ProblemError::TooManyPoints { name, count, most: MOST_OUTER });
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! Bounds to an accuracy: samples that grow until no bound is widened by more than is asked.
 
+use super::check::MOST_OUTER;
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use crate::data::bound::{Bound, BoundPair};
@@ -9,7 +10,6 @@ use crate::estimators::pool::Pool;
 use crate::readings::bounds::Bounds;
 use crate::search::design::{first_points, structural_point_count};
 use crate::search::search_box::Place;
-use crate::search::smoother::MOST_POINTS;
 
 /// Inner runs, at most.
 const MOST_INNER: usize = 1 << 24;
@@ -229,8 +229,7 @@ impl Refinement {
             }
             Growth::Outer => {
                 let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_box();
-                let most = MOST_POINTS * self.plan.box_combinations();
-                let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(most);
+                let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(MOST_OUTER);
                 (helps && outer > assessment.outer).then_some(Sampling { outer, ..sampling })
             }
         };
@@ -258,7 +257,8 @@ fn filling_round(plan: &DoubleLoop, table: &SampleTable, count: usize) -> Result
     let known = plan.setup.outer_places(&pool);
     let search_box = &plan.setup.epistemic_box;
     let structural = structural_point_count(search_box.dimensions());
-    let points = first_points(seed, search_box.dimensions(), structural + MOST_POINTS)?;
+    // As many as are there already may be the same.
+    let points = first_points(seed, search_box.dimensions(), structural + known.len() + count)?;
     let places = points.into_iter().skip(structural).flat_map(|at| {
         let of = move |combination| Place { combination, at: at.clone() };
         (0..plan.box_combinations()).map(of).collect::<Vec<Place>>()

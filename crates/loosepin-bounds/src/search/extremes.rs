@@ -20,40 +20,34 @@ pub(super) struct Extreme<'a> {
 }
 
 impl Search<'_> {
-    /// The extremes of `targets` in each of `elements`, where their combinations have fewer than `most_points`.
+    /// The extremes of `targets` in each of `elements`.
     pub(super) fn extremes<'e>(
         &'e self,
         targets: &'e [(Target, Vec<Direction>)],
         elements: &'e [Element],
-        most_points: usize,
     ) -> Vec<Extreme<'e>> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let mut extremes = Vec::new();
         for (target, directions) in targets {
             for (element, members) in elements.iter().zip(&members) {
                 for &direction in directions {
-                    extremes.extend(self.extreme(target, direction, element, members, most_points));
+                    extremes.extend(self.extreme(target, direction, element, members));
                 }
             }
         }
         extremes
     }
 
-    /// The extreme of `target` among `members` of `element`; nothing where there is none, and where its combination has `most_points`
-    /// already.
+    /// The extreme of `target` among `members` of `element`; nothing where there is none.
     fn extreme<'e>(
         &'e self,
         target: &'e Target,
         direction: Direction,
         element: &'e Element,
         members: &[usize],
-        most_points: usize,
     ) -> Option<Extreme<'e>> {
         let point = extreme_among(&target.values, members.iter().copied(), direction)?;
         let group = &self.groups[self.points[point].combination];
-        if group.len() >= most_points {
-            return None;
-        }
         let value = target.values[point];
         let resolution = target.resolution(direction, value) / element.mass;
         let model = self.model(target, &defined(target, group))?;

@@ -1,13 +1,13 @@
 //! Models of the index of a probability.
 
+use super::local::{LocalFits, LocalSmoothers};
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction};
-use super::smoother::{Fit, Smoother};
 use crate::estimators::index::compressed;
 
 /// A model of an index.
 pub(crate) struct IndexModel<'a> {
-    fit: Fit<'a>,
+    fit: LocalFits<'a>,
     /// Whether of x, rather than of z.
     is_compressed: bool,
 }
@@ -37,7 +37,7 @@ impl<'a> IndexModel<'a> {
     /// Models the `indices` at the points of `smoother`, in the scale in which they are likelier: the likelihood of x under a model of
     /// z is that of z times the slopes dz/dx = cosh x (E. Snelson, C. E. Rasmussen and Z. Ghahramani, "Warped Gaussian processes",
     /// Advances in Neural Information Processing Systems 16, 2004).
-    pub fn new(smoother: &'a Smoother, indices: &[f64]) -> Self {
+    pub fn new(smoother: &'a LocalSmoothers, indices: &[f64]) -> Self {
         let z: Vec<f64> = indices.iter().map(|&index| libm::sinh(index)).collect();
         let (of_x, of_z) = (smoother.fit(indices, &Noise::NONE), smoother.fit(&z, &Noise::NONE));
         let slopes = indices.iter().map(|&index| libm::log(libm::cosh(index))).sum::<f64>() / indices.len() as f64;

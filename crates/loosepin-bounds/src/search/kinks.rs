@@ -14,13 +14,7 @@ impl Search<'_> {
     /// takes the response for smooth sees no kink, and expects nothing there.
     ///
     /// On each side the three nearest points on the line must lie on a straight line nearly; that of a smooth response is bent.
-    pub fn kinks(
-        &self,
-        targets: &[(Target, Vec<Direction>)],
-        elements: &[Element],
-        count: usize,
-        most_points: usize,
-    ) -> Vec<Place> {
+    pub fn kinks(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
         let mut chosen: Vec<Place> = Vec::new();
         if self.is_of_curves() {
             return chosen;
@@ -33,9 +27,6 @@ impl Search<'_> {
                         continue;
                     };
                     let at = &self.points[extreme];
-                    if self.groups[at.combination].len() >= most_points {
-                        continue;
-                    }
                     for axis in 0..at.at.len() {
                         let Some((place, value)) = self.kink(target, extreme, axis) else { continue };
                         let gain = element.mass * direction.sign() * (value - target.values[extreme]);

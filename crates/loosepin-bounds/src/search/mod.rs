@@ -6,6 +6,7 @@ mod extremes;
 mod gaussian_process;
 mod index_model;
 mod kinks;
+mod local;
 pub(crate) mod measure;
 pub(crate) mod models;
 mod next;

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::local::LocalSmoothers;
 use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
-use super::smoother::Smoother;
 use super::target::Target;
 use super::target_model::{Forecast, TargetModel};
 use crate::data::direction::{Direction, extreme_among};
@@ -36,7 +36,7 @@ pub(crate) struct Search<'a> {
     pub(super) points: &'a [Place],
     /// The points of each combination.
     pub(super) groups: Vec<Vec<usize>>,
-    smoothers: BTreeMap<Vec<usize>, Option<Smoother>>,
+    smoothers: BTreeMap<Vec<usize>, Option<LocalSmoothers>>,
     targets: usize,
 }
 
@@ -114,7 +114,7 @@ impl<'a> Search<'a> {
                 .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
-            let smoother = Smoother::try_new(known, &places, true, axes);
+            let smoother = LocalSmoothers::try_new(known, &places, true, axes);
             (defined, smoother)
         };
         Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }

@@ -4,7 +4,6 @@ use super::models::Search;
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::search_box::Place;
-use super::smoother::MOST_POINTS;
 use super::target::Target;
 use crate::data::direction::Direction;
 
@@ -12,16 +11,16 @@ impl Search<'_> {
     /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the
     /// surroundings of what was attained and where most would be conceded.
     pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
-        let mut places = self.kinks(targets, elements, count, MOST_POINTS);
+        let mut places = self.kinks(targets, elements, count);
         if places.len() < count {
-            places.extend(self.next_points(targets, elements, count - places.len(), MOST_POINTS, Allowance::HOPED));
+            places.extend(self.next_points(targets, elements, count - places.len(), Allowance::HOPED));
         }
         if !places.is_empty() {
             return places;
         }
         // Half each: points that are all far apart do not show what is rough, and points near an extreme nothing of the rest.
-        let near = self.surroundings(targets, elements, count.div_ceil(2), MOST_POINTS);
-        let conceded = self.next_points(targets, elements, count - near.len(), MOST_POINTS, Allowance::CONCEDED_TREND);
+        let near = self.surroundings(targets, elements, count.div_ceil(2));
+        let conceded = self.next_points(targets, elements, count - near.len(), Allowance::CONCEDED_TREND);
         self.new_places(near.into_iter().chain(conceded), count)
     }
 }

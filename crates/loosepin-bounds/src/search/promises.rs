@@ -15,14 +15,12 @@ const LOCATED_PER_POINT: usize = 2;
 
 impl Search<'_> {
     /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first, by what models
-    /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution, and
-    /// none in a combination that has `most_points` already.
+    /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution.
     pub fn next_points(
         &self,
         targets: &[(Target, Vec<Direction>)],
         elements: &[Element],
         count: usize,
-        most_points: usize,
         allowance: Allowance,
     ) -> Vec<Place> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
@@ -30,7 +28,7 @@ impl Search<'_> {
             .par_iter()
             .enumerate()
             .flat_map_iter(|(index, (target, directions))| {
-                self.promises(index, target, directions, (elements, &members), most_points, allowance)
+                self.promises(index, target, directions, (elements, &members), allowance)
             })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
@@ -65,12 +63,11 @@ impl Search<'_> {
         target: &Target,
         directions: &[Direction],
         (elements, members): (&[Element], &[Vec<usize>]),
-        most_points: usize,
         allowed: Allowance,
     ) -> Vec<Promise> {
         let mut promises = Vec::new();
         for (combination, branch) in self.branches(target).iter().enumerate() {
-            let Some(model) = branch.model.as_ref().filter(|_| branch.points.len() < most_points) else { continue };
+            let Some(model) = &branch.model else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {
                     let reach = reach(model, direction, &part.region, allowed);
@@ -140,7 +137,7 @@ mod tests {
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
             let targets = [(target, Direction::BOTH.to_vec())];
-            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), 512, Allowance::HOPED);
+            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), Allowance::HOPED);
             if next.is_empty() {
                 return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
             }

@@ -128,6 +128,18 @@ impl Region {
         at.iter().zip(ends).all(|(x, (low, high))| *x >= low - REGION_TOLERANCE && *x <= high + REGION_TOLERANCE)
     }
 
+    /// How far it is from it to a point of the unit box, along the axis along which it is furthest; 0 inside.
+    pub fn distance(&self, axes: &Axes, at: &[f64]) -> f64 {
+        let beyond = |axis: usize| {
+            let (lower, upper) = (self.lower[axis], self.upper[axis]);
+            if at[axis] >= lower && at[axis] <= upper {
+                return 0.0;
+            }
+            axes.step(axis, lower, at[axis]).abs().min(axes.step(axis, upper, at[axis]).abs())
+        };
+        (0..at.len()).map(beyond).fold(0.0, f64::max)
+    }
+
     /// Which of `places` lie in it.
     pub fn members(&self, places: &[Place]) -> Vec<usize> {
         (0..places.len()).filter(|&point| self.holds(&places[point].at)).collect()

@@ -31,9 +31,6 @@ use super::search_box::{Axes, Region};
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot};
 
-/// Points of a smoother, at most: it factorises matrices of this order.
-pub(crate) const MOST_POINTS: usize = 512;
-
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 

@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use super::extremes::Extreme;
+use super::local::LocalSmoothers;
 use super::models::{Search, defined};
 use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
-use super::smoother::Smoother;
 use super::target_model::TargetModel;
 use loosepin_math::descent::minimise;
 
@@ -46,7 +46,7 @@ impl Search<'_> {
         let local = |axis: usize, coordinate: f64| 0.5 + 0.5 * self.axes.step(axis, at[axis], coordinate) / radius;
         let seen = |place: &[f64]| place.iter().enumerate().map(|(axis, x)| local(axis, *x)).collect::<Vec<f64>>();
         let points = near.iter().map(|&point| seen(&self.points[point].at)).collect();
-        let smoother = Smoother::try_new(points, &[], false, &Axes::open(at.len()))?;
+        let smoother = LocalSmoothers::try_new(points, &[], false, &Axes::open(at.len()))?;
         let model = TargetModel::new(&smoother, extreme.target, &near);
         if !model.is_smoothest() {
             return None;
@@ -119,7 +119,7 @@ mod tests {
         let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-8; 2] };
         let search = Search::new(axes, &points, &candidates(2).unwrap(), [&target]);
         let elements = [Element { mass: 1.0, region: Region::whole(2) }];
-        let mut places = search.surroundings(&[(target, vec![Direction::Maximum])], &elements, 1, 512);
+        let mut places = search.surroundings(&[(target, vec![Direction::Maximum])], &elements, 1);
         places.remove(0).at
     }
 

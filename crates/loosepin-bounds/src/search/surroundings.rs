@@ -29,17 +29,11 @@ impl Search<'_> {
     /// At most `count` places near the extremes of `targets` in each of `elements`, where their models promise nothing more than has
     /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
     /// are many targets: the poses of a curve.
-    pub fn surroundings(
-        &self,
-        targets: &[(Target, Vec<Direction>)],
-        elements: &[Element],
-        count: usize,
-        most_points: usize,
-    ) -> Vec<Place> {
+    pub fn surroundings(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
         if self.is_of_curves() {
             return Vec::new();
         }
-        let extremes = self.extremes(targets, elements, most_points);
+        let extremes = self.extremes(targets, elements);
         let summits = self.summits(&extremes, count);
         if summits.is_empty() { self.confirming_points(&extremes, count) } else { summits }
     }

@@ -1,8 +1,8 @@
 //! Models of a target over the box.
 
 use super::index_model::{IndexForecast, IndexModel};
+use super::local::{LocalFits, LocalSmoothers};
 use super::prediction::{Allowance, Prediction};
-use super::smoother::{Fit, Smoother};
 use super::target::{Target, TargetKind};
 use crate::estimators::index::index_of_either;
 
@@ -44,7 +44,7 @@ impl Forecast {
 /// The model of a target on the points at which it is defined.
 pub(crate) enum TargetModel<'a> {
     /// Of the target itself.
-    Plain(Fit<'a>),
+    Plain(LocalFits<'a>),
     /// Of an index.
     Index(IndexModel<'a>),
     /// Of the indices of two events.
@@ -53,7 +53,7 @@ pub(crate) enum TargetModel<'a> {
 
 impl<'a> TargetModel<'a> {
     /// The model of `target` on the points of `smoother`, those at which it is `defined`.
-    pub fn new(smoother: &'a Smoother, target: &Target, defined: &[usize]) -> Self {
+    pub fn new(smoother: &'a LocalSmoothers, target: &Target, defined: &[usize]) -> Self {
         let among = |values: &[f64]| -> Vec<f64> { defined.iter().map(|&point| values[point]).collect() };
         match &target.kind {
             TargetKind::Plain => Self::Plain(smoother.fit(&among(&target.values), &target.noise.among(defined))),

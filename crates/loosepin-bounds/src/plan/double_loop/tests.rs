@@ -144,8 +144,8 @@ fn each_broken_rule_is_told_with_its_numbers() {
         "302 uncertain inputs; at most 256\nhint: fix the inputs that matter least"
     );
     assert!(matches!(
-        DoubleLoop::try_new(Problem { sampling: Sampling { outer: 5000, ..small().sampling }, ..small() }),
-        Err(PlanError::Problem(ProblemError::TooManyPoints { most: 512, .. }))
+        DoubleLoop::try_new(Problem { sampling: Sampling { outer: 5_000_000, ..small().sampling }, ..small() }),
+        Err(PlanError::Problem(ProblemError::TooManyPoints { most: 1_048_576, .. }))
     ));
 }
 
