@@ -1,6 +1,5 @@
 //! Bounds to an accuracy: samples that grow until no bound is widened by more than is asked.
 
-use super::check::MOST_OUTER;
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use crate::data::bound::{Bound, BoundPair};
@@ -13,6 +12,10 @@ use crate::search::search_box::Place;
 
 /// Inner runs, at most.
 const MOST_INNER: usize = 1 << 24;
+
+/// Outer points of a combination to which samples grow by themselves: their models are some 400 matrices of order 384. More must be asked
+/// for.
+const MOST_GROWN: usize = 2048;
 
 /// A sampling error that is to decide when to end is told by this many replicates at least: a few of them agree by chance too
 /// often, and the end would be where they do.
@@ -229,7 +232,8 @@ impl Refinement {
             }
             Growth::Outer => {
                 let helps = assessment.optimisation_share > 0.0 && !self.plan.setup.has_no_box();
-                let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(MOST_OUTER);
+                let most = MOST_GROWN * self.plan.box_combinations();
+                let outer = (assessment.outer + assessment.outer.div_ceil(2)).min(most);
                 (helps && outer > assessment.outer).then_some(Sampling { outer, ..sampling })
             }
         };
