@@ -3,7 +3,7 @@
 use crate::compiled;
 use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{Axis, BodyId, Model, PointId, QuantityId};
+use loosepin::model::{Axis, BodyId, Model, PointId, Position, QuantityId, Relative};
 use loosepin::simulate::{
     Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
     Step, Window, conduct,
@@ -88,7 +88,8 @@ impl Samples {
         let half_turn_s = 0.5 * turn_s;
         Self {
             name: case.name,
-            readings: [Reading::Position(point, Axis::X), Reading::Position(point, Axis::Y)],
+            readings: [Axis::X, Axis::Y]
+                .map(|axis| Reading::Position(Position::Point(Relative::to_ground(point), axis))),
             mechanism,
             samples,
             window: Window { start_s: 0.0, end_s: half_turn_s },

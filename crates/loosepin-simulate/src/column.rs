@@ -2,8 +2,10 @@
 
 use loosepin_math::{Numbers, Real, Vec2};
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Twist, acceleration_at};
-use loosepin_mechanics::model::{Actuator, Axis, BodyId, Component, Effort, JointId, Model, OutputKind, PointId};
+use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Twist};
+use loosepin_mechanics::model::{
+    Actuator, Axis, BodyId, Component, Derivative, Effort, JointId, Model, OutputKind, PointId, Position, Relative,
+};
 use loosepin_text::units::SiUnit;
 
 /// One number that a model file asks for; a path is two of them.
@@ -21,21 +23,15 @@ pub struct Column {
     pub reading: Reading,
 }
 
-/// The quantity of a column, seen from the ground.
+/// The quantity of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Reading {
-    /// Coordinate of a point, m.
-    Position(PointId, Axis),
-    /// Its velocity, m/s.
-    Velocity(PointId, Axis),
-    /// Its acceleration, m/s².
-    Acceleration(PointId, Axis),
-    /// Angle of a body, rad.
-    Angle(BodyId),
-    /// Its angular velocity, rad/s.
-    AngularVelocity(BodyId),
-    /// Its angular acceleration, rad/s².
-    AngularAcceleration(BodyId),
+    /// A position, m, or angle, rad.
+    Position(Position),
+    /// Its velocity, m/s or rad/s.
+    Velocity(Position),
+    /// Its acceleration, m/s² or rad/s².
+    Acceleration(Position),
     /// Force of a joint on its second body, N.
     Force(JointId, Component),
     /// Torque, N m, force, N, or power, W, of a drive or control.
@@ -57,16 +53,14 @@ pub fn columns(model: &Model) -> Vec<Column> {
 /// The quantities of an output, each with what is added to its name.
 pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
     let single = match *kind {
-        OutputKind::Position { point, along } => Reading::Position(point, along),
-        OutputKind::Velocity { point, along } => Reading::Velocity(point, along),
-        OutputKind::Acceleration { point, along } => Reading::Acceleration(point, along),
-        OutputKind::Angle(body) => Reading::Angle(body),
-        OutputKind::AngularVelocity(body) => Reading::AngularVelocity(body),
-        OutputKind::AngularAcceleration(body) => Reading::AngularAcceleration(body),
+        OutputKind::Motion { of, derivative: Derivative::Position } => Reading::Position(of),
+        OutputKind::Motion { of, derivative: Derivative::Velocity } => Reading::Velocity(of),
+        OutputKind::Motion { of, derivative: Derivative::Acceleration } => Reading::Acceleration(of),
         OutputKind::Force { joint, component } => Reading::Force(joint, component),
         OutputKind::Effort { actuator, effort } => Reading::Effort(actuator, effort),
         OutputKind::Path(point) => {
-            return vec![(Reading::Position(point, Axis::X), " x"), (Reading::Position(point, Axis::Y), " y")];
+            let coordinate = |axis| Reading::Position(Position::Point(point, axis));
+            return vec![(coordinate(Axis::X), " x"), (coordinate(Axis::Y), " y")];
         }
     };
     vec![(single, "")]
@@ -75,22 +69,10 @@ pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
 impl Reading {
     /// The quantity in words.
     pub fn words(&self, model: &Model) -> String {
-        let body = |body: BodyId| &model.bodies[body.0].name;
-        let point = |point: PointId| {
-            let body = &model.bodies[point.body.0];
-            format!("{}.{}", body.name, body.points[point.point].name)
-        };
-        let axis = |axis: Axis| match axis {
-            Axis::X => "x",
-            Axis::Y => "y",
-        };
         match *self {
-            Self::Position(of, along) => format!("{} of {}", axis(along), point(of)),
-            Self::Velocity(of, along) => format!("{} velocity of {}", axis(along), point(of)),
-            Self::Acceleration(of, along) => format!("{} acceleration of {}", axis(along), point(of)),
-            Self::Angle(of) => format!("angle of {}", body(of)),
-            Self::AngularVelocity(of) => format!("angular velocity of {}", body(of)),
-            Self::AngularAcceleration(of) => format!("angular acceleration of {}", body(of)),
+            Self::Position(of) => motion_words(model, of, ["", "angle"]),
+            Self::Velocity(of) => motion_words(model, of, [" velocity", "angular velocity"]),
+            Self::Acceleration(of) => motion_words(model, of, [" acceleration", "angular acceleration"]),
             Self::Force(joint, component) => {
                 let part = match component {
                     Component::X => "x force",
@@ -115,38 +97,25 @@ impl Reading {
 
     /// Whether accelerations or forces are needed, not only positions and velocities.
     pub fn needs_forces(&self) -> bool {
-        matches!(self, Self::Acceleration(..) | Self::AngularAcceleration(_) | Self::Force(..) | Self::Effort(..))
+        matches!(self, Self::Acceleration(_) | Self::Force(..) | Self::Effort(..))
     }
 
     /// Whether it is a position or an angle, so that its first two time derivatives are velocities and accelerations.
     pub fn is_position(&self) -> bool {
-        matches!(self, Self::Position(..) | Self::Angle(_))
+        matches!(self, Self::Position(_))
     }
 
     /// The value at the last state of `dynamics`, SI.
     #[inline(always)]
     pub fn value<T: Real>(&self, arms: &Arms<T>, dynamics: &Dynamics<'_, T>) -> T {
         let mechanism = dynamics.mechanism();
-        let slot = |body: BodyId| mechanism.real.slot_of_body[body.0];
+        let (tree, kinematics) = (&mechanism.real, &dynamics.kinematics);
         match *self {
-            Self::Position(point, axis) => {
-                let pose = &dynamics.kinematics.poses[slot(point.body)];
-                along(pose.point_m(arms.of(point)), axis)
+            Self::Position(of) => of.value(tree, kinematics, |point| arms.of(point)),
+            Self::Velocity(of) => of.velocity(tree, kinematics, |point| arms.of(point)),
+            Self::Acceleration(of) => {
+                of.acceleration(tree, kinematics, |slot| dynamics.acceleration(slot), |point| arms.of(point))
             }
-            Self::Velocity(point, axis) => {
-                let slot = slot(point.body);
-                let arm = dynamics.kinematics.poses[slot].turn(arms.of(point));
-                along(dynamics.kinematics.twists[slot].at(arm), axis)
-            }
-            Self::Acceleration(point, axis) => {
-                let slot = slot(point.body);
-                let arm = dynamics.kinematics.poses[slot].turn(arms.of(point));
-                let change = dynamics.acceleration(slot);
-                along(acceleration_at(&change, &dynamics.kinematics.twists[slot], arm), axis)
-            }
-            Self::Angle(body) => dynamics.kinematics.poses[slot(body)].angle_rad,
-            Self::AngularVelocity(body) => dynamics.kinematics.twists[slot(body)].angular,
-            Self::AngularAcceleration(body) => dynamics.acceleration(slot(body)).angular,
             Self::Force(joint, component) => {
                 let force_n = dynamics.joint_force_n(joint);
                 match component {
@@ -182,28 +151,33 @@ impl Reading {
         acceleration: impl Fn(usize) -> Twist<T>,
     ) -> [T; 3] {
         match *self {
-            Self::Position(point, axis) => {
-                let slot = mechanism.real.slot_of_body[point.body.0];
-                let (pose, twist) = (&kinematics.poses[slot], &kinematics.twists[slot]);
-                let arm = pose.turn(arms.of(point));
-                let change = acceleration_at(&acceleration(slot), twist, arm);
-                [along(pose.position_m + arm, axis), along(twist.at(arm), axis), along(change, axis)]
-            }
-            Self::Angle(body) => {
-                let slot = mechanism.real.slot_of_body[body.0];
-                [kinematics.poses[slot].angle_rad, kinematics.twists[slot].angular, acceleration(slot).angular]
-            }
+            Self::Position(of) => of.jet(&mechanism.real, kinematics, acceleration, |point| arms.of(point)),
             _ => [T::zero(); 3],
         }
     }
 }
 
-#[inline(always)]
-fn along<T>(vector: Vec2<T>, axis: Axis) -> T {
-    match axis {
-        Axis::X => vector.x,
-        Axis::Y => vector.y,
+/// A position or angle in words, with what stands before ` of`, for coordinates and for angles.
+fn motion_words(model: &Model, of: Position, [of_point, of_angle]: [&str; 2]) -> String {
+    match of {
+        Position::Point(point, Axis::X) => format!("x{of_point} of {}", relative_words(model, point)),
+        Position::Point(point, Axis::Y) => format!("y{of_point} of {}", relative_words(model, point)),
+        Position::Angle(body) => {
+            let name = |body: BodyId| &model.bodies[body.0].name;
+            let own = format!("{of_angle} of {}", name(body.of));
+            body.to.map_or(own.clone(), |to| format!("{own} relative to {}", name(to)))
+        }
     }
+}
+
+/// A point in words: `slider.pin`, or `rod.tip relative to crank.pin`.
+pub fn relative_words(model: &Model, point: Relative<PointId>) -> String {
+    let words = |point: PointId| {
+        let body = &model.bodies[point.body.0];
+        format!("{}.{}", body.name, body.points[point.point].name)
+    };
+    let own = words(point.of);
+    point.to.map_or(own.clone(), |to| format!("{own} relative to {}", words(to)))
 }
 
 /// Positions of all points of a model in their body frames, for one sample or one a lane.

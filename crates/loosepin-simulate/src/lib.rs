@@ -49,7 +49,7 @@ mod watched;
 mod work;
 
 pub use batch::{Queue, Run};
-pub use column::{Arms, Column, Reading, columns};
+pub use column::{Arms, Column, Reading, columns, relative_words};
 pub use drawing::{add_pose, skeleton};
 pub use engine::{conduct, run};
 pub use execution::Execution;

@@ -1,8 +1,8 @@
 //! What a study can ask about: the columns of its model, and the errors of its paths.
 
-use loosepin_mechanics::model::{Model, OutputKind, PointId};
+use loosepin_mechanics::model::{Model, OutputKind};
 use loosepin_result::study::PathError;
-use loosepin_simulate::{Reading, columns};
+use loosepin_simulate::{Reading, columns, relative_words};
 use loosepin_text::units::{Dimension, SiUnit};
 
 /// One number of a model that a study can ask about.
@@ -78,12 +78,13 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
             });
         }
         if let (OutputKind::Path(point), [x, y]) = (&output.kind, &own[..]) {
+            let words = relative_words(model, *point);
             outputs.extend(PathError::ALL.map(|part| StudyOutput {
                 output: index,
                 name: format!("{} {}", output.name, part.word()),
                 component: Some(part.word()),
-                words: error_words(part, &point_words(model, *point)),
-                point: Some(format!("{} ({})", output.name, point_words(model, *point))),
+                words: error_words(part, &words),
+                point: Some(format!("{} ({})", output.name, words)),
                 unit: x.unit.clone(),
                 dimension,
                 seen: Seen::Path([x.reading, y.reading], part),
@@ -91,11 +92,6 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
         }
     }
     outputs
-}
-
-fn point_words(model: &Model, point: PointId) -> String {
-    let body = &model.bodies[point.body.0];
-    format!("{}.{}", body.name, body.points[point.point].name)
 }
 
 /// A part of the error of a point in words.

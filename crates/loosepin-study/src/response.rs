@@ -10,7 +10,7 @@ use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
-    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, PlayId, QuantityError, QuantityId, Values,
+    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, PlayId, Position, QuantityError, QuantityId, Values,
 };
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
@@ -414,7 +414,8 @@ fn share_nominal(
     let arms = Arms::new(ideal, nominal);
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let positions = positions(&plan);
-    let arm_m = |reading: &Reading| if matches!(reading, Reading::Angle(_)) { ideal.size_m } else { 1.0 };
+    let arm_m =
+        |reading: &Reading| if matches!(reading, Reading::Position(Position::Angle(_))) { ideal.size_m } else { 1.0 };
     let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_motion = reference.free_motion();
     // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.

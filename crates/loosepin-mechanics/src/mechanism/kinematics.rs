@@ -30,6 +30,11 @@ impl<T: Real> Pose<T> {
     pub fn turn(&self, arm_m: Vec2<T>) -> Vec2<T> {
         arm_m.rotated(self.sine, self.cosine)
     }
+    /// A vector of the ground's frame, seen from the body.
+    #[inline(always)]
+    pub fn turn_back(&self, vector: Vec2<T>) -> Vec2<T> {
+        vector.rotated(-self.sine, self.cosine)
+    }
     /// A point of the body frame, seen from the ground.
     #[inline(always)]
     pub fn point_m(&self, arm_m: Vec2<T>) -> Vec2<T> {

@@ -31,6 +31,7 @@ mod load_table;
 mod mobility;
 mod pieces;
 mod points;
+mod position;
 mod sample;
 mod spring;
 mod start;

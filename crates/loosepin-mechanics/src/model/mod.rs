@@ -15,6 +15,7 @@ mod keys;
 mod law_choice;
 mod load;
 mod load_table;
+mod output;
 mod path_error;
 mod path_hint;
 mod plausible;
@@ -43,6 +44,7 @@ pub use load::{Course, Load, LoadKind};
 pub use load_table::{LoadTable, PeriodProblem, Piston};
 pub use loosepin_text::document::describe_path;
 pub use loosepin_text::units::Rule;
+pub use output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
 pub use path_error::PathError;
 pub use plausible::HardlyPossible;
 pub use problem::ModelProblem;
@@ -54,6 +56,6 @@ pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
 pub use spring::{Elasticity, Spring, SpringKind};
 pub use table_curve::TableCurve;
 pub use topology::{
-    Body, Clearance, Component, Contact, Effort, Friction, Guess, GuideClearance, Joint, JointKind, Model, Output,
-    OutputKind, Point, SlidingVelocity, SlotClearance, Stiffness,
+    Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
+    SlotClearance, Stiffness,
 };

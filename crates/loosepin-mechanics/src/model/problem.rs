@@ -105,6 +105,9 @@ problems! {
         /// A key without effect in this combination.
         KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' cannot be used with '{beside}'");
+        RelativeToItself { entry: String, body: String } => Code::ConflictingKeys,
+            says("{entry}: body '{body}' does not move relative to itself"),
+            hint("name another body, or leave relative_to out to measure from the ground");
         NoBodies { entry: String } => Code::MissingKey,
             says("{entry}: the two bodies are missing"),
             hint("name a revolute joint as joint, or two bodies as first and second");

@@ -1,12 +1,13 @@
-//! Bodies, joints, contacts, drives and outputs of a model, referring to numbers by [`QuantityId`].
+//! Bodies, joints, contacts and drives of a model, referring to numbers by [`QuantityId`].
 
 use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
-use super::ids::{Actuator, Axis, BodyId, ContactId, JointId, PointId};
+use super::ids::{BodyId, ContactId, PointId};
 use super::initial::InitialValue;
 use super::load::Load;
+use super::output::Output;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
 use std::collections::HashMap;
@@ -360,112 +361,4 @@ pub struct Guess {
     pub body: BodyId,
     /// Angle of its x axis from the ground's, rad.
     pub angle_rad: QuantityId,
-}
-
-/// An output column of a run.
-#[derive(Debug, Clone)]
-pub struct Output {
-    /// Name in the file.
-    pub name: String,
-    /// The measured quantity.
-    pub kind: OutputKind,
-    /// The unit in which people read it.
-    pub unit: ReadableUnit,
-}
-
-impl OutputKind {
-    /// Dimension of its columns.
-    pub fn dimension(&self) -> Dimension {
-        match self {
-            Self::Position { .. } | Self::Path(_) => Dimension::LENGTH,
-            Self::Velocity { .. } => Dimension::VELOCITY,
-            Self::Acceleration { .. } => Dimension::ACCELERATION,
-            Self::Angle(_) => Dimension::ANGLE,
-            Self::AngularVelocity(_) => Dimension::ANGULAR_VELOCITY,
-            Self::AngularAcceleration(_) => Dimension::ANGULAR_ACCELERATION,
-            Self::Force { .. } => Dimension::FORCE,
-            Self::Effort { effort, .. } => effort.dimension(),
-        }
-    }
-}
-
-/// The quantity that an output measures, seen from the ground.
-#[derive(Debug, Clone)]
-pub enum OutputKind {
-    /// Coordinate of a point, m.
-    Position {
-        /// The point.
-        point: PointId,
-        /// Along which axis of the ground.
-        along: Axis,
-    },
-    /// Velocity of a point, m/s.
-    Velocity {
-        /// The point.
-        point: PointId,
-        /// Along which axis of the ground.
-        along: Axis,
-    },
-    /// Acceleration of a point, m/s².
-    Acceleration {
-        /// The point.
-        point: PointId,
-        /// Along which axis of the ground.
-        along: Axis,
-    },
-    /// Angle of a body's x axis from the ground's, continuous, rad.
-    Angle(BodyId),
-    /// Angular velocity, rad/s.
-    AngularVelocity(BodyId),
-    /// Angular acceleration, rad/s².
-    AngularAcceleration(BodyId),
-    /// Force of a joint on its journal's (slider's, second) body, N.
-    Force {
-        /// The joint.
-        joint: JointId,
-        /// Which component.
-        component: Component,
-    },
-    /// Torque, force or power of a drive or control.
-    Effort {
-        /// The drive or control.
-        actuator: Actuator,
-        /// Which of them.
-        effort: Effort,
-    },
-    /// Path of a point: two columns, x and y, m.
-    Path(PointId),
-}
-
-/// A measure of what a drive or control does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effort {
-    /// Torque on the journal's body of a revolute joint, N m; the bearing's body gets the opposite.
-    Torque,
-    /// Force on the slider along the guide, or on the pin along its slot, N; the other body gets the opposite.
-    Force,
-    /// Power that it supplies, W: torque times angular velocity, or force times velocity, of its joint.
-    Power,
-}
-
-impl Effort {
-    /// Its dimension.
-    pub fn dimension(self) -> Dimension {
-        match self {
-            Self::Torque => Dimension::TORQUE,
-            Self::Force => Dimension::FORCE,
-            Self::Power => Dimension::POWER,
-        }
-    }
-}
-
-/// A component of a force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Component {
-    /// Along the ground's x axis.
-    X,
-    /// Along the ground's y axis.
-    Y,
-    /// The length of the vector.
-    Magnitude,
 }

@@ -1,11 +1,10 @@
 //! The loops of the ideal mechanism at one instant, with the bodies of joints with play displaced against each other.
 
 use super::error::AccuracyError;
-use super::position::PositionReading;
 use loosepin_math::{Dual, Vec2, determinant, solve_square};
 use loosepin_mechanics::mechanism::constraints::{self, Opening};
 use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, point_m};
-use loosepin_mechanics::model::{PointId, Values};
+use loosepin_mechanics::model::{PointId, Position, Values};
 
 /// Newton steps from one displacement to the next; from nearby two or three are enough.
 const NEWTON_STEPS: usize = 12;
@@ -134,9 +133,9 @@ impl<'a> DisplacedLoops<'a> {
     }
 
     /// The value of an output in the present position, m or rad.
-    pub fn value(&self, reading: PositionReading) -> f64 {
+    pub fn value(&self, reading: Position) -> f64 {
         let (model, values) = (&self.mechanism.model, self.values);
-        reading.value(&self.mechanism.ideal, &self.kinematics, &|point| point_m(model, values, point))
+        reading.value(&self.mechanism.ideal, &self.kinematics, |point| point_m(model, values, point))
     }
 
     /// Derivatives of `readings` when the joint with play `play` is displaced along `direction`.
@@ -147,7 +146,7 @@ impl<'a> DisplacedLoops<'a> {
         &mut self,
         play: usize,
         direction: Vec2<f64>,
-        readings: &[PositionReading],
+        readings: &[Position],
     ) -> Result<Vec<f64>, AccuracyError> {
         let id = self.mechanism.plays[play];
         let at = self.displacements[play];
@@ -170,7 +169,7 @@ impl<'a> DisplacedLoops<'a> {
         &mut self,
         geometry: &Geometry<Dual<f64>>,
         driven: &[f64],
-        readings: &[PositionReading],
+        readings: &[Position],
         arm_m: &dyn Fn(PointId) -> Vec2<Dual<f64>>,
     ) -> Result<Vec<f64>, AccuracyError> {
         let tree = &self.mechanism.ideal;

@@ -24,7 +24,7 @@ pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
 pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion};
 pub use play_reach::PlayReach;
-pub use position::{PositionOutput, PositionReading, position_outputs};
+pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};
 pub use worst_case::{
     ExactWorstCase, WorstPosition, disc_standard_deviation_si, exact_worst_case, rim_standard_deviation_si,

@@ -6,12 +6,12 @@ use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::play_reach::PlayReach;
-use super::position::{PositionOutput, PositionReading, position_outputs};
+use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
 use crate::{add_pose, skeleton};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
-use loosepin_mechanics::model::{CycleSpan, QuantityId, Values};
+use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
 use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
 use loosepin_result::simulation::Override;
 use loosepin_text::units::DisplayUnits;
@@ -138,7 +138,7 @@ struct Recorder<'a> {
     mechanism: &'a Mechanism,
     values: &'a Values,
     loops: DisplacedLoops<'a>,
-    readings: Vec<PositionReading>,
+    readings: Vec<Position>,
     reaches: Vec<PlayReach>,
     input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
@@ -200,10 +200,9 @@ impl<'a> Recorder<'a> {
         self.loops.set_position(state.coordinates());
         let gradients = play_gradients(&mut self.loops, &self.readings)?;
         for ((output, &reading), gradient) in self.outputs.iter_mut().zip(&self.readings).zip(gradients) {
-            let [velocity, acceleration] =
-                reading.rates(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), &|point| {
-                    point_m(&mechanism.model, values, point)
-                });
+            let arm_m = |point| point_m(&mechanism.model, values, point);
+            let [_, velocity, acceleration] =
+                reading.jet(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), arm_m);
             output.value_si.push(self.loops.value(reading));
             output.velocity_si.push(velocity);
             output.acceleration_si.push(acceleration);

@@ -3,10 +3,9 @@
 use super::dimension::DimensionDirection;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
-use super::position::PositionReading;
 use loosepin_math::{Dual, Vec2};
 use loosepin_mechanics::mechanism::{DriveMotion, Geometry, Mechanism, numbered_point_m, room};
-use loosepin_mechanics::model::{CycleSpan, DriveId, Values};
+use loosepin_mechanics::model::{CycleSpan, DriveId, Position, Values};
 
 /// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`, SI.
 /// e_k is the journal's place minus the bearing's, in the ground's frame; of a slider its ordinate and angle in the guide
@@ -16,7 +15,7 @@ use loosepin_mechanics::model::{CycleSpan, DriveId, Values};
 /// The position is singular.
 pub fn play_gradients(
     loops: &mut DisplacedLoops<'_>,
-    readings: &[PositionReading],
+    readings: &[Position],
 ) -> Result<Vec<Vec<Vec2<f64>>>, AccuracyError> {
     let plays = loops.displacements().len();
     let mut gradients = vec![vec![Vec2::zero(); plays]; readings.len()];
@@ -42,7 +41,7 @@ pub fn dimension_derivatives(
     direction: &DimensionDirection,
     span: CycleSpan,
     time_s: f64,
-    readings: &[PositionReading],
+    readings: &[Position],
 ) -> Result<Vec<f64>, AccuracyError> {
     let (model, tree) = (&mechanism.model, &mechanism.ideal);
     let number = |id| Dual { value: values[id], derivative: direction.derivatives[id] };

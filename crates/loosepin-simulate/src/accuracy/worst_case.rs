@@ -3,9 +3,9 @@
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use super::play_reach::PlayReach;
-use super::position::PositionReading;
 use super::sensitivity::play_gradients;
 use loosepin_math::Vec2;
+use loosepin_mechanics::model::Position;
 
 /// Iterations of the fixed point from one start; each gains about the ratio of clearance to link length.
 const ITERATIONS: usize = 60;
@@ -64,7 +64,7 @@ pub struct ExactWorstCase {
 /// The loops cannot be closed with displaced journals: a singular position lies within the clearances.
 pub fn exact_worst_case(
     loops: &mut DisplacedLoops<'_>,
-    reading: PositionReading,
+    reading: Position,
     reaches: &[PlayReach],
     starts: &[Vec<Vec2<f64>>],
 ) -> Result<ExactWorstCase, AccuracyError> {
@@ -89,7 +89,7 @@ pub fn starts_on_borders(reaches: &[PlayReach]) -> Vec<Vec<Vec2<f64>>> {
 
 fn extreme(
     loops: &mut DisplacedLoops<'_>,
-    reading: PositionReading,
+    reading: Position,
     reaches: &[PlayReach],
     starts: &[Vec<Vec2<f64>>],
     sign: f64,
@@ -112,7 +112,7 @@ fn extreme(
 /// Climbs from the present displacements. The deviation of the result is the output's value still.
 fn climb(
     loops: &mut DisplacedLoops<'_>,
-    reading: PositionReading,
+    reading: Position,
     reaches: &[PlayReach],
     sign: f64,
 ) -> Result<WorstPosition, AccuracyError> {

@@ -202,11 +202,12 @@ mod tests {
     use crate::follow::Follow;
     use crate::settings::Window;
     use loosepin_math::Quintic;
-    use loosepin_mechanics::model::BodyId;
+    use loosepin_mechanics::model::{BodyId, Position, Relative};
 
     #[test]
     fn analytic_instants_are_read_in_a_step_of_even_pace_and_at_one_in_which_time_stands_still() {
-        let layout = FollowLayout::new(&Follow::readings(&[Reading::Angle(BodyId(0))]));
+        let angle = Reading::Position(Position::Angle(Relative::to_ground(BodyId(0))));
+        let layout = FollowLayout::new(&Follow::readings(&[angle]));
         let followed = FollowedRun { instants_s: vec![2.0, 2.25, 3.0], ..FollowedRun::default() };
         let mut lane = LaneFollow::new(&layout, followed, Window { start_s: 2.0, end_s: 3.0 });
         // An angle of 5 rad at 2 s that grows by 4 rad/s.

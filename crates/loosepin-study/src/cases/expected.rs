@@ -9,7 +9,7 @@ use super::keys::{COLUMN_KEYS, EXPECTED_KEYS, HISTORY_KEYS, NUMBER_KEYS, ORIGINS
 use super::problem::CaseProblem;
 use super::reference::{Reference, open_reference};
 use super::script_file::read_script;
-use loosepin_mechanics::model::BodyId;
+use loosepin_mechanics::model::{BodyId, Position, Relative};
 use loosepin_simulate::accuracy::position_outputs;
 use loosepin_simulate::{Column, Reading, columns, input};
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
@@ -242,11 +242,11 @@ impl ExpectedReader<'_> {
     fn column(&mut self, table: &Table<'_>, kind: QuantityKind) -> Option<Column> {
         if let Some(entry) = table.get("state") {
             let (body, part) = self.state(&entry)?;
-            let body_id = BodyId(body + 1);
+            let angle = Position::Angle(Relative::to_ground(BodyId(body + 1)));
             let (reading, unit) = match part {
-                2 => (Reading::Angle(body_id), SiUnit::ANGLE),
-                5 => (Reading::AngularVelocity(body_id), SiUnit::ANGULAR_VELOCITY),
-                8 => (Reading::AngularAcceleration(body_id), SiUnit::ANGULAR_ACCELERATION),
+                2 => (Reading::Position(angle), SiUnit::ANGLE),
+                5 => (Reading::Velocity(angle), SiUnit::ANGULAR_VELOCITY),
+                8 => (Reading::Acceleration(angle), SiUnit::ANGULAR_ACCELERATION),
                 _ => {
                     let known = ["angle", "omega", "alpha"].map(str::to_owned).to_vec();
                     self.unknown(&entry, "state for single values called", STATE_PARTS[part], known);

@@ -1,6 +1,6 @@
 //! Model files that are right: what is read, and how values are set.
 
-use loosepin::model::{Axis, JointKind, Model, OutputKind, QuantityId, Stiffness};
+use loosepin::model::{Axis, Derivative, JointKind, Model, OutputKind, Position, QuantityId, Stiffness};
 
 /// The sketch of the model file in the design of the project, with the bodies it leaves out.
 const SKETCH: &str = include_str!("../files/sketch.toml");
@@ -59,7 +59,10 @@ fn topology_refers_to_quantities() {
         panic!("stiffness from materials");
     };
     assert_eq!(bearing, journal);
-    assert!(matches!(model.outputs[0].kind, OutputKind::Position { along: Axis::X, .. }));
+    assert!(matches!(
+        model.outputs[0].kind,
+        OutputKind::Motion { of: Position::Point(_, Axis::X), derivative: Derivative::Position }
+    ));
     assert_eq!(model.outputs[0].unit.text, "mm");
 }
 

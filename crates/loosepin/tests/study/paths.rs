@@ -192,10 +192,13 @@ fn read(model: &str, asks: &str) -> Result<Study, String> {
 }
 
 fn conducted(asks: &str) -> StudyResult {
-    let study = read(MODEL, asks).unwrap_or_else(|complaints| panic!("{complaints}"));
+    conduct_study(&read(MODEL, asks).unwrap_or_else(|complaints| panic!("{complaints}")))
+}
+
+fn conduct_study(study: &Study) -> StudyResult {
     let stop = AtomicBool::new(false);
     let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 #[test]
@@ -231,6 +234,35 @@ fn analytic_bounds_of_path_errors_hold_what_eccentric_pins_can_do() {
         let excess = (pose.upper.widened_si - pose.lower.widened_si - width) / width;
         assert!(part == PathError::Magnitude || excess < 1e-5, "{part:?}: too wide by {excess} of the width");
     }
+}
+
+/// The tool marks a disc that turns with the crank: seen from there its error is as large as seen from the ground, but the path is
+/// another one, and so are the parts along and across it.
+#[test]
+fn identity_an_error_is_as_large_seen_from_a_driven_body() {
+    let ask = |output: &str, part: PathError| {
+        let component = part.word();
+        format!(
+            "[[ask]]\noutput = \"{output}\"\ncomponent = \"{component}\"\nof = \"dimensional\"\n\
+             poses = {{ crank = [\"60 deg\", \"200 deg\"] }}\nstatistics = [\"mean\"]\n"
+        )
+    };
+    let asks = ["tool", "mark"].map(|output| ask(output, PathError::Magnitude) + &ask(output, PathError::Along));
+    let model = format!("{MODEL}\n[output.mark]\npath_of = \"coupler.tool\"\nrelative_to = \"crank.main\"\n");
+    let study = read(&model, &asks.concat()).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let result = conduct_study(&study);
+    let found = |name: &str| -> Vec<[f64; 2]> {
+        let own = result.bounds.iter().filter(|bound| bound.output == name);
+        own.map(|bound| [bound.lower.value_si, bound.upper.value_si]).collect()
+    };
+    let (ground, crank) = (found("tool magnitude"), found("mark magnitude"));
+    assert_eq!((ground.len(), crank.len()), (2, 2), "one bound for each pose");
+    for (ground, crank) in ground.iter().flatten().zip(crank.iter().flatten()) {
+        assert!((ground - crank).abs() < 1e-12, "{ground} {crank}");
+    }
+    let (ground, crank) = (found("tool along"), found("mark along"));
+    let apart = ground.iter().flatten().zip(crank.iter().flatten()).map(|(a, b)| (a - b).abs());
+    assert!(apart.fold(f64::INFINITY, f64::min) > 1e-6, "{ground:?} {crank:?}");
 }
 
 const ASK: &str =

@@ -512,7 +512,7 @@ pub(in crate::model) const MEASURES: [&str; 11] = [
 ];
 
 pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
-    "a column of the results, seen from the ground",
+    "a column of the results",
     &[
         optional(MEASURES[0], Kind::Point, "\"slider.pin\"", "a coordinate of a point"),
         optional(MEASURES[1], Kind::Point, "\"slider.pin\"", "a velocity of a point"),
@@ -540,7 +540,13 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
             "the power that a drive or control supplies",
         ),
         optional(MEASURES[10], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
-        optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground"),
+        optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground, or of the body of relative_to"),
+        optional(
+            "relative_to",
+            Kind::Reference("point or body"),
+            "\"crank.pin\"",
+            "what a motion is seen from: a point of a body, or for angles a body; the ground if left out",
+        ),
         optional("component", Kind::Choice(&["x", "y", "magnitude"]), "\"magnitude\"", "the component of a force"),
         optional(
             "unit",

@@ -1,10 +1,10 @@
 //! Outputs.
 
 use super::reader::ModelReader;
-use crate::model::ids::{Actuator, Axis};
+use crate::model::ids::{Actuator, Axis, BodyId, PointId};
 use crate::model::keys::{MEASURES, OUTPUT_KEYS};
+use crate::model::output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
 use crate::model::problem::ModelProblem;
-use crate::model::topology::{Component, Effort, Output, OutputKind};
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
 
@@ -27,6 +27,12 @@ impl ModelReader {
     fn output_kind(&mut self, table: &Table<'_>) -> Option<OutputKind> {
         let measure = MEASURES.into_iter().find(|key| table.has(key))?;
         let entry = table.get(measure)?;
+        let moves = match measure {
+            "position_of" | "angle_of" => Some(Derivative::Position),
+            "velocity_of" | "angular_velocity_of" => Some(Derivative::Velocity),
+            "acceleration_of" | "angular_acceleration_of" => Some(Derivative::Acceleration),
+            _ => None,
+        };
         let is_of_point = matches!(measure, "position_of" | "velocity_of" | "acceleration_of");
         if !is_of_point {
             self.refuse_beside(table, "along", measure);
@@ -34,17 +40,20 @@ impl ModelReader {
         if measure != "force_in" {
             self.refuse_beside(table, "component", measure);
         }
-        match measure {
-            "position_of" | "velocity_of" | "acceleration_of" => {
+        if moves.is_none() && measure != "path_of" {
+            self.refuse_beside(table, "relative_to", measure);
+        }
+        if let Some(derivative) = moves {
+            let of = if is_of_point {
                 let along = self.beside(table, "along", measure, "\"x\"", &[("x", Axis::X), ("y", Axis::Y)]);
-                let point = self.point(&entry)?;
-                let along = along?;
-                Some(match measure {
-                    "position_of" => OutputKind::Position { point, along },
-                    "velocity_of" => OutputKind::Velocity { point, along },
-                    _ => OutputKind::Acceleration { point, along },
-                })
-            }
+                let point = self.relative_point(table, &entry);
+                Position::Point(point?, along?)
+            } else {
+                Position::Angle(self.relative_body(table, &entry)?)
+            };
+            return Some(OutputKind::Motion { of, derivative });
+        }
+        match measure {
             "force_in" => {
                 let components = [("x", Component::X), ("y", Component::Y), ("magnitude", Component::Magnitude)];
                 let component = self.beside(table, "component", measure, "\"magnitude\"", &components);
@@ -56,17 +65,42 @@ impl ModelReader {
             "torque_of" => self.effort(&entry, Effort::Torque),
             "force_of" => self.effort(&entry, Effort::Force),
             "power_of" => self.effort(&entry, Effort::Power),
-            "path_of" => self.point(&entry).map(OutputKind::Path),
-            _ => {
-                let name = self.reader.text(&entry)?;
-                let body = self.body(&entry, name)?;
-                Some(match measure {
-                    "angle_of" => OutputKind::Angle(body),
-                    "angular_velocity_of" => OutputKind::AngularVelocity(body),
-                    _ => OutputKind::AngularAcceleration(body),
-                })
-            }
+            _ => self.relative_point(table, &entry).map(OutputKind::Path),
         }
+    }
+
+    /// The point that `entry` names, and the one under `relative_to`.
+    fn relative_point(&mut self, table: &Table<'_>, entry: &Entry<'_>) -> Option<Relative<PointId>> {
+        let of = self.point(entry);
+        let Some(beside) = table.get("relative_to") else { return of.map(Relative::to_ground) };
+        let to = self.point(&beside);
+        let (of, to) = (of?, to?);
+        self.refuse_same_body(&beside, of.body, to.body)?;
+        Some(Relative { of, to: Some(to) })
+    }
+
+    /// The body that `entry` names, and the one under `relative_to`.
+    fn relative_body(&mut self, table: &Table<'_>, entry: &Entry<'_>) -> Option<Relative<BodyId>> {
+        let of = self.body_of(entry);
+        let Some(beside) = table.get("relative_to") else { return of.map(Relative::to_ground) };
+        let to = self.body_of(&beside);
+        let (of, to) = (of?, to?);
+        self.refuse_same_body(&beside, of, to)?;
+        Some(Relative { of, to: Some(to) })
+    }
+
+    fn body_of(&mut self, entry: &Entry<'_>) -> Option<BodyId> {
+        let name = self.reader.text(entry)?;
+        self.body(entry, name)
+    }
+
+    /// Complains about what is seen from the body that it belongs to.
+    fn refuse_same_body(&mut self, beside: &Entry<'_>, of: BodyId, to: BodyId) -> Option<()> {
+        if of != to {
+            return Some(());
+        }
+        let body = self.bodies[to.0].name.clone();
+        self.reader.refuse(&ModelProblem::RelativeToItself { entry: beside.path.describe(), body }, beside.span)
     }
 
     /// The effort of the drive or control that an entry names.
@@ -121,7 +155,11 @@ impl ModelReader {
         match table.get(key) {
             Some(entry) => self.reader.choice(&entry, choices),
             None => {
-                let doc = if measure == "force_in" { "the component of the force" } else { "the axis of the ground" };
+                let doc = if measure == "force_in" {
+                    "the component of the force"
+                } else {
+                    "the axis of the ground, or of the body of relative_to"
+                };
                 let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
                 self.reader.refuse(&problem, table.span)
             }

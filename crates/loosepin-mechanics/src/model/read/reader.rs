@@ -283,7 +283,10 @@ impl ModelReader {
             return Some(*body);
         }
         let known = self.bodies.iter().map(|body| format!("'{}'", body.name)).collect();
-        let nearest = nearest_name(name, self.bodies.iter().map(|body| body.name.as_str())).map(str::to_owned);
+        // Of a point, its body was meant.
+        let of_point = name.split_once('.').map(|(body, _)| body).filter(|body| self.body_of_name.contains_key(*body));
+        let nearest = of_point.or_else(|| nearest_name(name, self.bodies.iter().map(|body| body.name.as_str())));
+        let nearest = nearest.map(str::to_owned);
         self.unknown(entry, "body", name, nearest, known);
         None
     }

@@ -3,11 +3,11 @@
 use super::{Built, build_case, build_case_with, build_text, case_names, ideal_at, spread};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Sample, point_m};
-use loosepin_mechanics::model::{Model, QuantityId};
+use loosepin_mechanics::model::{Model, Position, QuantityId};
 use loosepin_simulate::accuracy::record::{MotionRecord, OutputMotion};
 use loosepin_simulate::accuracy::{
-    AccuracyError, DisplacedLoops, MotionPlan, PositionReading, Scatter, ScatterCorrelation, dimension_derivatives,
-    dimension_direction, motion, play_gradients, position_outputs,
+    AccuracyError, DisplacedLoops, MotionPlan, Scatter, ScatterCorrelation, dimension_derivatives, dimension_direction,
+    motion, play_gradients, position_outputs,
 };
 
 /// Round-off of positions of order 0.1 m after closing a loop, m or rad.
@@ -73,7 +73,7 @@ fn published_extremes_of_the_ideal_slider_acceleration() {
         let motion = ideal_at(&built, &sample, angle_rad / built.input().speed_rad_s);
         let arm = |point| point_m(&mechanism.model, &built.values, point);
         let change = |slot| motion.acceleration(slot);
-        output.reading.rates(&mechanism.ideal, motion.kinematics(), change, &arm)[1]
+        output.reading.acceleration(&mechanism.ideal, motion.kinematics(), change, arm)
     };
     assert!((acceleration(0.0) - -19_419.360_5).abs() < LAST_DIGIT_M_S2);
     let top = 121.998_f64.to_radians();
@@ -130,7 +130,7 @@ fn identity_velocities_and_accelerations_are_differences_of_positions() {
         for output in position_outputs(mechanism) {
             let value = |k: usize| output.reading.value(&mechanism.ideal, states[k].kinematics(), &arm);
             let change = |slot| states[1].acceleration(slot);
-            let [velocity, acceleration] = output.reading.rates(&mechanism.ideal, states[1].kinematics(), change, &arm);
+            let [_, velocity, acceleration] = output.reading.jet(&mechanism.ideal, states[1].kinematics(), change, arm);
             let first = (value(2) - value(0)) / (2.0 * step_s);
             let second = (value(2) - 2.0 * value(1) + value(0)) / (step_s * step_s);
             assert!((velocity - first).abs() < DIFFERENCE * speed, "{case} {}: {velocity} {first}", output.name);
@@ -148,8 +148,7 @@ fn identity_gradients_are_differences_of_the_closed_loops() {
         let sample = built.sample();
         let turn_s = built.input().turn_s();
         let state = ideal_at(&built, &sample, 0.31 * turn_s);
-        let readings: Vec<PositionReading> =
-            position_outputs(&built.mechanism).iter().map(|output| output.reading).collect();
+        let readings: Vec<Position> = position_outputs(&built.mechanism).iter().map(|output| output.reading).collect();
         let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
         loops.set_position(state.coordinates());
         let plays = built.mechanism.plays.len();
@@ -204,8 +203,7 @@ fn identity_dimension_derivatives_are_differences_of_solved_mechanisms() {
         let state = ideal_at(&built, &sample, time_s);
         let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
         loops.set_position(state.coordinates());
-        let readings: Vec<PositionReading> =
-            position_outputs(&built.mechanism).iter().map(|output| output.reading).collect();
+        let readings: Vec<Position> = position_outputs(&built.mechanism).iter().map(|output| output.reading).collect();
         for (id, quantity) in model.quantities.iter().filter(|(_, quantity)| quantity.is_settable()) {
             let direction = dimension_direction(&built.mechanism, &built.values, id).expect("it can be varied");
             if direction.leaves_motion_alone(&built.mechanism) {
