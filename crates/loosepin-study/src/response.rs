@@ -15,6 +15,7 @@ use loosepin_mechanics::model::{
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
+use loosepin_text::units::Dimension;
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
 
@@ -148,13 +149,19 @@ impl StudyResponse {
                 Some((input.quantity()?, value))
             })
             .collect();
+        let quantities = &study.model.quantities;
+        let is_of_drawing = |id: &QuantityId| quantities[*id].dimension != Dimension::TEMPERATURE;
+        let of_drawing = middle.into_iter().filter(|(id, _): &(QuantityId, f64)| is_of_drawing(id));
+        // The drawing is at its own temperature, whatever the file and the study say of the parts in use.
+        let cold = quantities.iter().filter(|(id, quantity)| quantity.is_settable() && !is_of_drawing(id));
+        let drawing: Vec<(QuantityId, f64)> = of_drawing.chain(cold.map(|(id, _)| (id, 0.0))).collect();
         check_drive(study)?;
         check_turns(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
         if poses > MOST_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
         }
-        let nominal = study.model.quantities.evaluate(&middle)?;
+        let nominal = quantities.evaluate(&drawing)?;
         let models = models_with_laws(study)?;
         let mechanisms = models.iter().map(|model| Mechanism::new(model, &nominal));
         let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;

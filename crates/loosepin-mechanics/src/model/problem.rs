@@ -84,6 +84,7 @@ problems! {
         NeedsKeys { entry: String, key: &'static str, needs: Vec<&'static str> } => Code::ConflictingKeys,
             says("{entry}: '{key}' needs {}", quoted(needs)),
             hint_of(match *key {
+                "thermal_expansion" => Some("state it here, or at the top of the file for all parts"),
                 "contact" if needs.contains(&"bearing_length") => {
                     Some("the contact has a line-contact law, whose force is proportional to the length")
                 }

@@ -114,6 +114,9 @@ fn hint_at(path: &str) -> Option<String> {
     let hint = match path.rsplit('.').next()? {
         RADIAL => "clearance is bearing radius minus journal radius",
         DIAMETRAL => "the diametral clearance is diameter of the hole minus diameter of the pin",
+        "radial_clearance_when_warm" | "clearance_when_warm" => {
+            "at this temperature the pin or block is as large as its hole or guide: the joint seizes"
+        }
         "restitution" => "1 loses no energy; 0 would end every impact at rest",
         "lower_speed" => "friction grows from nothing at lower_speed to full at upper_speed",
         _ => return None,

@@ -61,6 +61,9 @@ pub fn dimension_direction(
     };
     let step = if values[quantity] != 0.0 {
         RELATIVE_STEP * values[quantity].abs()
+    } else if table[quantity].dimension == Dimension::TEMPERATURE {
+        // Lengths are linear in it, with a slope of 1e-5: the longer the step, the less round-off.
+        1.0
     } else if table[quantity].dimension == Dimension::LENGTH {
         RELATIVE_STEP * mechanism.size_m
     } else {

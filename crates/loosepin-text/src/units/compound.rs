@@ -70,7 +70,13 @@ impl Parser<'_> {
     /// The unit behind a number, one if there is none.
     pub(super) fn unit(&mut self) -> Result<UnitProduct, ExpressionError> {
         let start = self.span().start;
-        if !self.unit_begins(0) {
+        // `12e-6 1/K`; turns a minute are rpm.
+        let is_inverse = *self.peek() == TokenKind::Number(1.0)
+            && *self.ahead(1) == TokenKind::Sign('/')
+            && self.unit_begins(2)
+            && *self.ahead(2) != TokenKind::Word("min".to_owned());
+        self.next += usize::from(is_inverse);
+        if !is_inverse && !self.unit_begins(0) {
             return match self.peek() {
                 // A word right behind a number was meant as a unit, unless it is a parameter that lacks its operator.
                 TokenKind::Word(word) if self.names.find(word).is_none() => Err(self.unknown_unit(word)),
@@ -78,7 +84,7 @@ impl Parser<'_> {
                 _ => Ok(UnitProduct::ONE),
             };
         }
-        let mut product = self.unit_factor()?;
+        let mut product = if is_inverse { UnitProduct::ONE } else { self.unit_factor()? };
         let mut divided = false;
         loop {
             if self.unit_begins(0) || (self.is_sign('*') && self.unit_begins(1)) {

@@ -68,6 +68,9 @@ problems! {
             says("'{symbol}' is not a known unit"),
             hint_of(Some(match nearest {
                 _ if TURNS_A_MINUTE.contains(&symbol.as_str()) => "write turns per minute as rpm".to_owned(),
+                _ if CELSIUS.contains(&symbol.as_str()) => {
+                    "write the rise in K: 60 degrees Celsius are 40 K above the 20 of a drawing (ISO 1)".to_owned()
+                }
                 _ if in_words(symbol).is_some() => {
                     format!("write it as {}", in_words(symbol).unwrap_or_default())
                 }
@@ -173,3 +176,6 @@ fn in_words(word: &str) -> Option<&'static str> {
 
 /// Abbreviations of turns in speeds elsewhere: U/min, tr/min, ob/min, giri/min, rev/min.
 const TURNS_A_MINUTE: [&str; 10] = ["1/min", "U", "Umdr", "tr", "ob", "giri", "rev", "revs", "turn", "turns"];
+
+/// Ways to write degrees on scales that do not begin at zero.
+const CELSIUS: [&str; 6] = ["°C", "degC", "C", "Celsius", "celsius", "degF"];

@@ -89,6 +89,8 @@ pub static UNITS: &[Unit] = &[
     unit("Hz",    D::FREQUENCY,        1.0,           1.0),
     unit("kHz",   D::FREQUENCY,        1e3,           1.0),
 
+    unit("K",     D::TEMPERATURE,      1.0,           1.0),
+
     unit("N",     D::FORCE,            1.0,           1.0),
     unit("mN",    D::FORCE,            1.0,           1e3),
     unit("kN",    D::FORCE,            1e3,           1.0),
@@ -121,29 +123,30 @@ pub fn find_unit(symbol: &str) -> Option<&'static Unit> {
 mod tests {
     use super::*;
 
-    /// One unit in SI, as a decimal from its definition, and the exponents of m, kg, s and rad. The decimals of
+    /// One unit in SI, as a decimal from its definition, and the exponents of m, kg, s, rad and K. The decimals of
     /// π are those of tables; the pound-force is 0.453 592 37 · 9.806 65 N, the psi 4.448 221 615 260 5 / 0.0254² Pa.
     #[rustfmt::skip]
-    const DEFINITIONS: &[(&str, &str, [f64; 4])] = &[
-        ("m mm", "1 0.001", [1.0, 0.0, 0.0, 0.0]),
-        ("µm um nm", "0.000001 0.000001 0.000000001", [1.0, 0.0, 0.0, 0.0]),
-        ("cm dm km", "0.01 0.1 1000", [1.0, 0.0, 0.0, 0.0]),
-        ("in ft mil thou", "0.0254 0.3048 0.0000254 0.0000254", [1.0, 0.0, 0.0, 0.0]),
-        ("kg g mg t lb", "1 0.001 0.000001 1000 0.45359237", [0.0, 1.0, 0.0, 0.0]),
-        ("s ms µs us", "1 0.001 0.000001 0.000001", [0.0, 0.0, 1.0, 0.0]),
-        ("ns min h", "0.000000001 60 3600", [0.0, 0.0, 1.0, 0.0]),
-        ("rad mrad", "1 0.001", [0.0, 0.0, 0.0, 1.0]),
-        ("deg °", "0.01745329251994329576923690768 0.01745329251994329576923690768", [0.0, 0.0, 0.0, 1.0]),
-        ("rev", "6.28318530717958647692528676655900577", [0.0, 0.0, 0.0, 1.0]),
-        ("rpm", "0.10471975511965977461542144610931676", [0.0, 0.0, -1.0, 1.0]),
-        ("Hz kHz", "1 1000", [0.0, 0.0, -1.0, 0.0]),
-        ("N mN kN MN lbf", "1 0.001 1000 1000000 4.4482216152605", [1.0, 1.0, -2.0, 0.0]),
-        ("Pa kPa MPa GPa", "1 1000 1000000 1000000000", [-1.0, 1.0, -2.0, 0.0]),
-        ("bar psi", "100000 6894.75729316836133672267344534689069", [-1.0, 1.0, -2.0, 0.0]),
-        ("J mJ kJ", "1 0.001 1000", [2.0, 1.0, -2.0, 0.0]),
-        ("W mW kW", "1 0.001 1000", [2.0, 1.0, -3.0, 0.0]),
-        ("cP", "0.001", [-1.0, 1.0, -1.0, 0.0]),
-        ("%", "0.01", [0.0, 0.0, 0.0, 0.0]),
+    const DEFINITIONS: &[(&str, &str, [f64; 5])] = &[
+        ("m mm", "1 0.001", [1.0, 0.0, 0.0, 0.0, 0.0]),
+        ("µm um nm", "0.000001 0.000001 0.000000001", [1.0, 0.0, 0.0, 0.0, 0.0]),
+        ("cm dm km", "0.01 0.1 1000", [1.0, 0.0, 0.0, 0.0, 0.0]),
+        ("in ft mil thou", "0.0254 0.3048 0.0000254 0.0000254", [1.0, 0.0, 0.0, 0.0, 0.0]),
+        ("kg g mg t lb", "1 0.001 0.000001 1000 0.45359237", [0.0, 1.0, 0.0, 0.0, 0.0]),
+        ("s ms µs us", "1 0.001 0.000001 0.000001", [0.0, 0.0, 1.0, 0.0, 0.0]),
+        ("ns min h", "0.000000001 60 3600", [0.0, 0.0, 1.0, 0.0, 0.0]),
+        ("rad mrad", "1 0.001", [0.0, 0.0, 0.0, 1.0, 0.0]),
+        ("deg °", "0.01745329251994329576923690768 0.01745329251994329576923690768", [0.0, 0.0, 0.0, 1.0, 0.0]),
+        ("rev", "6.28318530717958647692528676655900577", [0.0, 0.0, 0.0, 1.0, 0.0]),
+        ("rpm", "0.10471975511965977461542144610931676", [0.0, 0.0, -1.0, 1.0, 0.0]),
+        ("Hz kHz", "1 1000", [0.0, 0.0, -1.0, 0.0, 0.0]),
+        ("N mN kN MN lbf", "1 0.001 1000 1000000 4.4482216152605", [1.0, 1.0, -2.0, 0.0, 0.0]),
+        ("Pa kPa MPa GPa", "1 1000 1000000 1000000000", [-1.0, 1.0, -2.0, 0.0, 0.0]),
+        ("bar psi", "100000 6894.75729316836133672267344534689069", [-1.0, 1.0, -2.0, 0.0, 0.0]),
+        ("J mJ kJ", "1 0.001 1000", [2.0, 1.0, -2.0, 0.0, 0.0]),
+        ("W mW kW", "1 0.001 1000", [2.0, 1.0, -3.0, 0.0, 0.0]),
+        ("cP", "0.001", [-1.0, 1.0, -1.0, 0.0, 0.0]),
+        ("K", "1", [0.0, 0.0, 0.0, 0.0, 1.0]),
+        ("%", "0.01", [0.0, 0.0, 0.0, 0.0, 0.0]),
     ];
 
     /// Bits that a factor may be below the double nearest to its definition: one where it is a product of rounded
@@ -163,8 +166,8 @@ mod tests {
                 let unit = find_unit(symbol).unwrap_or_else(|| panic!("no unit {symbol}"));
                 let nearest: f64 = factor.parse().expect("a decimal");
                 assert_eq!(unit.to_si(1.0).to_bits() + bits_below(symbol), nearest.to_bits(), "{symbol}");
-                let D { length, mass, time, angle } = unit.dimension;
-                assert_eq!([length, mass, time, angle], *exponents, "{symbol}");
+                let D { length, mass, time, angle, temperature } = unit.dimension;
+                assert_eq!([length, mass, time, angle, temperature], *exponents, "{symbol}");
                 symbols.push(symbol);
             }
         }

@@ -12,3 +12,4 @@ mod paths;
 mod promise;
 mod study_accuracy;
 mod surrogates;
+mod warm;

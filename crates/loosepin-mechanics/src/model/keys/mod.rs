@@ -19,9 +19,26 @@ use spring::SPRING_KINDS;
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 const POINTS_DOC: &str = "named points in the frame of the body";
 
+const THERMAL_EXPANSION: Key = optional(
+    "thermal_expansion",
+    quantity(D::THERMAL_EXPANSION, Rule::Finite),
+    "\"11.7e-6 1/K\"",
+    "growth of all lengths of the part by its warmth; needs temperature_rise, here or at the top",
+);
+const TEMPERATURE_RISE_OF_BODY: Key = optional(
+    "temperature_rise",
+    quantity(D::TEMPERATURE, Rule::Finite),
+    "\"60 K\"",
+    "how much warmer than its drawing the part is; the one at the top if left out",
+);
+
 pub(in crate::model) static GROUND_KEYS: Keys = Keys::new(
     "the ground: points that do not move",
-    &[optional("points", POINTS, "{ o = [\"0 mm\", \"0 mm\"] }", POINTS_DOC)],
+    &[
+        optional("points", POINTS, "{ o = [\"0 mm\", \"0 mm\"] }", POINTS_DOC),
+        THERMAL_EXPANSION,
+        TEMPERATURE_RISE_OF_BODY,
+    ],
 );
 
 pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
@@ -36,6 +53,8 @@ pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
         ),
         required("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
         optional("points", POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }", POINTS_DOC),
+        THERMAL_EXPANSION,
+        TEMPERATURE_RISE_OF_BODY,
     ],
 );
 
@@ -567,6 +586,12 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
             quantity(D::ACCELERATION, Rule::Finite),
             "\"9.81 m/s^2\"",
             "acceleration along -y; \"0 m/s^2\" for none",
+        ),
+        optional(
+            "temperature_rise",
+            quantity(D::TEMPERATURE, Rule::Finite),
+            "\"40 K\"",
+            "how much warmer than their drawings parts with thermal_expansion are",
         ),
         optional("parameter", Kind::Values(&Kind::AnyQuantity), "", "named values for use in expressions"),
         required(

@@ -51,6 +51,22 @@ pub(super) static USUAL: &[Usual] = &[
         factors: &[],
     },
     Usual {
+        keys: &[".thermal_expansion"],
+        dimension: Dimension::THERMAL_EXPANSION,
+        range: [1e-7, 4e-4],
+        words: "1e-7 1/K (glass ceramics) to 4e-4 1/K (rubber); steels have 1.2e-5 1/K",
+        units: &[],
+        factors: &[1e-6],
+    },
+    Usual {
+        keys: &["temperature_rise"],
+        dimension: Dimension::TEMPERATURE,
+        range: [0.0, 1500.0],
+        words: "up to 1500 K",
+        units: &[],
+        factors: &[],
+    },
+    Usual {
         keys: &[".viscosity"],
         dimension: Dimension::VISCOSITY,
         range: [1e-5, 10.0],

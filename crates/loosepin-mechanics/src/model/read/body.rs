@@ -3,6 +3,7 @@
 use super::reader::{ModelReader, UNREAD};
 use crate::model::ids::BodyId;
 use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
+use crate::model::quantity::QuantityId;
 use crate::model::topology::{Body, Point};
 use loosepin_text::document::{Entry, Table};
 
@@ -13,7 +14,9 @@ impl ModelReader {
             self.remember(&entry);
             if entry.name == "ground" {
                 if let Some(table) = self.reader.table(&entry, &GROUND_KEYS) {
-                    self.bodies[0].points = self.points(&table);
+                    let elongation = self.elongation(&table);
+                    self.elongations.extend(elongation.map(|id| (BodyId(0), id)));
+                    self.bodies[0].points = self.points(&table, elongation);
                 }
                 continue;
             }
@@ -25,23 +28,29 @@ impl ModelReader {
                 centre_of_mass_m: Some([UNREAD; 2]),
                 points: Vec::new(),
             };
+            let id = BodyId(self.bodies.len());
             if let Some(table) = self.reader.table(&entry, &BODY_KEYS) {
+                let elongation = self.elongation(&table);
+                self.elongations.extend(elongation.map(|elongation| (id, elongation)));
                 body.mass_kg = self.quantity(&table, "mass");
-                body.inertia_kg_m2 = self.quantity(&table, "inertia");
-                body.centre_of_mass_m = table.get("centre_of_mass").map(|entry| self.vector(&entry));
-                body.points = self.points(&table);
+                let inertia = self.quantity(&table, "inertia");
+                body.inertia_kg_m2 = inertia.map(|inertia| self.times_grown(inertia, elongation, 2));
+                let centre = table.get("centre_of_mass").map(|entry| self.vector(&entry));
+                body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
+                body.points = self.points(&table, elongation);
             }
-            self.body_of_name.insert(body.name.clone(), BodyId(self.bodies.len()));
+            self.body_of_name.insert(body.name.clone(), id);
             self.bodies.push(body);
         }
     }
 
-    fn points(&mut self, table: &Table<'_>) -> Vec<Point> {
+    fn points(&mut self, table: &Table<'_>, elongation: Option<QuantityId>) -> Vec<Point> {
         let Some(entry) = table.get("points") else { return Vec::new() };
         let mut points = Vec::new();
         for entry in self.reader.named(&entry, "a point") {
             self.remember(&entry);
-            points.push(Point { name: entry.name.to_owned(), position_m: self.vector(&entry) });
+            let position_m = self.vector(&entry).map(|length| self.grown(length, elongation));
+            points.push(Point { name: entry.name.to_owned(), position_m });
         }
         points
     }

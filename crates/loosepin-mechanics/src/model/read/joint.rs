@@ -73,7 +73,13 @@ impl ModelReader {
     fn revolute(&mut self, table: &Table<'_>) -> Option<JointKind> {
         let [bearing, journal] = ["bearing", "journal"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
         let clearance = self.clearance(table);
-        Some(JointKind::Revolute { bearing: bearing?, journal: journal?, clearance: clearance? })
+        let (bearing, journal) = (bearing?, journal?);
+        let span = clearance_span(table, &[RADIAL, DIAMETRAL]);
+        let clearance = match clearance? {
+            Some(cold) => Some(self.warm_pin(cold, [bearing.body, journal.body], span)?),
+            None => None,
+        };
+        Some(JointKind::Revolute { bearing, journal, clearance })
     }
 
     /// The clearance of a revolute joint; the outer option is absent after a complaint, the inner for an ideal joint.
@@ -153,8 +159,12 @@ impl ModelReader {
                 return None;
             }
         };
-        let clearance = self.guide_clearance(table, ends_m);
-        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance: clearance? })
+        let span = clearance_span(table, &["clearance"]);
+        let clearance = match self.guide_clearance(table, ends_m)? {
+            Some(cold) => Some(self.warm_guide(cold, [guide.body, slider.body], span)?),
+            None => None,
+        };
+        Some(JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, clearance })
     }
 
     fn slider(&mut self, entry: &Entry<'_>) -> Option<(PointId, QuantityId)> {
@@ -177,4 +187,9 @@ impl ModelReader {
         let angle_rad = self.quantity(table, "angle");
         Some(JointKind::Rigid { first: first?, second: second?, angle_rad: angle_rad? })
     }
+}
+
+/// Where the clearance of a joint stands, under one of `keys`.
+pub(super) fn clearance_span(table: &Table<'_>, keys: &[&str]) -> Span {
+    keys.iter().find_map(|key| table.get(key)).map_or(table.span, |entry| entry.span)
 }

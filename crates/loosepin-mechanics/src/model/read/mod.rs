@@ -19,6 +19,7 @@ mod slot;
 mod spring;
 mod table_points;
 mod unitless;
+mod warm;
 
 use crate::model::ids::BodyId;
 use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
@@ -92,6 +93,8 @@ impl ModelReader {
             self.read_parameters(&entry);
         }
         let gravity_m_s2 = self.quantity(root, "gravity").unwrap_or(UNREAD);
+        self.has_temperature_rise = root.has("temperature_rise");
+        self.temperature_rise_k = self.quantity(root, "temperature_rise");
         for (key, read) in [
             ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
             ("contact", ModelReader::read_contacts),
@@ -162,8 +165,13 @@ impl ModelReader {
         let unused_contacts = contacts.filter(|name| !self.used_contacts.contains(name));
         let mut paths: Vec<String> = unused_contacts.map(|name| format!("contact.{name}")).collect();
         paths.extend(self.parameters.unused().map(|name| format!("parameter.{name}")));
+        if self.has_temperature_rise && !self.uses_temperature_rise {
+            paths.push("temperature_rise".to_owned());
+        }
         for path in paths {
-            let place = self.places.get(&path).map(|span| self.reader.place(*span));
+            let written = self.quantities.id(&path).and_then(|id| self.quantities[id].span);
+            let span = self.places.get(&path).copied().or(written);
+            let place = span.map(|span| self.reader.place(span));
             let problem = ModelProblem::Unused { entry: describe_path(&path) };
             self.warnings.push(Complaint::warning(&problem, place));
         }

@@ -32,6 +32,14 @@ pub(super) struct ModelReader {
     pub bodies: Vec<Body>,
     /// The bodies of [`Self::bodies`] by their names.
     pub body_of_name: HashMap<String, BodyId>,
+    /// How much warmer than their drawings bodies are that do not say so themselves, K.
+    pub temperature_rise_k: Option<QuantityId>,
+    /// Whether that is written, even if it could not be read.
+    pub has_temperature_rise: bool,
+    /// Whether a body takes it.
+    pub uses_temperature_rise: bool,
+    /// Shares by which bodies are longer than their drawings.
+    pub elongations: HashMap<BodyId, QuantityId>,
     pub contact_names: NamesOf<ContactId>,
     pub contacts: Vec<Contact>,
     pub joint_names: NamesOf<JointId>,
@@ -63,6 +71,10 @@ impl ModelReader {
             parameters: Parameters::default(),
             places: HashMap::new(),
             body_of_name: HashMap::from([(ground.name.clone(), BodyId(0))]),
+            temperature_rise_k: None,
+            has_temperature_rise: false,
+            uses_temperature_rise: false,
+            elongations: HashMap::new(),
             bodies: vec![ground],
             contact_names: Vec::new(),
             contacts: Vec::new(),

@@ -1,6 +1,7 @@
 //! A pin in a slot.
 
 use super::guide::PlayKeys;
+use super::joint::clearance_span;
 use super::reader::ModelReader;
 use crate::model::keys::SLOT_LINE_KEYS;
 use crate::model::topology::{JointKind, SlotClearance};
@@ -17,8 +18,15 @@ impl ModelReader {
         });
         let pin = table.get("pin").and_then(|entry| self.point(&entry));
         let clearance = self.slot_clearance(table);
-        let (slot, slot_angle_rad) = slot?;
-        Some(JointKind::Slot { slot, slot_angle_rad, pin: pin?, clearance: clearance? })
+        let ((slot, slot_angle_rad), pin) = (slot?, pin?);
+        let clearance = match clearance? {
+            Some(cold) => {
+                let span = clearance_span(table, &["clearance"]);
+                Some(self.warm_slot(cold, [slot.body, pin.body], span)?)
+            }
+            None => None,
+        };
+        Some(JointKind::Slot { slot, slot_angle_rad, pin, clearance })
     }
 
     /// The outer option is absent after a complaint, the inner for an ideal joint.

@@ -128,7 +128,7 @@ fn identity_velocities_and_accelerations_are_differences_of_positions() {
         let states = [-1.0, 0.0, 1.0].map(|k| ideal_at(&built, &sample, time_s + k * step_s));
         let arm = |point| point_m(&mechanism.model, &built.values, point);
         for output in position_outputs(mechanism) {
-            let value = |k: usize| output.reading.value(&mechanism.ideal, states[k].kinematics(), &arm);
+            let value = |k: usize| output.reading.value(&mechanism.ideal, states[k].kinematics(), arm);
             let change = |slot| states[1].acceleration(slot);
             let [_, velocity, acceleration] = output.reading.jet(&mechanism.ideal, states[1].kinematics(), change, arm);
             let first = (value(2) - value(0)) / (2.0 * step_s);
@@ -186,7 +186,7 @@ fn outputs_with(model: &Model, set: &[(QuantityId, f64)], angle_rad: f64) -> Vec
     let arm = |point| point_m(model, &values, point);
     position_outputs(&mechanism)
         .iter()
-        .map(|output| output.reading.value(&mechanism.ideal, motion.kinematics(), &arm))
+        .map(|output| output.reading.value(&mechanism.ideal, motion.kinematics(), arm))
         .collect()
 }
 

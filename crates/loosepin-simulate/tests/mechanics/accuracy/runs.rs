@@ -42,7 +42,7 @@ impl Observer for Twin<'_> {
             let (model, values) = (&mechanism.model, &self.built.values);
             for output in position_outputs(mechanism) {
                 let arm = |point| loosepin_mechanics::mechanism::point_m(model, values, point);
-                let real = output.reading.value(&mechanism.real, &dynamics.kinematics, &arm);
+                let real = output.reading.value(&mechanism.real, &dynamics.kinematics, arm);
                 self.largest = self.largest.max((real - self.loops.value(output.reading)).abs());
                 self.looks += 1;
             }

@@ -1,0 +1,135 @@
+//! Parts that are warmer than their drawing: every length of a body with a coefficient of expansion α grows by the share
+//! ε = α ΔT, holes and pins too.
+
+use super::reader::ModelReader;
+use crate::model::ids::BodyId;
+use crate::model::quantity::{Origin, Quantity, QuantityId};
+use crate::model::topology::{Clearance, GuideClearance, SlotClearance};
+use loosepin_text::diagnostics::Span;
+use loosepin_text::document::Table;
+use loosepin_text::units::{Dimension, Expression, Op, Rule};
+
+impl ModelReader {
+    /// The elongation ε = α ΔT of a body that states α; ΔT is its own `temperature_rise`, or that of the model.
+    pub(super) fn elongation(&mut self, table: &Table<'_>) -> Option<QuantityId> {
+        const EXPANSION: &str = "thermal_expansion";
+        const RISE: &str = "temperature_rise";
+        let [expansion, own_rise] = [EXPANSION, RISE].map(|key| self.quantity(table, key));
+        let needs = match (table.has(EXPANSION), table.has(RISE) || self.has_temperature_rise) {
+            (true, false) => Some([EXPANSION, RISE]),
+            (false, _) if table.has(RISE) => Some([RISE, EXPANSION]),
+            _ => None,
+        };
+        if let Some([key, needed]) = needs {
+            self.complain_of_missing(table, key, vec![needed]);
+            return None;
+        }
+        let (expansion, rise_k) = (expansion?, own_rise.or(self.temperature_rise_k)?);
+        let ops = vec![Op::Load(expansion.0), Op::Load(rise_k.0), Op::Multiply];
+        self.uses_temperature_rise |= !table.has(RISE);
+        let path = table.path.join("elongation").dotted();
+        Some(self.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]))
+    }
+
+    /// A length of a part with the elongation ε: L (1 + ε).
+    pub(super) fn grown(&mut self, length: QuantityId, elongation: Option<QuantityId>) -> QuantityId {
+        self.times_grown(length, elongation, 1)
+    }
+
+    /// What grows with the `power`-th power of a length: L (1 + ε), J (1 + ε)².
+    pub(super) fn times_grown(&mut self, own: QuantityId, elongation: Option<QuantityId>, power: usize) -> QuantityId {
+        let Some(elongation) = elongation else { return own };
+        let mut ops = vec![Op::Load(own.0)];
+        for _ in 0..power {
+            ops.extend([Op::Number(1.0), Op::Load(elongation.0), Op::Add, Op::Multiply]);
+        }
+        let quantity = &self.quantities[own];
+        let (path, dimension, rule) = (format!("{}_when_warm", quantity.path), quantity.dimension, quantity.rule);
+        self.derived(path, dimension, rule, ops, &[own, elongation])
+    }
+
+    /// The clearance of a pin joint, slot or guide whose outer part has the size `outer` at the drawing's temperature, and both
+    /// parts in it. With R the radius (or half the height) of the hole and c the clearance, R (1 + ε_i) - (R - c)(1 + ε_j) is
+    ///
+    /// ```text
+    /// c (1 + ε_j) + R (ε_i - ε_j)
+    /// ```
+    fn warm_clearance(
+        &mut self,
+        clearance: QuantityId,
+        outer: &[QuantityId],
+        [bearing, journal]: [BodyId; 2],
+        span: Span,
+    ) -> Option<QuantityId> {
+        let elongations = [bearing, journal].map(|body| self.elongations.get(&body).copied());
+        if elongations == [None; 2] {
+            return Some(clearance);
+        }
+        let load = |elongation: Option<QuantityId>| elongation.map_or(Op::Number(0.0), |id| Op::Load(id.0));
+        let [of_bearing, of_journal] = elongations.map(load);
+        let mut ops = vec![Op::Load(clearance.0), Op::Number(1.0), of_journal, Op::Add, Op::Multiply];
+        ops.push(Op::Number(0.0));
+        for size in outer {
+            ops.extend([Op::Load(size.0), Op::Add]);
+        }
+        ops.extend([of_bearing, of_journal, Op::Subtract, Op::Multiply, Op::Add]);
+        let path = format!("{}_when_warm", self.quantities[clearance].path);
+        let reads: Vec<QuantityId> =
+            outer.iter().copied().chain([clearance]).chain(elongations.into_iter().flatten()).collect();
+        let id = self.derived(path, Dimension::LENGTH, Rule::NonNegative, ops, &reads);
+        match self.quantities[id].check(self.quantities.nominal_value(id)) {
+            Ok(()) => Some(id),
+            Err(problem) => self.reader.refuse(&problem, span),
+        }
+    }
+
+    /// The clearance of a pin joint with hole and pin as warm as their bodies.
+    pub(super) fn warm_pin(&mut self, cold: Clearance, bodies: [BodyId; 2], span: Span) -> Option<Clearance> {
+        let radial_clearance_m =
+            self.warm_clearance(cold.radial_clearance_m, &[cold.bearing_radius_m], bodies, span)?;
+        let elongation = self.elongations.get(&bodies[0]).copied();
+        let bearing_radius_m = self.grown(cold.bearing_radius_m, elongation);
+        Some(Clearance { bearing_radius_m, radial_clearance_m, ..cold })
+    }
+
+    /// The clearance of a slider with guide and block as warm as their bodies.
+    pub(super) fn warm_guide(
+        &mut self,
+        cold: GuideClearance,
+        bodies: [BodyId; 2],
+        span: Span,
+    ) -> Option<GuideClearance> {
+        // The guide is as high as the block and the gap.
+        let outer = [cold.half_height_m, cold.clearance_m];
+        let clearance_m = self.warm_clearance(cold.clearance_m, &outer, bodies, span)?;
+        let [of_guide, of_block] = bodies.map(|body| self.elongations.get(&body).copied());
+        let [half_length_m, half_height_m] =
+            [cold.half_length_m, cold.half_height_m].map(|length| self.grown(length, of_block));
+        let ends_m = cold.ends_m.map(|ends| ends.map(|end| self.grown(end, of_guide)));
+        Some(GuideClearance { half_length_m, half_height_m, clearance_m, ends_m, ..cold })
+    }
+
+    /// The clearance of a pin in a slot, both as warm as their bodies.
+    pub(super) fn warm_slot(&mut self, cold: SlotClearance, bodies: [BodyId; 2], span: Span) -> Option<SlotClearance> {
+        let clearance_m = self.warm_clearance(cold.clearance_m, &[cold.end_radius_m], bodies, span)?;
+        let of_slot = self.elongations.get(&bodies[0]).copied();
+        let [half_length_m, end_radius_m] =
+            [cold.half_length_m, cold.end_radius_m].map(|length| self.grown(length, of_slot));
+        Some(SlotClearance { half_length_m, end_radius_m, clearance_m, ..cold })
+    }
+
+    /// A number that follows from others.
+    fn derived(
+        &mut self,
+        path: String,
+        dimension: Dimension,
+        rule: Rule,
+        ops: Vec<Op>,
+        reads: &[QuantityId],
+    ) -> QuantityId {
+        let expression = Expression { ops, dimension, reads: reads.iter().map(|id| id.0).collect() };
+        let span = reads.first().and_then(|id| self.quantities[*id].span);
+        let origin = Origin::Expression { depends_on: reads.to_vec() };
+        self.quantities.add_expression(Quantity { path, dimension, rule, origin, span }, &expression)
+    }
+}

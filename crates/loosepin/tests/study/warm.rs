@@ -1,0 +1,59 @@
+//! A study of a mechanism whose temperature is known roughly, against a closed form.
+
+use loosepin::model::Model;
+use loosepin::study::{Means, Progress, Study, conduct};
+use std::sync::atomic::AtomicBool;
+
+struct Silent;
+
+impl Progress for Silent {
+    fn runs(&self, _: usize, _: usize) {}
+}
+
+/// A crank of 80 mm; the file says that it is used at 30 K above its drawing.
+const MODEL: &str = r#"
+name = "warm crank"
+gravity = "0 m/s^2"
+temperature_rise = "30 K"
+[body.ground]
+points = { o = ["0 mm", "0 mm"] }
+[body.crank]
+mass = "0.3 kg"
+inertia = "1e-4 kg m^2"
+centre_of_mass = ["25 mm", "0 mm"]
+points = { main = ["0 mm", "0 mm"], pin = ["80 mm", "0 mm"] }
+thermal_expansion = "23 um/(m K)"
+[joint.main]
+kind = "revolute"
+bearing = "ground.o"
+journal = "crank.main"
+[drive.crank]
+joint = "main"
+speed = "60 rpm"
+start_angle = "0 deg"
+[cycle]
+drive = "crank"
+[output.pin]
+position_of = "crank.pin"
+along = "x"
+"#;
+
+#[test]
+fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
+    let text = "name = \"warm\"\nmodel = \"model.toml\"\n[sampling]\nouter = 16\n\
+                [random]\n\"body.crank.points.pin.x\" = { uniform = { lower = \"79.99 mm\", upper = \"80.01 mm\" } }\n\
+                [epistemic]\n\"temperature_rise\" = { interval = [\"-20 K\", \"60 K\"] }\n\
+                [[ask]]\noutput = \"pin\"\nof = \"total\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [\"mean\"]\n";
+    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let stop = AtomicBool::new(false);
+    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
+    let result = conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
+    let [bound] = &result.bounds[..] else { panic!("one bound was asked for") };
+    // The drawing is that of 0 K, neither that of the file's 30 K nor that of the middle of the interval, 20 K.
+    let exact_m = [-20.0, 60.0].map(|rise_k| 0.08 * 23e-6 * rise_k * 60_f64.to_radians().cos());
+    let width_m = exact_m[1] - exact_m[0];
+    assert!((bound.lower.value_si - exact_m[0]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
+    assert!((bound.upper.value_si - exact_m[1]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
+    assert!(bound.lower.widened_si <= exact_m[0] + 1e-12 && bound.upper.widened_si >= exact_m[1] - 1e-12, "{bound:?}");
+}
