@@ -166,6 +166,76 @@ fn analytic_motion_by_a_force_over_the_position() {
     assert!(account.supplied_j.abs() < ACCOUNT && account.relative_residual() < ACCOUNT, "{account:?}");
 }
 
+/// A motor whose torque falls evenly from 4 N m at rest to nothing at 150 rad/s runs up a rotor: J ω' = T₀ (1 - ω/ω₀), so
+/// ω = ω₀ (1 - exp(-t/τ)) with τ = J ω₀/T₀. Beyond the last point it keeps the torque there and brakes.
+#[test]
+fn analytic_a_motor_by_its_torque_curve_runs_up() {
+    const INERTIA_KG_M2: f64 = 0.01;
+    let built = |start: &str| {
+        build(&format!(
+            r#"
+name = "rotor"
+gravity = "0 m/s^2"
+[body.ground]
+points = {{ o = ["0 mm", "0 mm"] }}
+[body.rotor]
+mass = "2 kg"
+inertia = "{INERTIA_KG_M2} kg m^2"
+centre_of_mass = ["0 mm", "0 mm"]
+points = {{ hub = ["0 mm", "0 mm"] }}
+[joint.shaft]
+kind = "revolute"
+bearing = "ground.o"
+journal = "rotor.hub"
+[initial.joint.shaft]
+angle = "0 deg"
+angular_velocity = "{start}"
+[load.motor]
+kind = "torque"
+body = "rotor"
+joint = "shaft"
+of = "speed"
+points = [["0 rad/s", "4 N m"], ["150 rad/s", "0 N m"], ["180 rad/s", "-0.8 N m"]]
+[cycle]
+duration = "1 s"
+"#
+        ))
+    };
+    let ends = |built: &Built, end_s: f64| {
+        let mut ends = Turns::default();
+        let window = Window { start_s: 0.0, end_s };
+        let report = run(&built.mechanism, &built.sample(), &window, &Settings::for_simulation(), &mut ends)
+            .unwrap_or_else(|failure| panic!("{failure}"));
+        (ends.0, report)
+    };
+    let tau_s = INERTIA_KG_M2 * 150.0 / 4.0;
+    let (run_up, report) = ends(&built("0 rad/s"), 1.0);
+    for [time_s, rate_rad_s] in &run_up {
+        let due_rad_s = 150.0 * (1.0 - (-time_s / tau_s).exp());
+        assert!((rate_rad_s - due_rad_s).abs() < 1e-8 * 150.0, "{time_s}: {rate_rad_s} {due_rad_s}");
+    }
+    let rate_rad_s = run_up.last().expect("steps")[1];
+    let account = report.energy.expect("it is integrated");
+    let kinetic_j = 0.5 * INERTIA_KG_M2 * rate_rad_s * rate_rad_s;
+    assert!((account.supplied_j - kinetic_j).abs() < 1e-8 * kinetic_j, "{account:?}");
+    // From 200 rad/s it brakes with 0.8 N m until 180 rad/s.
+    let (braked, _) = ends(&built("200 rad/s"), 0.2);
+    for [time_s, rate_rad_s] in &braked {
+        assert!((rate_rad_s - (200.0 - 80.0 * time_s)).abs() < 1e-8 * 200.0, "{time_s}: {rate_rad_s}");
+    }
+}
+
+/// Ends of steps, and angular velocity there.
+#[derive(Default)]
+struct Turns(Vec<[f64; 2]>);
+
+impl Observer for Turns {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        let time_s = step.end_s;
+        self.0.push([time_s, step.end().kinematics.twists[1].angular]);
+    }
+}
+
 #[test]
 fn values_that_do_not_fit_the_period_are_refused() {
     let load =
