@@ -123,7 +123,7 @@ pub struct MotionArguments {
 
 /// Simulate one mechanism with play and impacts
 #[derive(Debug, Args)]
-#[command(after_help = "Writes history.csv, impacts.csv, summary.json and report.html.\n\n\
+#[command(after_help = "Writes history.csv, impacts.csv, spectrum.csv, summary.json and report.html.\n\n\
     Examples:\n  \
     loosepin simulate model.toml\n  \
     loosepin simulate model.toml --set joint.gudgeon.radial_clearance=0.3mm --turns 3\n  \

@@ -42,6 +42,7 @@ mod promise_text;
 mod script_data;
 mod section_figure;
 mod simulation_page;
+mod spectrum_section;
 mod still_figures;
 mod study_page;
 mod surrogate_figure;

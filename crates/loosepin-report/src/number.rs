@@ -1,6 +1,8 @@
 //! Numbers as people read them: their unit, sensible digits, and rounding that never makes a bound narrower.
 
 use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue};
+use std::f64::consts::TAU;
+
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
@@ -96,6 +98,15 @@ impl<'a> NumberWriter<'a> {
     pub fn rounded(&self, value_si: f64, unit: &SiUnit, digits: usize, rounding: Rounding) -> String {
         let text = self.dress(significant(self.scaled(value_si, unit), digits, rounding));
         self.with_symbol(text, unit)
+    }
+
+    /// The angle of a drive within its turn, from 0° to below 360°.
+    pub fn angle_in_turn(&self, angle_rad: f64) -> String {
+        /// What is as near to a whole turn as this is shown as 0°, not as 360°.
+        const NEARLY_A_TURN_RAD: f64 = 1e-3;
+        let within_rad = angle_rad.rem_euclid(TAU);
+        let within_rad = if TAU - within_rad < NEARLY_A_TURN_RAD { 0.0 } else { within_rad };
+        self.rounded(within_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest)
     }
 
     /// Number with unit, to as many places as its error allows, rounded in the given direction.

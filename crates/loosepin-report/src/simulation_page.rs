@@ -1,14 +1,16 @@
 //! The page of one run: outputs over time, deviation, impacts, contact force, journal paths, energy, the mechanism.
 
 use maud::{Markup, html};
+use std::f64::consts::TAU;
 
 use super::answer::{turn_word, turns};
 use super::chart::{Chart, Entry, Role};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
-use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
+use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
@@ -19,12 +21,14 @@ use loosepin_text::units::SiUnit;
 
 /// Rows of the table of impacts; the others stand in `impacts.csv`.
 const MOST_IMPACTS: usize = 30;
+/// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
+const SHARE_OF_TURN: f64 = 1e-9;
 
 /// The page of one run as one HTML text that needs no network: outputs and their deviation over time, impacts, contact
 /// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
 pub fn simulation_page(record: &SimulationRecord) -> String {
     let writer = NumberWriter::for_page(&record.display_units);
-    let mut sections = vec![Section::new("outputs", "Outputs over time", outputs(record, &writer))];
+    let mut sections = vec![Section::new("outputs", "Outputs", outputs(record, &writer))];
     if record.outputs.iter().any(|output| !output.deviation_si.is_empty()) {
         sections.push(Section::new("deviation", "Deviation from the ideal motion", deviations(record, &writer)));
     }
@@ -33,6 +37,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if !record.extremes.is_empty() {
         sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));
+    }
+    if let Some(spectra) = spectrum_section(record, &writer) {
+        sections.push(Section::new("spectra", "Oscillations", spectra));
     }
     if !record.joints.is_empty() {
         sections.push(Section::new("contact", "Contact and impacts", contact(record, &writer)));
@@ -224,9 +231,23 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
     sentences
 }
 
-/// A chart over time with the angle of the drive in the caption.
-fn time_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
-    Chart::over(id, "time", &record.time_s, &SiUnit::TIME, writer)
+/// A chart over the angle of the drive, from 0° on, where it turns forwards at constant speed; else over time.
+fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
+    let first_rad = record.drive_angle_rad.first().copied().unwrap_or_default();
+    if !record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0) {
+        return Chart::over(id, "time", &record.time_s, &SiUnit::TIME, writer);
+    }
+    let before_rad = (first_rad / TAU + SHARE_OF_TURN).floor() * TAU;
+    let angles_rad: Vec<f64> = record.drive_angle_rad.iter().map(|angle_rad| angle_rad - before_rad).collect();
+    Chart::over_angle(id, &record.settings.drive, &angles_rad, writer)
+}
+
+/// What the charts of a run are over, in words.
+fn abscissa_words(record: &SimulationRecord) -> String {
+    match record.settings.drive_speed_rad_s {
+        Some(speed) if speed > 0.0 => format!("over the angle of {}", record.settings.drive),
+        _ => "over time".to_owned(),
+    }
 }
 
 fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
@@ -238,15 +259,16 @@ fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 }
 
 fn output_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = time_chart(record, format!("output-{index}"), writer);
+    let mut chart = run_chart(record, format!("output-{index}"), writer);
     chart.y_label.clone_from(&output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     chart.entries.push(Entry::line("with play", Role::First, false, &output.value_si, &output.unit, writer));
     if !output.ideal_si.is_empty() {
         chart.entries.push(Entry::line("ideal", Role::Worst, true, &output.ideal_si, &output.unit, writer));
     }
-    chart.caption = html! { strong { (named_words(&output.name, &output.words)) } " over time." };
-    chart.alternative = format!("Chart of {} over time.", named_words(&output.name, &output.words));
+    let over = abscissa_words(record);
+    chart.caption = html! { strong { (named_words(&output.name, &output.words)) } " " (over) "." };
+    chart.alternative = format!("Chart of {} {over}.", named_words(&output.name, &output.words));
     chart
 }
 
@@ -259,7 +281,7 @@ fn deviations(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 }
 
 fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = time_chart(record, format!("deviation-{index}"), writer);
+    let mut chart = run_chart(record, format!("deviation-{index}"), writer);
     chart.y_label = format!("deviation of {}", output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     chart.entries.push(Entry::line(
@@ -272,8 +294,9 @@ fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usi
     ));
     chart.caption = html! { strong { "Deviation of " (named_words(&output.name, &output.words)) } ": actual minus ideal at the same time." };
     chart.alternative = format!(
-        "Chart of the deviation of {} from its ideal value over time.",
-        named_words(&output.name, &output.words)
+        "Chart of the deviation of {} from its ideal value {}.",
+        named_words(&output.name, &output.words),
+        abscissa_words(record)
     );
     chart
 }
@@ -286,7 +309,7 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
                 (writer.value(point.time_s, &SiUnit::TIME))
                 @if record.settings.drive_speed_rad_s.is_some() {
                     ", " (record.settings.drive) " at "
-                    (writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest))
+                    (writer.angle_in_turn(point.drive_angle_rad))
                 }
             }
         }
@@ -328,7 +351,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
         html! {
             tr {
                 th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
-                @if has_angle { td { (writer.value(impact.drive_angle_rad, &SiUnit::ANGLE)) } }
+                @if has_angle { td { (writer.angle_in_turn(impact.drive_angle_rad)) } }
                 td { (impact.joint) }
                 td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
                 td { (writer.value(impact.duration_s, &SiUnit::TIME)) }
@@ -361,7 +384,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
 }
 
 fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
-    let mut chart = time_chart(record, "contact-force".to_owned(), writer);
+    let mut chart = run_chart(record, "contact-force".to_owned(), writer);
     chart.y_label = "contact force".to_owned();
     chart.y_symbol = writer.symbol(&SiUnit::FORCE);
     for (index, history) in record.contact_forces.iter().enumerate() {
@@ -371,7 +394,8 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
     chart.caption = html! {
         strong { "Normal contact force" } " at the sample times. The table of impacts holds the peaks between samples."
     };
-    chart.alternative = "Chart of the normal contact force of each joint with play over time.".to_owned();
+    chart.alternative =
+        format!("Chart of the normal contact force of each joint with play {}.", abscissa_words(record));
     chart
 }
 
@@ -395,13 +419,13 @@ fn control_chart(
     caption: Markup,
     writer: &NumberWriter,
 ) -> Markup {
-    let mut chart = time_chart(record, id, writer);
+    let mut chart = run_chart(record, id, writer);
     chart.height = 220;
     chart.y_label = label.to_owned();
     chart.y_symbol = writer.symbol(unit);
     chart.entries.push(Entry::line(label, Role::Mixed, false, values_si, unit, writer));
     chart.caption = caption;
-    chart.alternative = format!("Chart of the {label} of a control over time.");
+    chart.alternative = format!("Chart of the {label} of a control {}.", abscissa_words(record));
     chart.figure()
 }
 
@@ -471,7 +495,7 @@ pub(super) fn speed_facts(
 fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let account = &record.energy;
     let unit = SiUnit::ENERGY;
-    let mut chart = time_chart(record, "energy-account".to_owned(), writer);
+    let mut chart = run_chart(record, "energy-account".to_owned(), writer);
     chart.y_label = "energy".to_owned();
     chart.y_symbol = writer.symbol(&unit);
     let histories = [
@@ -493,7 +517,7 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         that are always zero are not drawn."
     };
     chart.alternative = "Chart of the parts of the energy balance over time.".to_owned();
-    let mut rest = time_chart(record, "energy-residual".to_owned(), writer);
+    let mut rest = run_chart(record, "energy-residual".to_owned(), writer);
     rest.height = 200;
     rest.y_label = "residual".to_owned();
     rest.y_symbol = writer.symbol(&unit);

@@ -11,6 +11,7 @@ use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
 use super::promise_text::{promise_sentences, promise_title};
+use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wording::{
@@ -136,7 +137,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         if record.settings.drive_speed_rad_s.is_none() {
             return time;
         }
-        format!("{time}, {}", writer.rounded(point.drive_angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest))
+        format!("{time}, {}", writer.angle_in_turn(point.drive_angle_rad))
     };
     let value =
         |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
@@ -151,6 +152,16 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         ]);
     }
     push_table(&mut text, &extremes);
+    let mut oscillating = table(&["quantity", "rms", "peak", "largest orders (amplitude)"], &[1, 2]);
+    for own in &oscillations(record) {
+        oscillating.add_row([
+            own.name.clone(),
+            writer.value(own.spectrum.rms_si, &own.unit),
+            writer.value(own.peak_si, &own.unit),
+            dominant_words(record, own, &writer),
+        ]);
+    }
+    push_table(&mut text, &oscillating);
     let mut joints = table(
         &["joint", "impacts", "contacts", "fastest", "peak force", "penetration", "clearance", "restitution"],
         &[1, 2, 3, 4, 5, 6, 7],

@@ -4,6 +4,7 @@ mod control;
 mod drawing;
 mod measured;
 mod motion_kind;
+mod spectrum;
 
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
@@ -12,6 +13,7 @@ pub use drawing::{
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
+pub use spectrum::Spectrum;
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 

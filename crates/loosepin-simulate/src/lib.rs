@@ -77,5 +77,5 @@ pub use resolution::{SmallestClearance, ToleranceProblem};
 pub use resume::MotionState;
 pub use search::{Peak, maximum_within};
 pub use settings::{LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
-pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv};
+pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
 pub use turns::Turns;

@@ -1,7 +1,7 @@
 //! The CSV files of a run, SI.
 
 use super::history::Simulation;
-use loosepin_result::simulation::{OutputHistory, SimulationRecord};
+use loosepin_result::simulation::{ContactForceHistory, OutputHistory, SimulationRecord, Spectrum};
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -87,6 +87,32 @@ pub fn impacts_csv(record: &SimulationRecord) -> String {
         text.push('\n');
     }
     text
+}
+
+/// `spectrum.csv`: the orders of the drive, one a row, and the amplitude of each output there ([`Spectrum`]); absent where no drive turns
+/// at constant speed or less than a turn was recorded.
+pub fn spectrum_csv(record: &SimulationRecord) -> Option<String> {
+    let of_output = |output: &OutputHistory| {
+        let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
+        Some((name, record.spectrum(&output.value_si)?))
+    };
+    let of_force = |history: &ContactForceHistory| {
+        Some((format!("{}.contact_force_n", history.joint), record.spectrum(&history.force_n)?))
+    };
+    let outputs = record.outputs.iter().filter_map(of_output);
+    let columns: Vec<(String, Spectrum)> = outputs.chain(record.contact_forces.iter().filter_map(of_force)).collect();
+    let orders = &columns.first()?.1.orders;
+    let mut text = String::from("order");
+    columns.iter().for_each(|(name, _)| text.extend([",", name]));
+    text.push('\n');
+    for (row, order) in orders.iter().enumerate() {
+        let _ = write!(text, "{order:?}");
+        for (_, spectrum) in &columns {
+            let _ = write!(text, ",{:?}", spectrum.amplitudes_si[row]);
+        }
+        text.push('\n');
+    }
+    Some(text)
 }
 
 /// The unit as a suffix of a column name: `m/s^2` becomes `_m_s2`.

@@ -5,9 +5,13 @@ use loosepin::measured::{MeasuredTable, lay_over};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
-use loosepin::results::{HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder};
+use loosepin::results::{
+    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder, SPECTRUM_FILE,
+};
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
-use loosepin::simulate::{Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate};
+use loosepin::simulate::{
+    Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate, spectrum_csv,
+};
 use loosepin::units::Dimension;
 
 use super::inputs::{add_model, check_tolerance, read_model};
@@ -69,6 +73,9 @@ fn simulated(
     }
     folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
     folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
+    if let Some(spectrum) = spectrum_csv(&simulation.record) {
+        folder.write(SPECTRUM_FILE, spectrum.as_bytes())?;
+    }
     let ending = write_and_tell(&simulation.record, folder)?;
     // The files stay: they show what went wrong.
     simulation.failure.map_or(Ok(ending), |failure| Err(failure.complaint(model).into()))

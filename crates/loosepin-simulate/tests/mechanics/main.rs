@@ -10,3 +10,4 @@ mod guide_play;
 mod lanes;
 mod outputs;
 mod slot_play;
+mod spectra;

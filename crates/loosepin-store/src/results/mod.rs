@@ -31,3 +31,5 @@ pub const SUMMARY_FILE: &str = "summary.json";
 pub const HISTORY_FILE: &str = "history.csv";
 /// Name of the file with one impact a row.
 pub const IMPACTS_FILE: &str = "impacts.csv";
+/// Name of the file with one order of the drive a row.
+pub const SPECTRUM_FILE: &str = "spectrum.csv";

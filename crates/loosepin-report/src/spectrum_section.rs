@@ -1,0 +1,111 @@
+//! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
+
+use super::chart::{Chart, Entry, Role};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::page::cards;
+use super::wording::{named_words, without_round_off};
+use loosepin_result::simulation::{SimulationRecord, Spectrum};
+use loosepin_text::units::SiUnit;
+use maud::{Markup, html};
+
+/// Dominant orders in the table.
+const DOMINANT: usize = 3;
+/// Units of the histories whose spectra are drawn: accelerations, forces, torques and powers.
+const DRAWN: [&str; 5] = ["m/s^2", "rad/s^2", "N", "N m", "W"];
+
+/// A history with its spectrum.
+pub(super) struct Oscillation {
+    /// Its name, and in words what it is.
+    pub name: String,
+    words: String,
+    pub unit: SiUnit,
+    pub spectrum: Spectrum,
+    /// Of the mechanism without play, where it has such a history.
+    ideal: Option<Spectrum>,
+    /// The largest magnitude, between samples too where that is known.
+    pub peak_si: f64,
+    /// Whether its spectrum is drawn.
+    is_drawn: bool,
+}
+
+/// All histories of a run that have a spectrum: outputs, then contact forces.
+pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
+    let mut found = Vec::new();
+    for output in &record.outputs {
+        let Some(spectrum) = record.spectrum(&output.value_si) else { continue };
+        let extreme = record.extremes.iter().find(|extreme| extreme.name == output.name);
+        let peak_si = extreme.map_or(spectrum.peak_si, |extreme| {
+            f64::max(extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs())
+        });
+        let ideal = record.spectrum(&output.ideal_si);
+        let (name, words, unit) = (output.name.clone(), output.words.clone(), output.unit.clone());
+        let is_drawn = DRAWN.contains(&unit.symbol());
+        found.push(Oscillation { name, words, unit, spectrum, ideal, peak_si, is_drawn });
+    }
+    for history in &record.contact_forces {
+        let Some(spectrum) = record.spectrum(&history.force_n) else { continue };
+        let joint = record.joints.iter().find(|joint| joint.joint == history.joint);
+        let peak_si = joint.map_or(spectrum.peak_si, |joint| joint.peak_force_n);
+        // The whole force of a joint stands for its normal force where it is an output.
+        let force_words = format!("force in {}", history.joint);
+        let is_drawn = !record.outputs.iter().any(|output| output.words == force_words);
+        let (name, words) = (format!("contact force in {}", history.joint), "normal force".to_owned());
+        found.push(Oscillation { name, words, unit: SiUnit::FORCE, spectrum, ideal: None, peak_si, is_drawn });
+    }
+    found
+}
+
+/// The dominant orders with their amplitudes in words; empty where nothing oscillates.
+pub(super) fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
+    let of_order = |(order, amplitude_si): (f64, f64)| {
+        let order = writer.rounded(order, &SiUnit::NONE, PLAIN_DIGITS, Rounding::Nearest);
+        let order = order.trim_end_matches('0').trim_end_matches('.');
+        format!("{order} ({})", writer.rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
+    };
+    let moves = |amplitude_si: f64| without_round_off(record, amplitude_si, &own.unit) != 0.0;
+    let dominant = own.spectrum.dominant(DOMINANT).into_iter().filter(|(_, amplitude_si)| moves(*amplitude_si));
+    dominant.map(of_order).collect::<Vec<_>>().join(", ")
+}
+
+/// The section; absent where no drive turns at constant speed or less than a turn was recorded.
+pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
+    let all = oscillations(record);
+    let drive = &record.settings.drive;
+    let drawn: Vec<&Oscillation> = all.iter().filter(|own| own.is_drawn).collect();
+    if all.is_empty() {
+        return None;
+    }
+    Some(html! {
+        p {
+            "The order of an oscillation is its number of waves in a turn of " (drive) ". "
+            "Root mean squares hold the mean. Orders and root mean squares are those of the samples: "
+            "impacts between them do not show."
+        }
+        (cards(["Quantity", "#Root mean square", "#Peak", "Largest orders (amplitude)"], all.iter().map(|own| [
+            html! { (own.name) },
+            html! { (writer.value(own.spectrum.rms_si, &own.unit)) },
+            html! { (writer.value(own.peak_si, &own.unit)) },
+            html! { (dominant_words(record, own, writer)) },
+        ])))
+        @for (index, own) in drawn.iter().enumerate() {
+            (spectrum_chart(own, index, drive, writer).figure())
+        }
+    })
+}
+
+fn spectrum_chart(own: &Oscillation, index: usize, drive: &str, writer: &NumberWriter) -> Chart {
+    let label = format!("order of {drive}");
+    let mut chart = Chart::over(format!("spectrum-{index}"), &label, &own.spectrum.orders, &SiUnit::NONE, writer);
+    chart.height = 220;
+    chart.y_label = "amplitude".to_owned();
+    chart.y_symbol = writer.symbol(&own.unit);
+    let line = |name: &str, role: Role, is_dashed: bool, spectrum: &Spectrum| {
+        Entry::line(name, role, is_dashed, &spectrum.amplitudes_si, &own.unit, writer)
+    };
+    chart.entries.push(line("with play", Role::First, false, &own.spectrum));
+    chart.entries.extend(own.ideal.as_ref().map(|ideal| line("ideal", Role::Worst, true, ideal)));
+    let words = named_words(&own.name, &own.words);
+    chart.caption = html! { strong { (words) } ": amplitude of each order." };
+    chart.alternative = format!("Chart of the amplitudes of {words} over orders of {drive}.");
+    chart
+}
