@@ -85,6 +85,10 @@
       });
     }
 
+    const ends = [columns[0][0], columns[0][columns[0].length - 1]];
+    // One turn that does not begin at 0° is still told in angles from 0° to 360°.
+    const isOneTurn = data.horizontal === 'angle' && data.x_symbol === '°' && Math.abs(ends[1] - ends[0] - 360) < 1e-3 && ends[0] !== 0;
+    const told = (x) => isOneTurn ? ((x % 360) + 360) % 360 : x;
     const plot = new uPlot({
       width: Math.max(holder.clientWidth, 200),
       height: height(),
@@ -99,7 +103,7 @@
       },
       axes: [
         axis(data.x_label, data.x_symbol, {
-          values: splitText,
+          values: (u, splits, ...rest) => splitText(u, splits.map(told), ...rest),
           size: 34,
           incrs: data.horizontal === 'angle' ? [0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720] : undefined,
           space: 48,
@@ -130,7 +134,7 @@
         values.forEach((element) => { element.textContent = ''; });
         return;
       }
-      position.textContent = data.x_label + ': ' + withUnit(text(columns[0][index]), data.x_symbol);
+      position.textContent = data.x_label + ': ' + withUnit(text(told(columns[0][index])), data.x_symbol);
       // As many places for all values as a thousandth of the axis needs.
       const range = u.scales.y.max - u.scales.y.min;
       const step = range > 0 && range < 1e7 && range > 1e-3 ? 10 ** Math.floor(Math.log10(range / 1000)) : undefined;

@@ -1,6 +1,7 @@
 //! The page of the ideal motion: outputs, the quasi-static worst case and its contributors, the mechanism.
 
 use maud::{Markup, html};
+use std::f64::consts::TAU;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
@@ -9,6 +10,7 @@ use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::percent_of;
 use super::wording::named_words;
 use loosepin_result::motion::{EffortMotion, MotionRecord, OutputMotion};
+use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 /// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the
@@ -70,9 +72,9 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             format!(
                 "Play alone moves the {} by up to ±{} (worst case, at {}). If every contact direction is equally likely, the \
                  standard deviation is at most {}.",
-                output.name,
+                moved_words(output),
                 writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-                writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+                turn_angle(record, angle_rad, 3, writer),
                 writer.rounded(rim_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
             )
         })
@@ -92,20 +94,44 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
         let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
         format!(
             "Part scatter moves the {} with a standard deviation of at most {} (at {}).",
-            output.name,
+            moved_words(output),
             writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-            writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest),
+            turn_angle(record, angle_rad, 3, writer),
         )
     }));
     for position in &record.singular_positions {
         sentences.push(format!(
             "Singular at {} of {}: {}.",
-            writer.value_trimmed(position.drive_angle_rad, &SiUnit::ANGLE),
+            turn_angle(record, position.drive_angle_rad, 5, writer),
             record.drive,
             position.words
         ));
     }
     sentences
+}
+
+/// What moves in words: the output, or for an error of a path the point along or across it.
+fn moved_words(output: &OutputMotion) -> String {
+    let sides = [(PathError::Along, "along"), (PathError::Normal, "across")];
+    let path = sides.into_iter().filter(|_| output.value_si.is_empty()).find_map(|(error, side)| {
+        let path = output.name.strip_suffix(error.word())?.trim_end();
+        Some(format!("{path} {side} its path"))
+    });
+    path.unwrap_or_else(|| output.name.clone())
+}
+
+/// An angle of the drive; from 0° to below 360° where the record holds a whole turn.
+pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
+    const ROUND_OFF: f64 = 1e-9;
+    let span_rad = match record.drive_angle_rad[..] {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
+    if (span_rad / TAU - 1.0).abs() < ROUND_OFF {
+        writer.angle_in_turn(angle_rad, digits)
+    } else {
+        writer.rounded(angle_rad, &SiUnit::ANGLE, digits, Rounding::Nearest)
+    }
 }
 
 /// Where over the cycle a history is largest, and how large.
@@ -159,7 +185,7 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, w
     let words = format!(
         "at most ±{}, at {}",
         writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+        turn_angle(record, angle_rad, 3, writer)
     );
     chart.caption = html! {
         strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
@@ -203,7 +229,7 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
             h3 { (named_words(&output.name, &output.words)) }
             (cards(["Joint", "#Radial clearance", "#Part of the worst case", "Share"], rows))
             figcaption {
-                "Shares of the worst case at " (writer.rounded(worst_angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest))
+                "Shares of the worst case at " (turn_angle(record, worst_angle_rad, 3, writer))
                 ", where it is largest."
             }
         }
@@ -234,7 +260,7 @@ fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, wri
     let words = format!(
         "at most {}, at {}",
         writer.rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-        writer.rounded(angle_rad, &SiUnit::ANGLE, 3, Rounding::Nearest)
+        turn_angle(record, angle_rad, 3, writer)
     );
     chart.caption = html! {
         strong { "Scatter of " (named_words(&output.name, &output.words)) " due to part scatter." } " Standard deviation: " (words) "."
@@ -358,7 +384,7 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     for position in &record.singular_positions {
         rows.push((
             "Singular position".to_owned(),
-            html! { (writer.value_trimmed(position.drive_angle_rad, &SiUnit::ANGLE)) ": " (position.words) },
+            html! { (turn_angle(record, position.drive_angle_rad, 5, writer)) ": " (position.words) },
         ));
     }
     rows.push(("Version".to_owned(), html! { "loosepin " (record.version) }));

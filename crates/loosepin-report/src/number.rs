@@ -101,12 +101,12 @@ impl<'a> NumberWriter<'a> {
     }
 
     /// The angle of a drive within its turn, from 0° to below 360°.
-    pub fn angle_in_turn(&self, angle_rad: f64) -> String {
+    pub fn angle_in_turn(&self, angle_rad: f64, digits: usize) -> String {
         /// What is as near to a whole turn as this is shown as 0°, not as 360°.
         const NEARLY_A_TURN_RAD: f64 = 1e-3;
         let within_rad = angle_rad.rem_euclid(TAU);
         let within_rad = if TAU - within_rad < NEARLY_A_TURN_RAD { 0.0 } else { within_rad };
-        self.rounded(within_rad, &SiUnit::ANGLE, PLAIN_DIGITS, Rounding::Nearest)
+        self.rounded(within_rad, &SiUnit::ANGLE, digits, Rounding::Nearest)
     }
 
     /// Number with unit, to as many places as its error allows, rounded in the given direction.

@@ -8,7 +8,7 @@ use super::chart::{Chart, Entry, Role};
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
-use super::number::{NumberWriter, Rounding};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
@@ -309,7 +309,7 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
                 (writer.value(point.time_s, &SiUnit::TIME))
                 @if record.settings.drive_speed_rad_s.is_some() {
                     ", " (record.settings.drive) " at "
-                    (writer.angle_in_turn(point.drive_angle_rad))
+                    (writer.angle_in_turn(point.drive_angle_rad, PLAIN_DIGITS))
                 }
             }
         }
@@ -351,7 +351,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
         html! {
             tr {
                 th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
-                @if has_angle { td { (writer.angle_in_turn(impact.drive_angle_rad)) } }
+                @if has_angle { td { (writer.angle_in_turn(impact.drive_angle_rad, PLAIN_DIGITS)) } }
                 td { (impact.joint) }
                 td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
                 td { (writer.value(impact.duration_s, &SiUnit::TIME)) }

@@ -137,7 +137,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         if record.settings.drive_speed_rad_s.is_none() {
             return time;
         }
-        format!("{time}, {}", writer.angle_in_turn(point.drive_angle_rad))
+        format!("{time}, {}", writer.angle_in_turn(point.drive_angle_rad, 4))
     };
     let value =
         |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
@@ -230,10 +230,11 @@ pub fn motion_text(record: &MotionRecord) -> String {
         let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
         ranges.add_row([
             named_words(&output.name, &output.words),
-            writer.value(smallest, &output.unit),
-            writer.value(largest, &output.unit),
+            // The ideal motion has no error.
+            if output.value_si.is_empty() { "-".to_owned() } else { writer.value(smallest, &output.unit) },
+            if output.value_si.is_empty() { "-".to_owned() } else { writer.value(largest, &output.unit) },
             where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
-            where_known(writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest)),
+            where_known(motion_page::turn_angle(record, angle_rad, 4, &writer)),
             where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
         ]);
     }
@@ -315,7 +316,7 @@ fn effort_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
         let turned: Vec<f64> = effort.value_si.iter().map(|value| -value).collect();
         let (low_rad, low_si) = motion_page::largest(record, &turned);
         let (high_rad, high_si) = motion_page::largest(record, &effort.value_si);
-        let angle = |angle_rad: f64| writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest);
+        let angle = |angle_rad: f64| motion_page::turn_angle(record, angle_rad, 4, writer);
         efforts.add_row([
             named_words(&effort.name, &effort.words),
             writer.value(-low_si, &effort.unit),
@@ -341,7 +342,7 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
                 output.name.clone(),
                 name.to_owned(),
                 writer.rounded(part_si, &output.unit, 4, Rounding::Up),
-                writer.rounded(angle_rad, &SiUnit::ANGLE, 4, Rounding::Nearest),
+                motion_page::turn_angle(record, angle_rad, 4, writer),
                 writer.percent((part_si / total_si).powi(2), Rounding::Nearest),
             ]);
         };

@@ -30,7 +30,8 @@ pub struct MotionRecord {
     /// Angle of the drive over one cycle, increasing.
     #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
-    /// One entry per position or angle among the outputs, in file order.
+    /// One entry per position or angle among the outputs, in file order; behind the coordinates of a path its error along and across
+    /// it, where its point never stands still.
     pub outputs: Vec<OutputMotion>,
     /// One entry per torque, force or power of a drive among the outputs, in file order.
     #[serde(default)]
@@ -58,7 +59,7 @@ pub struct OutputMotion {
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
-    /// Ideal value.
+    /// Ideal value; empty for an error of a path, as velocity and acceleration are then.
     #[serde(with = "extended")]
     pub value_si: Vec<f64>,
     /// Its time derivative at the speed of the drive.

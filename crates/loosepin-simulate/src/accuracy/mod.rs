@@ -11,6 +11,7 @@ mod efforts;
 mod error;
 mod loops;
 mod motion;
+mod part;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;

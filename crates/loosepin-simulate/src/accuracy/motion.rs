@@ -5,11 +5,13 @@ use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
+use super::part::{Part, PartKind};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
 use crate::{add_pose, skeleton};
+use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
 use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
 use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
@@ -85,13 +87,14 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     }
 
     let outputs = position_outputs(mechanism);
-    let mut recorder = Recorder::new(mechanism, values, &sample, reaches, &outputs, plan, &directions);
+    let jets: Vec<Vec<[f64; 3]>> = cycle.states.iter().map(|state| jets(mechanism, values, &outputs, state)).collect();
+    let mut recorder = Recorder::new(mechanism, values, &sample, reaches, (&outputs, &jets), plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
-    for state in &cycle.states {
+    for (state, jets) in cycle.states.iter().zip(&jets) {
         let angle_rad = input.angle_rad(state.time_s());
         drive_angle_rad.push(angle_rad);
-        recorder.record(state)?;
+        recorder.record(state, jets)?;
         add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
     }
     drawing.ideal_poses = Default::default();
@@ -109,6 +112,15 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         efforts: ideal_efforts(mechanism, &sample, &cycle.states),
         drawing,
     })
+}
+
+/// Value, velocity and acceleration of each position.
+fn jets(mechanism: &Mechanism, values: &Values, outputs: &[PositionOutput], state: &IdealMotion<'_>) -> Vec<[f64; 3]> {
+    let arm_m = |point| point_m(&mechanism.model, values, point);
+    let jet = |output: &PositionOutput| {
+        output.reading.jet(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), arm_m)
+    };
+    outputs.iter().map(jet).collect()
 }
 
 /// Directions of all scattering quantities that have to do with the motion.
@@ -139,6 +151,8 @@ struct Recorder<'a> {
     values: &'a Values,
     loops: DisplacedLoops<'a>,
     readings: Vec<Position>,
+    /// What each of the outputs is.
+    parts: Vec<PartKind>,
     reaches: Vec<PlayReach>,
     input: CycleSpan,
     directions: &'a [(Scatter, DimensionDirection)],
@@ -153,7 +167,7 @@ impl<'a> Recorder<'a> {
         values: &'a Values,
         sample: &Sample<f64>,
         reaches: Vec<PlayReach>,
-        outputs: &[PositionOutput],
+        (outputs, jets): (&[PositionOutput], &[Vec<[f64; 3]>]),
         plan: &MotionPlan,
         directions: &'a [(Scatter, DimensionDirection)],
     ) -> Self {
@@ -171,7 +185,9 @@ impl<'a> Recorder<'a> {
                 standard_deviation_si: Vec::new(),
             })
             .collect();
-        let motions = outputs.iter().map(|output| OutputMotion {
+        let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
+        let parts = Part::all(outputs, speeds);
+        let motions = parts.iter().map(|output| OutputMotion {
             name: output.name.clone(),
             words: output.words.clone(),
             unit: output.unit.clone(),
@@ -187,6 +203,7 @@ impl<'a> Recorder<'a> {
             values,
             loops: DisplacedLoops::new(mechanism, values),
             readings: outputs.iter().map(|output| output.reading).collect(),
+            parts: parts.iter().map(|part| part.kind).collect(),
             reaches,
             input: plan.span,
             directions,
@@ -195,18 +212,26 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    fn record(&mut self, state: &IdealMotion<'_>) -> Result<(), AccuracyError> {
+    fn record(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<(), AccuracyError> {
         let (mechanism, values) = (self.mechanism, self.values);
         self.loops.set_position(state.coordinates());
         let gradients = play_gradients(&mut self.loops, &self.readings)?;
-        for ((output, &reading), gradient) in self.outputs.iter_mut().zip(&self.readings).zip(gradients) {
-            let arm_m = |point| point_m(&mechanism.model, values, point);
-            let [_, velocity, acceleration] =
-                reading.jet(&mechanism.ideal, state.kinematics(), |slot| state.acceleration(slot), arm_m);
-            output.value_si.push(self.loops.value(reading));
-            output.velocity_si.push(velocity);
-            output.acceleration_si.push(acceleration);
-            let joints: Vec<_> = self.reaches.iter().copied().zip(gradient).collect();
+        let velocities: Vec<f64> = jets.iter().map(|jet| jet[1]).collect();
+        let weights: Vec<Vec<(usize, f64)>> = self.parts.iter().map(|part| part.weights(&velocities)).collect();
+        for ((output, part), weights) in self.outputs.iter_mut().zip(&self.parts).zip(&weights) {
+            // The ideal motion has no error.
+            if let PartKind::Position(place) = *part {
+                output.value_si.push(self.loops.value(self.readings[place]));
+                output.velocity_si.push(jets[place][1]);
+                output.acceleration_si.push(jets[place][2]);
+            }
+            let gradient = |play: usize| {
+                weights
+                    .iter()
+                    .fold(Vec2::zero(), |sum: Vec2<f64>, (place, weight)| sum + gradients[*place][play] * *weight)
+            };
+            let joints: Vec<_> =
+                self.reaches.iter().enumerate().map(|(play, reach)| (*reach, gradient(play))).collect();
             let answer = &mut output.clearance;
             answer.worst_case_si.push(worst_case_si(&joints));
             answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
@@ -227,12 +252,11 @@ impl<'a> Recorder<'a> {
                 state.time_s(),
                 &self.readings,
             )?;
-            for (signed_si, derivative) in signed_si.iter_mut().zip(&derivatives) {
-                signed_si.push(derivative * entry.standard_deviation_si);
-            }
-            for ((output, variance), derivative) in self.outputs.iter_mut().zip(&mut variances).zip(derivatives) {
+            for (number, (output, weights)) in self.outputs.iter_mut().zip(&weights).enumerate() {
+                let derivative: f64 = weights.iter().map(|(place, weight)| derivatives[*place] * weight).sum();
+                signed_si[number].push(derivative * entry.standard_deviation_si);
                 let deviation_si = derivative.abs() * entry.standard_deviation_si;
-                *variance += deviation_si * deviation_si;
+                variances[number] += deviation_si * deviation_si;
                 output.dimensional_contributors[index].standard_deviation_si.push(deviation_si);
             }
         }

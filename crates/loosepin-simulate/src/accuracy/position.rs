@@ -16,6 +16,8 @@ pub struct PositionOutput {
     pub unit: SiUnit,
     /// The quantity that is read.
     pub reading: Position,
+    /// Name of the path that it is a coordinate of.
+    pub path: Option<String>,
 }
 
 /// The position outputs of a model in file order, each once.
@@ -37,7 +39,8 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
                 }
                 let (words, unit) = describe(mechanism, reading);
                 let name = format!("{}{suffix}", output.name);
-                found.push((index, PositionOutput { name, words, unit, reading }));
+                let path = matches!(output.kind, OutputKind::Path(_)).then(|| output.name.clone());
+                found.push((index, PositionOutput { name, words, unit, reading, path }));
             }
         }
     }

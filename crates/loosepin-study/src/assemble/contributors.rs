@@ -6,7 +6,9 @@ use crate::contributors::{ContributorPlan, groups};
 use crate::file::{Deviation, EpistemicInput, Study, Where};
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
-use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
+use loosepin_result::study::{
+    Contributors, EpistemicContributor, PathError, RandomContributor, ResponsePoint, ShareRange,
+};
 use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
 use loosepin_uncertainty::contributors::{Index, Indices, SHARES_CONFIDENCE};
 
@@ -49,10 +51,14 @@ fn of_columns(
         _ => material.point_of(columns[0], false),
     };
     let output = material.name_of(columns[0]);
+    // To first order the distance from the path is the error across it.
+    let still_name = output
+        .strip_suffix(PathError::Contour.word())
+        .map_or(output.clone(), |path| format!("{path}{}", PathError::Normal.word()));
     let still = quasi_static.and_then(|record| {
         Some(Still {
             record,
-            output: record.outputs.iter().find(|o| o.name == output)?,
+            output: record.outputs.iter().find(|own| own.name == still_name)?,
             spot: spot(material, planned, columns),
         })
     });

@@ -175,6 +175,73 @@ fn identity_gradients_are_differences_of_the_closed_loops() {
     }
 }
 
+/// A pin on a crank runs on a circle: an error of the crank's length is all across its path, and none of it along.
+#[test]
+fn analytic_an_error_of_the_radius_is_across_the_circle() {
+    const DEVIATION_M: f64 = 2e-5;
+    for (speed, start) in [("130 rad/s", "20 deg"), ("-60 rad/s", "0 deg")] {
+        let output = "[parameter]\nlength = \"50 mm\"\n[output]\npin = { path_of = \"crank.pin\" }\n";
+        let drive = format!("speed = \"{speed}\"\nstart_angle = \"{start}\"");
+        let text =
+            crate::elements::crank_text(&drive, "drive = \"crank\"", output).replace("[\"50 mm\"", "[\"length\"");
+        let built = build_text(&text);
+        let quantity = built.mechanism.model.find("parameter.length").expect("a parameter");
+        let plan = MotionPlan {
+            span: built.mechanism.model.cycle.span,
+            positions: 24,
+            scatter: vec![Scatter { quantity, standard_deviation_si: DEVIATION_M }],
+            correlations: Vec::new(),
+            overrides: Vec::new(),
+        };
+        let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");
+        let names: Vec<&str> = record.outputs.iter().map(|output| output.name.as_str()).collect();
+        assert_eq!(names, ["pin x", "pin y", "pin along", "pin normal"]);
+        assert_eq!(record.outputs[3].words, "error of crank.pin across its path");
+        assert!(record.outputs[2].value_si.is_empty() && record.outputs[3].acceleration_si.is_empty());
+        for position in 0..=24 {
+            let of = |output: usize| record.outputs[output].dimensional_standard_deviation_si[position];
+            assert!(of(2) < 1e-12 * DEVIATION_M, "along: {}", of(2));
+            assert!((of(3) / DEVIATION_M - 1.0).abs() < 1e-10, "across: {}", of(3));
+        }
+    }
+}
+
+/// Along and across a path are x and y turned: of one play, or of one dimension, the squares add up to the same.
+#[test]
+fn identity_errors_of_a_path_are_those_of_its_coordinates_turned() {
+    let built = build_case("four_bar_coupler_path");
+    let model = &built.mechanism.model;
+    let quantity = model.find("parameter.coupler_length").expect("a parameter");
+    let plan = MotionPlan {
+        span: model.cycle.span,
+        positions: 36,
+        scatter: vec![Scatter { quantity, standard_deviation_si: 2e-5 }],
+        correlations: Vec::new(),
+        overrides: Vec::new(),
+    };
+    let record = motion(&built.mechanism, &built.values, &plan).expect("it turns");
+    let of = |name: &str| record.outputs.iter().find(|output| output.name == name).expect("an output");
+    let (turned, straight) = ([of("tool along"), of("tool normal")], [of("tool x"), of("tool y")]);
+    let close = |turned: [f64; 2], straight: [f64; 2]| {
+        let [turned, straight] = [turned, straight].map(|[a, b]| a.hypot(b));
+        assert!(straight > 1e-10 && (turned / straight - 1.0).abs() < 1e-12, "{turned} {straight}");
+    };
+    let mut shares = Vec::new();
+    for position in 0..record.drive_angle_rad.len() {
+        for joint in 0..2 {
+            // A disc has a gradient of any direction: the lengths of g_x and g_y are those of its parts.
+            let part = |output: &OutputMotion| output.clearance.contributors[joint].worst_case_si[position];
+            close(turned.map(part), straight.map(part));
+        }
+        let part = |output: &OutputMotion| output.dimensional_standard_deviation_si[position];
+        close(turned.map(part), straight.map(part));
+        shares.push(part(turned[0]) / part(turned[0]).hypot(part(turned[1])));
+    }
+    let (least, most) =
+        shares.iter().fold((1.0_f64, 0.0_f64), |(least, most), share| (least.min(*share), most.max(*share)));
+    assert!(least < 0.3 && most > 0.9, "the direction changes over the path: {least} to {most}");
+}
+
 /// Outputs of the mechanism with one quantity changed, at the given angle of the input drive.
 fn outputs_with(model: &Model, set: &[(QuantityId, f64)], angle_rad: f64) -> Vec<f64> {
     let values = model.quantities.evaluate(set).expect("a small step keeps the rules");

@@ -122,7 +122,8 @@ fn identity_no_clearance_is_the_ideal_motion() {
         assert!(built.mechanism.is_ideal());
         let simulation = simulate_turns(&built, 1.0, 60);
         let record = super::motion::motion_of(&with_play, 60);
-        for output in &record.outputs {
+        // The ideal motion has no errors of paths.
+        for output in record.outputs.iter().filter(|output| !output.value_si.is_empty()) {
             let history = simulation.record.outputs.iter().find(|h| h.name == output.name).expect("the same outputs");
             assert!(history.deviation_si.iter().all(|deviation| deviation.abs() < ROUND_OFF), "{case} {}", output.name);
             for (value, ideal) in history.value_si.iter().zip(&output.value_si) {

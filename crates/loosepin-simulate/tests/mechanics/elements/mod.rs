@@ -71,7 +71,7 @@ pub(crate) fn crank_with_drive(motion: &str, cycle: &str, elements: &str) -> Bui
 }
 
 /// Its text.
-fn crank_text(motion: &str, cycle: &str, elements: &str) -> String {
+pub(crate) fn crank_text(motion: &str, cycle: &str, elements: &str) -> String {
     format!(
         r#"
 name = "crank"
