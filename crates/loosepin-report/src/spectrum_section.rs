@@ -1,7 +1,7 @@
 //! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
 
 use super::chart::{Chart, Entry, Role};
-use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::number::{NumberWriter, Rounding};
 use super::page::cards;
 use super::wording::{named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
@@ -58,7 +58,8 @@ pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
 /// The dominant orders with their amplitudes in words; empty where nothing oscillates.
 pub(super) fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
     let of_order = |(order, amplitude_si): (f64, f64)| {
-        let order = writer.rounded(order, &SiUnit::NONE, PLAIN_DIGITS, Rounding::Nearest);
+        // Eighths have three decimals.
+        let order = format!("{order:.3}");
         let order = order.trim_end_matches('0').trim_end_matches('.');
         format!("{order} ({})", writer.rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
     };

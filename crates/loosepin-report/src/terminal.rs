@@ -153,7 +153,8 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     }
     push_table(&mut text, &extremes);
     let mut oscillating = table(&["quantity", "rms", "peak", "largest orders (amplitude)"], &[1, 2]);
-    for own in &oscillations(record) {
+    let oscillations = oscillations(record);
+    for own in &oscillations {
         oscillating.add_row([
             own.name.clone(),
             writer.value(own.spectrum.rms_si, &own.unit),
@@ -162,6 +163,9 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         ]);
     }
     push_table(&mut text, &oscillating);
+    if !oscillations.is_empty() {
+        text.push_str("largest orders: waves in a turn, of the samples; impacts between two samples do not show\n");
+    }
     let mut joints = table(
         &["joint", "impacts", "contacts", "fastest", "peak force", "penetration", "clearance", "restitution"],
         &[1, 2, 3, 4, 5, 6, 7],
@@ -244,7 +248,8 @@ pub fn motion_text(record: &MotionRecord) -> String {
     for output in &record.outputs {
         let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
         let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
-        for joint in &output.clearance.contributors {
+        // Where play moves nothing there is nothing to share.
+        for joint in output.clearance.contributors.iter().filter(|_| worst_si > 0.0) {
             let part_si = joint.worst_case_si.get(pose).copied().unwrap_or(f64::NAN);
             contributors.add_row([
                 output.name.clone(),

@@ -15,7 +15,6 @@ use loosepin_mechanics::model::{
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
 use loosepin_text::diagnostics::{Code, Problem, problems};
-use loosepin_text::units::Dimension;
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
 
@@ -149,19 +148,15 @@ impl StudyResponse {
                 Some((input.quantity()?, value))
             })
             .collect();
-        let quantities = &study.model.quantities;
-        let is_of_drawing = |id: &QuantityId| quantities[*id].dimension != Dimension::TEMPERATURE;
-        let of_drawing = middle.into_iter().filter(|(id, _): &(QuantityId, f64)| is_of_drawing(id));
-        // The drawing is at its own temperature, whatever the file and the study say of the parts in use.
-        let cold = quantities.iter().filter(|(id, quantity)| quantity.is_settable() && !is_of_drawing(id));
-        let drawing: Vec<(QuantityId, f64)> = of_drawing.chain(cold.map(|(id, _)| (id, 0.0))).collect();
         check_drive(study)?;
         check_turns(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
         if poses > MOST_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
         }
-        let nominal = quantities.evaluate(&drawing)?;
+        let nominal = study.model.quantities.evaluate(&middle)?;
+        // The drawing is at its own temperature, whatever the file and the study say of the parts in use.
+        let drawing = study.model.quantities.at_drawing(&nominal);
         let models = models_with_laws(study)?;
         let mechanisms = models.iter().map(|model| Mechanism::new(model, &nominal));
         let mechanisms = mechanisms.collect::<Result<Vec<Mechanism>, MechanismError>>()?;
@@ -174,10 +169,10 @@ impl StudyResponse {
         check_poses(study, &plan)?;
         let nominal_window = window(&nominal_input, study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let ideal = mechanism.without_play();
-        let nominal_ideal = Sample::new(mechanism, &nominal).map_err(RunFailure::from)?.without_play();
+        let nominal_ideal = Sample::new(mechanism, &drawing).map_err(RunFailure::from)?.without_play();
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
         let turns = study.cycle.recorded_turns;
-        let shared = share_nominal(plan, &ideal, &nominal, &nominal_ideal, &nominal_window, &settings, turns)?;
+        let shared = share_nominal(plan, &ideal, &drawing, &nominal_ideal, &nominal_window, &settings, turns)?;
         let play_name = |&play: &PlayId| study.model.play_name(play).to_owned();
         let restitutions = mechanism
             .plays
@@ -412,13 +407,13 @@ pub(super) fn window(input: &CycleInput, transient_turns: f64, recorded_turns: f
 fn share_nominal(
     plan: ColumnPlan,
     ideal: &Mechanism,
-    nominal: &Values,
+    drawing: &Values,
     nominal_ideal: &Sample<f64>,
     nominal_window: &Window,
     settings: &Settings,
     turns: f64,
 ) -> Result<Shared, PrepareError> {
-    let arms = Arms::new(ideal, nominal);
+    let arms = Arms::new(ideal, drawing);
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let positions = positions(&plan);
     let arm_m =

@@ -56,6 +56,10 @@ pub struct QuantityTable {
     program: Vec<Op>,
     orders: Vec<Order>,
     ids: HashMap<String, QuantityId>,
+    /// Shares by which warm bodies are longer than drawn.
+    elongations: Vec<QuantityId>,
+    /// Clearances of warm parts, each with the one that is stated.
+    stated: HashMap<QuantityId, QuantityId>,
 }
 
 /// One quantity must be below another.
@@ -179,6 +183,39 @@ impl QuantityTable {
             quantity.check(*value_si)?;
         }
         self.orders.iter().try_for_each(|order| self.check_order(*order, values))
+    }
+
+    /// The values where no body is longer than drawn; the same where none can be. Rules are not checked.
+    pub fn at_drawing(&self, values: &Values) -> Values {
+        let mut drawn = values.clone();
+        if self.elongations.is_empty() {
+            return drawn;
+        }
+        let is_elongation = |op: &Op| matches!(*op, Op::Store(slot) if self.elongations.contains(&QuantityId(slot)));
+        let mut program = Vec::with_capacity(self.program.len() + 2 * self.elongations.len());
+        for op in &self.program {
+            if is_elongation(op) {
+                program.extend([Op::Number(0.0), Op::Multiply]);
+            }
+            program.push(*op);
+        }
+        run(&program, &mut drawn.0);
+        drawn
+    }
+
+    /// The clearance that is stated where `id` is that of warm parts; else `id`.
+    pub fn stated(&self, id: QuantityId) -> QuantityId {
+        self.stated.get(&id).copied().unwrap_or(id)
+    }
+
+    /// Notes that `id` is the share by which a body is longer than drawn.
+    pub(super) fn add_elongation(&mut self, id: QuantityId) {
+        self.elongations.push(id);
+    }
+
+    /// Notes that `warm` is the clearance of warm parts whose drawing states `stated`.
+    pub(super) fn add_warm(&mut self, warm: QuantityId, stated: QuantityId) {
+        self.stated.insert(warm, stated);
     }
 
     /// Whether nothing else depends on the value of `id`: no expression uses it, and it has not to be below or above another.

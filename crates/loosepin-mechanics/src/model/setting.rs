@@ -123,9 +123,13 @@ impl Model {
         roots
     }
 
-    /// The joints and couplings with play whose clearance is this quantity or depends on it, each with its clearance.
+    /// The joints and couplings with play whose stated clearance is this quantity or depends on it, each with its clearance: that of
+    /// the parts as warm as they are.
     pub fn play_from(&self, id: QuantityId) -> impl Iterator<Item = (PlayId, QuantityId)> {
-        self.play_clearances().filter(move |(_, clearance)| *clearance == id || self.roots(*clearance).contains(&id))
+        self.play_clearances().filter(move |(_, clearance)| {
+            let stated = self.quantities.stated(*clearance);
+            stated == id || self.roots(stated).contains(&id)
+        })
     }
 
     /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several

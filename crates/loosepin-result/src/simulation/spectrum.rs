@@ -7,8 +7,10 @@ use std::f64::consts::TAU;
 const MOST_TURNS: usize = 8;
 /// The highest order.
 const HIGHEST_ORDER: usize = 60;
-/// Samples that the shortest wave needs.
-const SAMPLES_PER_WAVE: usize = 2;
+/// Of the angle between two samples.
+const ROUND_OFF: f64 = 1e-9;
+/// A history that ends further from its start than this share of its range runs away, as the angle of a shaft does.
+const RUNS_AWAY: f64 = 0.5;
 
 /// What oscillates in a history, by orders of the drive: waves a turn.
 ///
@@ -40,18 +42,28 @@ impl SimulationRecord {
         self.settings.drive_speed_rad_s?;
         let in_turn = self.settings.samples_per_turn;
         let whole = self.time_s.len().saturating_sub(1) / in_turn.max(1);
-        (whole > 0 && in_turn >= 2 * SAMPLES_PER_WAVE).then_some((whole.min(MOST_TURNS), in_turn))
+        // Where the recorded turns are no whole number of samples, these are a little further apart, or nearer.
+        let is_even = match self.drive_angle_rad[..] {
+            [first, second, ..] => ((second - first).abs() * in_turn as f64 / TAU - 1.0).abs() < ROUND_OFF,
+            _ => false,
+        };
+        (whole > 0 && is_even).then_some((whole.min(MOST_TURNS), in_turn))
     }
 
     /// The spectrum of a history of this run over its last whole turns, eight at most, up to order 60 or half of the samples a turn. Absent where
-    /// no drive turns at constant speed, less than a turn was recorded, or a value is not finite.
+    /// no drive turns at constant speed, less than a turn was recorded, samples do not divide the turn evenly, a value is not finite, or the
+    /// history runs away, as the angle of a shaft does.
     pub fn spectrum(&self, values_si: &[f64]) -> Option<Spectrum> {
         let (turns, in_turn) = self.turns_of_spectrum()?;
         let count = turns * in_turn;
         // The last sample of a turn is the first one of the next.
         let start = values_si.len().checked_sub(count + 1)?;
+        let growth_si = values_si[start + count] - values_si[start];
         let values_si = &values_si[start..start + count];
-        if !values_si.iter().all(|value| value.is_finite()) {
+        let (least, most) = values_si.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| {
+            (f64::min(least, *value), f64::max(most, *value))
+        });
+        if !values_si.iter().all(|value| value.is_finite()) || growth_si.abs() > RUNS_AWAY * (most - least) {
             return None;
         }
         let number = count as f64;
@@ -59,7 +71,8 @@ impl SimulationRecord {
         let rms_si = (values_si.iter().map(|value| value * value).sum::<f64>() / number).sqrt();
         let peak_si = values_si.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
         let waves: Vec<(f64, f64)> = (0..count).map(|k| (TAU * k as f64 / number).sin_cos()).collect();
-        let highest = HIGHEST_ORDER.min(in_turn / SAMPLES_PER_WAVE - 1) * turns;
+        // Below half of the samples: two for a wave.
+        let highest = (HIGHEST_ORDER * turns).min((count - 1) / 2);
         let amplitude_si = |wave: usize| {
             let mut sum = (0.0, 0.0);
             for (k, value) in values_si.iter().enumerate() {

@@ -70,11 +70,10 @@ impl Parser<'_> {
     /// The unit behind a number, one if there is none.
     pub(super) fn unit(&mut self) -> Result<UnitProduct, ExpressionError> {
         let start = self.span().start;
-        // `12e-6 1/K`; turns a minute are rpm.
+        // `12e-6 1/K`; turns a minute are rpm. A word that is no unit was meant as one.
         let is_inverse = *self.peek() == TokenKind::Number(1.0)
             && *self.ahead(1) == TokenKind::Sign('/')
-            && self.unit_begins(2)
-            && *self.ahead(2) != TokenKind::Word("min".to_owned());
+            && matches!(self.ahead(2), TokenKind::Word(word) if word != "min" && self.names.find(word).is_none());
         self.next += usize::from(is_inverse);
         if !is_inverse && !self.unit_begins(0) {
             return match self.peek() {
@@ -95,7 +94,7 @@ impl Parser<'_> {
                 }
                 self.take_sign('*');
                 product = product.times(self.unit_factor()?);
-            } else if self.is_sign('/') && self.unit_begins(1) {
+            } else if self.is_sign('/') && (self.unit_begins(1) || is_inverse && !divided) {
                 self.next += 1;
                 divided = true;
                 product = product.over(self.unit_factor()?);

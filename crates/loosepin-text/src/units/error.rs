@@ -69,13 +69,13 @@ problems! {
             hint_of(Some(match nearest {
                 _ if TURNS_A_MINUTE.contains(&symbol.as_str()) => "write turns per minute as rpm".to_owned(),
                 _ if CELSIUS.contains(&symbol.as_str()) => {
-                    "write the rise in K: 60 degrees Celsius are 40 K above the 20 of a drawing (ISO 1)".to_owned()
+                    "temperatures are differences in K: 60 degrees Celsius are 40 K above the 20 of a drawing (ISO 1)".to_owned()
                 }
                 _ if in_words(symbol).is_some() => {
                     format!("write it as {}", in_words(symbol).unwrap_or_default())
                 }
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => "known units include m, mm, µm, kg, g, s, ms, rad, deg, rpm, N, kN, Pa, GPa, J, W; products and \
+                None => "known units include m, mm, µm, kg, g, s, ms, rad, deg, rpm, N, kN, Pa, GPa, J, W, K; products and \
                          powers are written kg m^2, m/s^2"
                     .to_owned(),
             }));
@@ -170,6 +170,7 @@ fn in_words(word: &str) -> Option<&'static str> {
         ("pascal", "Pa"),
         ("hertz", "Hz"),
         ("percent", "%"),
+        ("kelvin", "K"),
     ];
     known.into_iter().find(|(name, _)| *name == singular).map(|(_, symbol)| symbol)
 }

@@ -40,6 +40,7 @@ fn analytic_values_with_units_are_read() {
         ("2 1/s", 2.0, D::FREQUENCY),
         ("11.7e-6 1/K", 11.7e-6, D::THERMAL_EXPANSION),
         ("23 um/(m K)", 23e-6, D::THERMAL_EXPANSION),
+        ("11.7 ppm/K", 11.7e-6, D::THERMAL_EXPANSION),
         ("1e3", 1000.0, D::NUMBER),
         ("1 m/s/s", 1.0, D::ACCELERATION),
         ("2 m^-1", 2.0, D::LENGTH.power(-1.0)),
@@ -56,6 +57,9 @@ fn analytic_values_with_units_are_read() {
 fn two_numbers_in_a_row_are_no_value() {
     for text in ["2 1", "2 2/s", "2 1/", "2 1/(3 s)"] {
         assert!(refused(text).starts_with("2..3: found the number"), "{}", refused(text));
+    }
+    for text in ["11.7e-6 1/C", "11.7e-6 1/°C"] {
+        assert!(refused(text).ends_with("C' is not a known unit"), "{}", refused(text));
     }
     // What speeds of turning are written in elsewhere; they are rpm here.
     assert_eq!(refused("1500 1/min"), "5..6: found the number 1; expected an operator or the end");

@@ -111,6 +111,7 @@ pub static UNITS: &[Unit] = &[
     unit("cP",    D::VISCOSITY,        1.0,           1e3), // mPa s
 
     unit("%",     D::NUMBER,           1.0,           100.0),
+    unit("ppm",   D::NUMBER,           1.0,           1e6),
 ];
 
 /// The unit with this symbol. The micro sign may be written as U+00B5, U+03BC or `u`.
@@ -146,7 +147,7 @@ mod tests {
         ("J mJ kJ", "1 0.001 1000", [2.0, 1.0, -2.0, 0.0, 0.0]),
         ("W mW kW", "1 0.001 1000", [2.0, 1.0, -3.0, 0.0, 0.0]),
         ("cP", "0.001", [-1.0, 1.0, -1.0, 0.0, 0.0]),
-        ("%", "0.01", [0.0, 0.0, 0.0, 0.0, 0.0]),
+        ("% ppm", "0.01 0.000001", [0.0, 0.0, 0.0, 0.0, 0.0]),
     ];
 
     /// Bits that a factor may be below the double nearest to its definition: one where it is a product of rounded

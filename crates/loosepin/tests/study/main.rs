@@ -9,6 +9,7 @@ mod exact_bounds;
 mod inner_bands;
 mod kept_runs;
 mod paths;
+mod position_tolerance;
 mod promise;
 mod study_accuracy;
 mod surrogates;

@@ -14,7 +14,9 @@ impl Progress for Silent {
 const MODEL: &str = r#"
 name = "warm crank"
 gravity = "0 m/s^2"
-temperature_rise = "30 K"
+temperature_rise = "room - 293 K"
+[parameter]
+room = "323 K"
 [body.ground]
 points = { o = ["0 mm", "0 mm"] }
 [body.crank]
@@ -42,7 +44,7 @@ along = "x"
 fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
     let text = "name = \"warm\"\nmodel = \"model.toml\"\n[sampling]\nouter = 16\n\
                 [random]\n\"body.crank.points.pin.x\" = { uniform = { lower = \"79.99 mm\", upper = \"80.01 mm\" } }\n\
-                [epistemic]\n\"temperature_rise\" = { interval = [\"-20 K\", \"60 K\"] }\n\
+                [epistemic]\n\"parameter.room\" = { interval = [\"273 K\", \"353 K\"] }\n\
                 [[ask]]\noutput = \"pin\"\nof = \"total\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [\"mean\"]\n";
     let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
@@ -56,4 +58,26 @@ fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
     assert!((bound.lower.value_si - exact_m[0]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
     assert!((bound.upper.value_si - exact_m[1]).abs() < 1e-3 * width_m, "{exact_m:?} {bound:?}");
     assert!(bound.lower.widened_si <= exact_m[0] + 1e-12 && bound.upper.widened_si >= exact_m[1] - 1e-12, "{bound:?}");
+}
+
+/// A fit is stated for the drawing: that of warm parts follows from it.
+#[test]
+fn a_fit_of_a_warm_joint_is_that_of_its_drawing() {
+    let text = loosepin::templates::find_template("slider-crank").expect("template").model;
+    let warm = "thermal_expansion = \"12e-6 1/K\"\ntemperature_rise = \"60 K\"\nmass = ";
+    let text = text
+        .replacen("mass = ", warm, 1)
+        .replace("[body.slider]\n", "[body.slider]\nthermal_expansion = \"23e-6 1/K\"\ntemperature_rise = \"40 K\"\n");
+    let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = "name = \"warm\"\nmodel = \"model.toml\"\n[random]\n\
+                 \"joint.gudgeon.radial_clearance\" = { fit = \"H7/f7\", diameter = \"20 mm\" }\n\
+                 [[ask]]\noutput = \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let id = study.model.find("joint.gudgeon.radial_clearance").expect("a free number");
+    let plays: Vec<_> = study.model.play_from(id).collect();
+    assert_eq!(plays.len(), 1);
+    assert_ne!(plays[0].1, id, "what runs see is the clearance of the warm parts");
+    // A temperature is no clearance.
+    let rise = study.model.find("body.slider.temperature_rise").expect("a free number");
+    assert_eq!(study.model.play_from(rise).count(), 0);
 }

@@ -9,6 +9,9 @@ use loosepin_text::diagnostics::Span;
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Expression, Op, Rule};
 
+/// Times a clearance above zero it is above 1.
+const LARGE_1_M: f64 = 1e300;
+
 impl ModelReader {
     /// The elongation ε = α ΔT of a body that states α; ΔT is its own `temperature_rise`, or that of the model.
     pub(super) fn elongation(&mut self, table: &Table<'_>) -> Option<QuantityId> {
@@ -28,7 +31,9 @@ impl ModelReader {
         let ops = vec![Op::Load(expansion.0), Op::Load(rise_k.0), Op::Multiply];
         self.uses_temperature_rise |= !table.has(RISE);
         let path = table.path.join("elongation").dotted();
-        Some(self.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]))
+        let elongation = self.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]);
+        self.quantities.add_elongation(elongation);
+        Some(elongation)
     }
 
     /// A length of a part with the elongation ε: L (1 + ε).
@@ -45,7 +50,12 @@ impl ModelReader {
         }
         let quantity = &self.quantities[own];
         let (path, dimension, rule) = (format!("{}_when_warm", quantity.path), quantity.dimension, quantity.rule);
-        self.derived(path, dimension, rule, ops, &[own, elongation])
+        let span = quantity.span;
+        let id = self.derived(path, dimension, rule, ops, &[own, elongation]);
+        if let (Err(problem), Some(span)) = (self.quantities[id].check(self.quantities.nominal_value(id)), span) {
+            self.reader.complain(&problem, span);
+        }
+        id
     }
 
     /// The clearance of a pin joint, slot or guide whose outer part has the size `outer` at the drawing's temperature, and both
@@ -54,6 +64,8 @@ impl ModelReader {
     /// ```text
     /// c (1 + ε_j) + R (ε_i - ε_j)
     /// ```
+    ///
+    /// A clearance that is stated as zero makes the joint ideal, warm or cold.
     fn warm_clearance(
         &mut self,
         clearance: QuantityId,
@@ -72,11 +84,15 @@ impl ModelReader {
         for size in outer {
             ops.extend([Op::Load(size.0), Op::Add]);
         }
-        ops.extend([of_bearing, of_journal, Op::Subtract, Op::Multiply, Op::Add]);
+        ops.extend([of_bearing, of_journal, Op::Subtract, Op::Multiply]);
+        // 0 where c is zero, 1 where it is above.
+        ops.extend([Op::Load(clearance.0), Op::Number(LARGE_1_M), Op::Multiply, Op::Number(1.0), Op::Minimum]);
+        ops.extend([Op::Multiply, Op::Add]);
         let path = format!("{}_when_warm", self.quantities[clearance].path);
         let reads: Vec<QuantityId> =
             outer.iter().copied().chain([clearance]).chain(elongations.into_iter().flatten()).collect();
         let id = self.derived(path, Dimension::LENGTH, Rule::NonNegative, ops, &reads);
+        self.quantities.add_warm(id, clearance);
         match self.quantities[id].check(self.quantities.nominal_value(id)) {
             Ok(()) => Some(id),
             Err(problem) => self.reader.refuse(&problem, span),

@@ -161,6 +161,16 @@ duration = "0.1 s"
     assert!(said.contains("joint 'play': radial clearance when warm -0.0005967"), "{said}");
     assert!(said.contains("the joint seizes"), "{said}");
 
+    // Nothing stated stays nothing, though the hole grows less than the pin.
+    let model_without = read(&revolute("radial_clearance = \"0 mm\""));
+    let JointKind::Revolute { clearance: Some(play), .. } = &model_without.joints[0].kind else {
+        panic!("it may be set")
+    };
+    assert_eq!(model_without.quantities.nominal()[play.radial_clearance_m], 0.0);
+    // Deviations count from the drawing: the same numbers without any growth.
+    let quantities = &model_without.quantities;
+    assert_eq!(quantities.at_drawing(&quantities.nominal())[play.bearing_radius_m], 0.02);
+
     let model = read(
         "kind = \"prismatic\"\nguide = { point = \"ground.o\", angle = \"0 deg\", start = \"-80 mm\", end = \"80 mm\" }\n\
          slider = \"part.p\"\nhalf_length = \"30 mm\"\nhalf_height = \"10 mm\"\nclearance = \"0.05 mm\"",
