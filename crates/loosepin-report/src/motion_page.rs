@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::mechanism_figure::mechanism_figure;
-use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::still_figures::percent_of;
 use super::wording::named_words;
@@ -102,7 +102,7 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     for position in &record.singular_positions {
         sentences.push(format!(
             "Singular at {} of {}: {}.",
-            turn_angle(record, position.drive_angle_rad, 5, writer),
+            writer.value_trimmed(told_rad(record, position.drive_angle_rad), &SiUnit::ANGLE),
             record.drive,
             position.words
         ));
@@ -120,18 +120,19 @@ fn moved_words(output: &OutputMotion) -> String {
     path.unwrap_or_else(|| output.name.clone())
 }
 
-/// An angle of the drive; from 0° to below 360° where the record holds a whole turn.
+/// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
 pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
+    writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
+}
+
+/// An angle of the drive as it is told: within its turn where the record holds a whole one.
+fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-9;
     let span_rad = match record.drive_angle_rad[..] {
         [first, .., last] => last - first,
         _ => 0.0,
     };
-    if (span_rad / TAU - 1.0).abs() < ROUND_OFF {
-        writer.angle_in_turn(angle_rad, digits)
-    } else {
-        writer.rounded(angle_rad, &SiUnit::ANGLE, digits, Rounding::Nearest)
-    }
+    if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
 }
 
 /// Where over the cycle a history is largest, and how large.
@@ -384,7 +385,7 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     for position in &record.singular_positions {
         rows.push((
             "Singular position".to_owned(),
-            html! { (turn_angle(record, position.drive_angle_rad, 5, writer)) ": " (position.words) },
+            html! { (writer.value_trimmed(told_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)) ": " (position.words) },
         ));
     }
     rows.push(("Version".to_owned(), html! { "loosepin " (record.version) }));

@@ -49,6 +49,13 @@ pub(super) struct NumberWriter<'a> {
     pub medium: Medium,
 }
 
+/// An angle within its turn, from 0 to below 2π. What is nearly a whole turn is 0, so that it is not shown as 360°.
+pub(super) fn within_turn_rad(angle_rad: f64) -> f64 {
+    const NEARLY_A_TURN_RAD: f64 = 1e-3;
+    let within_rad = angle_rad.rem_euclid(TAU);
+    if TAU - within_rad < NEARLY_A_TURN_RAD { 0.0 } else { within_rad }
+}
+
 impl<'a> NumberWriter<'a> {
     pub fn for_page(units: &'a DisplayUnits) -> Self {
         NumberWriter { units, medium: Medium::Page }
@@ -102,11 +109,7 @@ impl<'a> NumberWriter<'a> {
 
     /// The angle of a drive within its turn, from 0° to below 360°.
     pub fn angle_in_turn(&self, angle_rad: f64, digits: usize) -> String {
-        /// What is as near to a whole turn as this is shown as 0°, not as 360°.
-        const NEARLY_A_TURN_RAD: f64 = 1e-3;
-        let within_rad = angle_rad.rem_euclid(TAU);
-        let within_rad = if TAU - within_rad < NEARLY_A_TURN_RAD { 0.0 } else { within_rad };
-        self.rounded(within_rad, &SiUnit::ANGLE, digits, Rounding::Nearest)
+        self.rounded(within_turn_rad(angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
     }
 
     /// Number with unit, to as many places as its error allows, rounded in the given direction.

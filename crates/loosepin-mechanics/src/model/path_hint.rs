@@ -57,6 +57,11 @@ impl Model {
         let only = ending.next().filter(|_| ending.next().is_none());
         let hint = match only.or_else(|| nearest_name(key, keys.iter().copied())) {
             _ if keys.is_empty() => format!("{words} has no number that can be set"),
+            _ if key == "temperature_rise" => {
+                format!(
+                    "{words} states no temperature_rise of its own: add it to the model, or name the one at the top"
+                )
+            }
             _ if !below.is_empty() && !key.is_empty() => format!("{words} has {}", named(below.iter().copied())),
             _ if key.contains("diamet") && keys.contains(&RADIAL) => {
                 format!("did you mean '{table}{RADIAL}'? It is half of the clearance on the diameter")

@@ -77,6 +77,9 @@ fn a_fit_of_a_warm_joint_is_that_of_its_drawing() {
     let plays: Vec<_> = study.model.play_from(id).collect();
     assert_eq!(plays.len(), 1);
     assert_ne!(plays[0].1, id, "what runs see is the clearance of the warm parts");
+    // What no body states for itself cannot be set for it.
+    let hint = study.model.parse_setting("body.rod.temperature_rise=10K").expect_err("the rod states none").to_string();
+    assert!(hint.contains("body 'rod' states no temperature_rise of its own"), "{hint}");
     // A temperature is no clearance.
     let rise = study.model.find("body.slider.temperature_rise").expect("a free number");
     assert_eq!(study.model.play_from(rise).count(), 0);
