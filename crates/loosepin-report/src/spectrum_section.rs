@@ -37,9 +37,10 @@ pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
         let peak_si = extreme.map_or(spectrum.peak_si, |extreme| {
             f64::max(extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs())
         });
-        let ideal = record.spectrum(&output.ideal_si);
         let (name, words, unit) = (output.name.clone(), output.words.clone(), output.unit.clone());
         let is_drawn = DRAWN.contains(&unit.symbol());
+        // Only a chart shows it.
+        let ideal = if is_drawn { record.spectrum(&output.ideal_si) } else { None };
         found.push(Oscillation { name, words, unit, spectrum, ideal, peak_si, is_drawn });
     }
     for history in &record.contact_forces {

@@ -83,7 +83,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 output: index,
                 name: format!("{} {}", output.name, part.word()),
                 component: Some(part.word()),
-                words: error_words(part, &words),
+                words: part.words(&words),
                 point: Some(format!("{} ({})", output.name, words)),
                 unit: x.unit.clone(),
                 dimension,
@@ -92,14 +92,4 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
         }
     }
     outputs
-}
-
-/// A part of the error of a point in words.
-fn error_words(part: PathError, point: &str) -> String {
-    match part {
-        PathError::Along => format!("error of {point} along its path"),
-        PathError::Normal => format!("error of {point} across its path"),
-        PathError::Magnitude => format!("distance of {point} from where it should be"),
-        PathError::Contour => format!("distance of {point} from its path"),
-    }
 }

@@ -40,4 +40,14 @@ impl PathError {
             Self::Contour => "contour",
         }
     }
+
+    /// The part of the error of `point` in words.
+    pub fn words(self, point: &str) -> String {
+        match self {
+            Self::Along => format!("error of {point} along its path"),
+            Self::Normal => format!("error of {point} across its path"),
+            Self::Magnitude => format!("distance of {point} from where it should be"),
+            Self::Contour => format!("distance of {point} from its path"),
+        }
+    }
 }

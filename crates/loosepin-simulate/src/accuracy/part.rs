@@ -1,6 +1,7 @@
 //! What the quasi-static answer speaks of: positions, and the errors of paths that they make.
 
 use super::position::PositionOutput;
+use loosepin_mechanics::model::{Axis, Position};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
@@ -34,7 +35,8 @@ impl Part {
         for (place, output) in outputs.iter().enumerate() {
             let PositionOutput { name, words, unit, .. } = output.clone();
             parts.push(Part { name, words, unit, kind: PartKind::Position(place) });
-            let Some(path) = output.path.as_ref().filter(|path| output.name == format!("{path} y")) else { continue };
+            // Behind y, the second coordinate of a path.
+            let (Some(path), Position::Point(_, Axis::Y)) = (&output.path, output.reading) else { continue };
             let coordinates = [place - 1, place];
             if !has_direction(&speeds(coordinates)) {
                 continue;
@@ -43,9 +45,8 @@ impl Part {
             for (error, kind) in
                 [(PathError::Along, PartKind::Along(coordinates)), (PathError::Normal, PartKind::Normal(coordinates))]
             {
-                let side = if error == PathError::Along { "along" } else { "across" };
                 let (name, unit) = (format!("{path} {}", error.word()), output.unit.clone());
-                parts.push(Part { name, words: format!("error of {point} {side} its path"), unit, kind });
+                parts.push(Part { name, words: error.words(point), unit, kind });
             }
         }
         parts

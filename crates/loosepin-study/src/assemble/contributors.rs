@@ -4,6 +4,7 @@ use super::material::Material;
 use crate::columns::{PlannedAsk, Spot};
 use crate::contributors::{ContributorPlan, groups};
 use crate::file::{Deviation, EpistemicInput, Study, Where};
+use crate::outputs::Seen;
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_result::study::{
@@ -51,10 +52,16 @@ fn of_columns(
         _ => material.point_of(columns[0], false),
     };
     let output = material.name_of(columns[0]);
+    let plan_of_columns = &material.response.shared.plan;
     // To first order the distance from the path is the error across it.
-    let still_name = output
-        .strip_suffix(PathError::Contour.word())
-        .map_or(output.clone(), |path| format!("{path}{}", PathError::Normal.word()));
+    let asked = &plan_of_columns.outputs[plan_of_columns.columns[columns[0]].output];
+    let still_name = match asked.seen {
+        Seen::Path(_, PathError::Contour) => {
+            let path = &study.model.outputs[asked.output].name;
+            format!("{path} {}", PathError::Normal.word())
+        }
+        _ => output.clone(),
+    };
     let still = quasi_static.and_then(|record| {
         Some(Still {
             record,

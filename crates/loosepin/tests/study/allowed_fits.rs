@@ -2,17 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::study_text;
 use loosepin::study::result::{Loosened, StudyResult, Verdict};
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::find_template;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 /// A fiftieth of a turn, so that thousands of runs take seconds.
 fn conducted(inputs: &str) -> StudyResult {

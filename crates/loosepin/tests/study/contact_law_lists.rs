@@ -2,21 +2,16 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundEnd, BoundRecord, InputKind, StudyResult, WitnessValue};
 use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Means, Progress, Study, conduct};
+use loosepin::study::{Conducted, Means, Study, conduct};
 use loosepin::templates::find_template;
 
 const LAWS: [&str; 3] = ["lankarani-nikravesh", "flores", "johnson"];
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 /// The slider-crank of the template with a bearing length, so that line-contact laws are complete too.
 fn model(law: &str) -> Model {

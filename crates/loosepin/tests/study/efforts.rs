@@ -2,16 +2,11 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::result::{BoundRecord, StudyResult, Verdict};
-use loosepin::study::{Means, Progress, Study, conduct};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
+use loosepin::study::{Means, Study, conduct};
 
 /// Of the widest bound below: what a search leaves open of a response that is linear in the mass, and Gauss's rule of a sine.
 const SHARE: f64 = 1e-6;

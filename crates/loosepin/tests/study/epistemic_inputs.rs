@@ -3,18 +3,13 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::bounds_csv;
 use loosepin::study::result::{BoundRecord, InputKind, Reading, StudyResult, WitnessValue};
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::find_template;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 const MM: f64 = 1e-3;
 /// Of a mean over 16 stratified samples of a slider that scatters by 0.33 µm; the interval of the crank moves it by 4.9 µm.

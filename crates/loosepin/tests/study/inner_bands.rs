@@ -5,16 +5,11 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::study::result::{CurveRange, DeviationCurve, ProbabilityBox, StudyResult};
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::TEMPLATES;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 /// Templates whose studies take a second.
 const FAST: [&str; 3] = ["slider-crank", "offset-slider-crank", "scotch-yoke"];

@@ -11,6 +11,7 @@ mod kept_runs;
 mod paths;
 mod position_tolerance;
 mod promise;
+mod silent;
 mod study_accuracy;
 mod surrogates;
 mod warm;

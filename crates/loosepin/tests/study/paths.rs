@@ -2,15 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::study::result::{PathError, StudyResult};
-use loosepin::study::{Means, Progress, Study, conduct};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
+use loosepin::study::{Means, Study, conduct};
 
 const MODEL: &str = r#"
 name = "crank-rocker with eccentric pins"

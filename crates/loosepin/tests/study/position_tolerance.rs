@@ -1,14 +1,9 @@
 //! A hole within its position tolerance, nobody knows where, against a closed form.
 
+use crate::silent::Silent;
 use loosepin::model::Model;
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Study, conduct};
 use std::sync::atomic::AtomicBool;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 /// Radius of the circle that holds the axis, m.
 const RADIUS_M: f64 = 5e-5;

@@ -2,19 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{AccuracyRecord, AccuracyStop, StudyResult};
-use loosepin::study::{Conducted, Means, Progress, Study, StudyError, conduct, plan_runs};
+use loosepin::study::{Conducted, Means, Study, StudyError, conduct, plan_runs};
 use loosepin::templates::find_template;
 
 /// Nobody watches.
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
-
 /// The four-bar of the template over a twentieth of a turn, with small samples.
 fn study(lines: &str) -> Study {
     let template = find_template("four-bar").expect("the template is there");

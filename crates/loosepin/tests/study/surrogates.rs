@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
+use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{read_json, surrogates_json, to_json};
@@ -10,14 +11,8 @@ use loosepin::study::result::{
     AccuracyStop, BoundRecord, Guarantee, ResponsePoint, Statistic, StudyResult, SurrogateVerdict, TreatmentComparison,
     Verdict,
 };
-use loosepin::study::{Means, Progress, SavedSurrogates, Study, StudyError, conduct, export_networks};
+use loosepin::study::{Means, SavedSurrogates, Study, StudyError, conduct, export_networks};
 use loosepin::templates::find_template;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 const OUTER: usize = 24;
 const INNER: usize = 64;

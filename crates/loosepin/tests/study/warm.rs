@@ -1,14 +1,9 @@
 //! A study of a mechanism whose temperature is known roughly, against a closed form.
 
+use crate::silent::Silent;
 use loosepin::model::Model;
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Means, Study, conduct};
 use std::sync::atomic::AtomicBool;
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _: usize, _: usize) {}
-}
 
 /// A crank of 80 mm; the file says that it is used at 30 K above its drawing.
 const MODEL: &str = r#"

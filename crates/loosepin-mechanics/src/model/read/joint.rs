@@ -6,11 +6,11 @@ use crate::contact::NormalDescription;
 use crate::model::ids::{ContactId, JointId, PointId};
 use crate::model::keys::{GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, SLIDER_KEYS};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{DIAMETRAL, Origin, Quantity, QuantityId, RADIAL};
+use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use crate::model::topology::{Clearance, Joint, JointFriction, JointKind};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Table};
-use loosepin_text::units::{Dimension, Expression, Op, Rule};
+use loosepin_text::units::{Dimension, Op, Rule};
 
 impl ModelReader {
     /// Reads the table of joints.
@@ -99,8 +99,7 @@ impl ModelReader {
         }
         let Some(stated_m) = self.play_clearance(table, &keys)? else { return Some(None) };
         let span = table.get(keys.clearance).map_or(table.span, |entry| entry.span);
-        let radial_clearance_m =
-            if on_diameter { self.half_of(stated_m, &table.path.join(RADIAL), span) } else { stated_m };
+        let radial_clearance_m = if on_diameter { self.half_of(stated_m, &table.path.join(RADIAL)) } else { stated_m };
         let bearing_radius_m = bearing_radius_m?;
         if !self.demand_order(radial_clearance_m, bearing_radius_m, span) {
             return None;
@@ -122,16 +121,9 @@ impl ModelReader {
     }
 
     /// The radial clearance at `path` of a joint that states its diametral clearance: half of it, whatever that is set to.
-    fn half_of(&mut self, diametral_m: QuantityId, path: &EntryPath, span: Span) -> QuantityId {
-        let expression = Expression {
-            ops: vec![Op::Load(diametral_m.0), Op::Number(0.5), Op::Multiply],
-            dimension: Dimension::LENGTH,
-            reads: vec![diametral_m.0],
-        };
-        let origin = Origin::Expression { depends_on: vec![diametral_m] };
-        let (dimension, rule) = (Dimension::LENGTH, Rule::NonNegative);
-        let quantity = Quantity { path: path.dotted(), dimension, rule, origin, span: Some(span) };
-        self.quantities.add_expression(quantity, &expression)
+    fn half_of(&mut self, diametral_m: QuantityId, path: &EntryPath) -> QuantityId {
+        let ops = vec![Op::Load(diametral_m.0), Op::Number(0.5), Op::Multiply];
+        self.derived(path.dotted(), Dimension::LENGTH, Rule::NonNegative, ops, &[diametral_m])
     }
 
     /// The contact that a joint names.

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Complaint, Source, Span, nearest_name};
 use loosepin_text::document::{Entry, EntryPath, Keys, Reader, Table, Written};
-use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Rule, parse_expression, run};
+use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Op, Rule, parse_expression, run};
 
 /// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
 pub(super) const UNREAD: QuantityId = QuantityId(0);
@@ -200,6 +200,21 @@ impl ModelReader {
             return self.reader.refuse(&problem, entry.span);
         }
         Some(id)
+    }
+
+    /// A number that follows from others, at the place of the first of them.
+    pub fn derived(
+        &mut self,
+        path: String,
+        dimension: Dimension,
+        rule: Rule,
+        ops: Vec<Op>,
+        reads: &[QuantityId],
+    ) -> QuantityId {
+        let expression = Expression { ops, dimension, reads: reads.iter().map(|id| id.0).collect() };
+        let span = reads.first().and_then(|id| self.quantities[*id].span);
+        let origin = Origin::Expression { depends_on: reads.to_vec() };
+        self.quantities.add_expression(Quantity { path, dimension, rule, origin, span }, &expression)
     }
 
     /// Demands that one quantity be below another; complains at `span` if the values of the file do not obey.

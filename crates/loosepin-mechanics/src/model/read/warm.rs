@@ -3,11 +3,11 @@
 
 use super::reader::ModelReader;
 use crate::model::ids::BodyId;
-use crate::model::quantity::{Origin, Quantity, QuantityId};
+use crate::model::quantity::QuantityId;
 use crate::model::topology::{Clearance, GuideClearance, SlotClearance};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::Table;
-use loosepin_text::units::{Dimension, Expression, Op, Rule};
+use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Times a clearance above zero it is above 1.
 const LARGE_1_M: f64 = 1e300;
@@ -132,20 +132,5 @@ impl ModelReader {
         let [half_length_m, end_radius_m] =
             [cold.half_length_m, cold.end_radius_m].map(|length| self.grown(length, of_slot));
         Some(SlotClearance { half_length_m, end_radius_m, clearance_m, ..cold })
-    }
-
-    /// A number that follows from others.
-    fn derived(
-        &mut self,
-        path: String,
-        dimension: Dimension,
-        rule: Rule,
-        ops: Vec<Op>,
-        reads: &[QuantityId],
-    ) -> QuantityId {
-        let expression = Expression { ops, dimension, reads: reads.iter().map(|id| id.0).collect() };
-        let span = reads.first().and_then(|id| self.quantities[*id].span);
-        let origin = Origin::Expression { depends_on: reads.to_vec() };
-        self.quantities.add_expression(Quantity { path, dimension, rule, origin, span }, &expression)
     }
 }
