@@ -1,6 +1,7 @@
 //! Loosest values that meet the requirements, and the estimates of small probabilities: sentences for pages and terminals.
 
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::together::together_sentences;
 use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
 use loosepin_result::study::{
     AllocationRecord, AllocationStop, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
@@ -8,18 +9,19 @@ use loosepin_result::study::{
 };
 
 /// Digits of a value that is allowed.
-const ALLOWED_DIGITS: usize = 3;
+pub(super) const ALLOWED_DIGITS: usize = 3;
 /// Begin of the last sentence of an allowance.
-const ALL_ELSE: &str = "All other inputs as stated";
+pub(super) const ALL_ELSE: &str = "All other inputs as stated";
 
-/// One sentence for each input that may be loosened, then one for the cheapest combination.
+/// One sentence for each input that may be loosened, then those for several together, then one for the cheapest combination.
 pub(super) fn inverse_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let allowed = result.allowances.iter().map(|one| allowance(result, one, writer));
-    allowed.chain(result.allocation.iter().map(|one| allocation(result, one, writer))).collect()
+    let together = result.together.iter().flat_map(|one| together_sentences(result, one, writer));
+    allowed.chain(together).chain(result.allocation.iter().map(|one| allocation(result, one, writer))).collect()
 }
 
 /// The loosened number of an input: "upper limit of the gudgeon radial clearance".
-fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
+pub(super) fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
     let name = plain_name(path, &result.inputs);
     match what {
         Loosened::UpperEnd => format!("upper limit of the {name}"),
@@ -34,15 +36,15 @@ fn fit_allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWri
     let runs = counted(one.runs, "run", writer);
     let least = |fit: &String| {
         let own = one.checks.iter().filter(|check| check.fit.as_ref() == Some(fit));
-        own.min_by(|a, b| a.share.total_cmp(&b.share)).map_or_else(String::new, |check| {
-            let share = writer.percent(check.share, Rounding::Down);
-            format!("{share}, required {}", writer.percent(check.required_share, Rounding::Nearest))
+        own.min_by(|a, b| a.answer.share.total_cmp(&b.answer.share)).map_or_else(String::new, |check| {
+            let share = writer.percent(check.answer.share, Rounding::Down);
+            format!("{share}, required {}", writer.percent(check.answer.required_share, Rounding::Nearest))
         })
     };
     let refused = |fit: &String| {
         let check = one.checks.iter().rev().find(|check| check.fit.as_ref() == Some(fit));
         check.map_or("the verdict is not known".to_owned(), |check| {
-            format!("they are {} ({})", verdict_words(check.verdict), least(fit))
+            format!("they are {} ({})", verdict_words(check.answer.verdict), least(fit))
         })
     };
     match (&one.allowed_fit, &one.beyond_fit) {
@@ -74,7 +76,7 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
     let checked = |value_si: f64| one.checks.iter().rev().find(|check| check.value_si == value_si);
     let share = |value_si: f64| {
         checked(value_si).map_or(String::new(), |check| {
-            let [share, required] = [check.share, check.required_share];
+            let [share, required] = [check.answer.share, check.answer.required_share];
             format!(
                 "{}, required {}",
                 writer.percent(share, Rounding::Down),
@@ -90,7 +92,7 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
             share(allowed),
             value(beyond, Rounding::Up),
             checked(beyond).map_or("the verdict is not known".to_owned(), |check| {
-                format!("they are {} ({})", verdict_words(check.verdict), share(beyond))
+                format!("they are {} ({})", verdict_words(check.answer.verdict), share(beyond))
             }),
         ),
         (Some(allowed), None) => format!(
@@ -101,7 +103,7 @@ fn allowance(result: &StudyResult, one: &AllowanceRecord, writer: &NumberWriter)
         ),
         (None, _) => {
             let least = one.checks.iter().map(|check| check.value_si).fold(f64::INFINITY, f64::min);
-            if checked(least).is_some_and(|check| check.verdict == Verdict::Undecided) {
+            if checked(least).is_some_and(|check| check.answer.verdict == Verdict::Undecided) {
                 return format!(
                     "No tested value of the {subject} is shown to meet the requirements. At {}, the smallest, they are undecided \
                      ({}): increase 'inner'. {ALL_ELSE}, {runs}.",

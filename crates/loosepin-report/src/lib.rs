@@ -50,6 +50,7 @@ mod surrogate_text;
 mod sweep_page;
 mod terminal;
 mod terminal_table;
+mod together;
 mod told;
 mod wording;
 mod zone_figure;

@@ -1,5 +1,6 @@
 //! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
 
+use super::allow_together::most_tried_together;
 use super::assemble::{Material, requirements};
 use super::double_loop::DirectQuestion;
 use super::error::StudyError;
@@ -11,14 +12,14 @@ use super::response::StudyResponse;
 use super::sheet::Sheet;
 use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
-    AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened, RequirementOutcome,
-    Verdict,
+    AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
+    RequirementOutcome, Verdict,
 };
 use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::hash;
 
 /// Times that the range is halved: to a 128th of it.
-const HALVINGS: usize = 7;
+pub(super) const HALVINGS: usize = 7;
 /// The least standard deviation that is tried, as a share of the largest.
 const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
 /// Combinations that are run in search of the cheapest, at most.
@@ -28,6 +29,9 @@ const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
 /// Studies that may be run at most, for the plan.
 pub(super) fn most_studies(study: &Study) -> usize {
+    if let Some(how) = study.together {
+        return 2 * most_tried_together(how);
+    }
     let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
     let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
@@ -42,9 +46,9 @@ pub(super) fn runs_of_a_study(study: &Study) -> usize {
 }
 
 /// What a direct study says.
-struct Answer {
+pub(super) struct Answer {
     outcomes: Vec<RequirementOutcome>,
-    runs: usize,
+    pub runs: usize,
 }
 
 impl Answer {
@@ -53,12 +57,10 @@ impl Answer {
         Verdict::of_all(self.outcomes.iter().map(|outcome| outcome.verdict)).unwrap_or(Verdict::Undecided)
     }
 
-    fn check(&self, value_si: f64, fit: Option<&AllowedFit>, is_confirmation: bool) -> AllowanceCheck {
+    pub fn check(&self, is_confirmation: bool) -> CheckAnswer {
         let margin = |outcome: &&RequirementOutcome| outcome.probability[0] - outcome.probability_at_least;
         let nearest = self.outcomes.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)));
-        AllowanceCheck {
-            fit: fit.map(|fit| fit.name.clone()),
-            value_si,
+        CheckAnswer {
             is_confirmation,
             share: nearest.map_or(f64::NAN, |outcome| outcome.probability[0]),
             required_share: nearest.map_or(f64::NAN, |outcome| outcome.probability_at_least),
@@ -81,7 +83,8 @@ pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, Stud
         let is_met = |(value_si, fit): Tried<'_>| {
             is_met_twice(sheet, &[(allowance, value_si)], |answer, is_confirmation| {
                 runs += answer.runs as u64;
-                checks.push(answer.check(value_si, fit, is_confirmation));
+                let fit = fit.map(|fit| fit.name.clone());
+                checks.push(AllowanceCheck { fit, value_si, answer: answer.check(is_confirmation) });
             })
         };
         let [allowed, beyond] =
@@ -105,7 +108,7 @@ pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, Stud
 }
 
 /// Whether the requirements are met twice, with two sets of random numbers; `heard` gets each answer, and whether it confirms one.
-fn is_met_twice(
+pub(super) fn is_met_twice(
     sheet: &Sheet<'_>,
     set: &[(&Allowance, f64)],
     mut heard: impl FnMut(&Answer, bool),
@@ -140,14 +143,19 @@ fn loosest_fit<'a>(
     Ok([None, beyond])
 }
 
+/// The least value that is tried.
+pub(super) fn least_tried_si(allowance: &Allowance) -> f64 {
+    match allowance.input {
+        AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
+        AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
+    }
+}
+
 fn loosest<'a>(
     allowance: &Allowance,
     mut is_met: impl FnMut(Tried<'a>) -> Result<bool, StudyError>,
 ) -> Result<[Option<Tried<'a>>; 2], StudyError> {
-    let least = match allowance.input {
-        AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
-        AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
-    };
+    let least = least_tried_si(allowance);
     if is_met((allowance.up_to_si, None))? {
         return Ok([Some((allowance.up_to_si, None)), None]);
     }
@@ -267,7 +275,7 @@ fn cheapest<E>(
     Ok(found)
 }
 
-fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
+pub(super) fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
     let table = &study.model.quantities;
     match allowance.input {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),

@@ -1,6 +1,7 @@
 //! Conducting a study: its questions one after the other, then its result.
 
 use super::allow::{allocation, allowances};
+use super::allow_together::together;
 use super::assemble::{Answers, Material, assemble, saved_surrogates};
 use super::contributors::ContributorQuestion;
 use super::double_loop::{Direct, DirectQuestion};
@@ -22,7 +23,7 @@ use super::saved_surrogates::SavedSurrogates;
 use super::sheet::{Drafts, Progress, Runner, Sheet};
 use super::simultaneous::curve_bands;
 use loosepin_bounds::{Bounds, PromisedBound, SampleTable, TableError};
-use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult};
+use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult, TogetherRecord};
 use loosepin_store::RunStore;
 use std::sync::atomic::{AtomicBool, AtomicUsize};
 
@@ -113,8 +114,8 @@ fn conduct_with(
         Some(plan) => ask(PromiseQuestion::new(plan, rounds), &mut sheet, None)?,
         None => Vec::new(),
     };
-    let (allowances, allocation) = inverse_question(&sheet)?;
-    let found = Found { refined, direct, rare, learned, rounds, promised, allowances, allocation };
+    let loosened = inverse_question(&sheet)?;
+    let found = Found { refined, direct, rare, learned, rounds, promised, loosened };
     tell(&sheet, plans, found, input_hash)
 }
 
@@ -128,8 +129,14 @@ struct Found {
     /// Rounds of the bounds, without that of the promise.
     rounds: u32,
     promised: Vec<PromisedBound>,
-    allowances: Vec<AllowanceRecord>,
-    allocation: Option<AllocationRecord>,
+    loosened: LoosestValues,
+}
+
+/// How loose inputs may be.
+struct LoosestValues {
+    one_at_a_time: Vec<AllowanceRecord>,
+    together: Option<TogetherRecord>,
+    cheapest: Option<AllocationRecord>,
 }
 
 /// The direct double loop; nothing where the surrogate stands alone.
@@ -173,9 +180,13 @@ fn learned(plans: &Plans, sheet: &mut Sheet<'_>) -> Result<Option<LearnedBounds>
 }
 
 /// How loose inputs may be. Its studies have sheets of their own; what is in `sheet` is kept whatever happens to them.
-fn inverse_question(sheet: &Sheet<'_>) -> Result<(Vec<AllowanceRecord>, Option<AllocationRecord>), StudyError> {
+fn inverse_question(sheet: &Sheet<'_>) -> Result<LoosestValues, StudyError> {
     sheet.close();
-    let answers = || Ok((allowances(sheet)?, allocation(sheet)?));
+    let answers = || {
+        let together = together(sheet)?;
+        let one_at_a_time = if together.is_some() { Vec::new() } else { allowances(sheet)? };
+        Ok(LoosestValues { one_at_a_time, together, cheapest: allocation(sheet)? })
+    };
     answers().map_err(|error| match error {
         StudyError::Interrupted { most_runs, .. } => {
             StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs }
@@ -186,7 +197,8 @@ fn inverse_question(sheet: &Sheet<'_>) -> Result<(Vec<AllowanceRecord>, Option<A
 
 /// Puts the result together.
 fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Result<Conducted, StudyError> {
-    let Found { refined, direct, rare, learned, rounds, promised, allowances, allocation } = found;
+    let Found { refined, direct, rare, learned, rounds, promised, loosened } = found;
+    let LoosestValues { one_at_a_time: allowances, together, cheapest: allocation } = loosened;
     let (study, table, pool) = (sheet.study, &sheet.table, sheet.runner.pool);
     let (plan, mut ended, bounds) = match direct {
         Some(Direct { plan, bounds, ended }) => (Some(plan), Some(ended), Some(bounds)),
@@ -219,7 +231,8 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
     let contributors = plans.contributors;
     let promise = plans.promise.map(|plan| Promised::new(plan, promised, &bands, table)).transpose()?;
     let curve_bands = bands;
-    let answers = Answers { plan, ended, contributors, learned, promise, allowances, allocation, curve_bands, beside };
+    let answers =
+        Answers { plan, ended, contributors, learned, promise, allowances, together, allocation, curve_bands, beside };
     let result = pool.install(|| assemble(&material, input_hash, answers));
     Ok(Conducted { result, runs: sheet.runs_table(), surrogates })
 }

@@ -3,6 +3,7 @@
 pub mod cases;
 
 mod allow;
+mod allow_together;
 mod assemble;
 mod budget;
 mod columns;

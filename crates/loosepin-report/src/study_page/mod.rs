@@ -20,6 +20,7 @@ use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::promise_text::{promise_sentences, promise_title};
 use super::still_figures::orbit_figure;
+use super::together::frontier;
 use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
 use loosepin_result::study::{StudyResult, Verdict};
 
@@ -39,7 +40,13 @@ pub fn study_page(result: &StudyResult) -> String {
         ("rare", "Small probabilities", rare_sentences(result, &writer)),
     ] {
         if !sentences.is_empty() {
-            sections.push(Section::new(id, title, html! { ul { @for sentence in &sentences { li { (sentence) } } } }));
+            let figure =
+                result.together.as_ref().filter(|_| id == "allowed").and_then(|one| frontier(result, one, &writer));
+            let markup = html! {
+                ul { @for sentence in &sentences { li { (sentence) } } }
+                @if let Some(chart) = figure { (chart.figure()) }
+            };
+            sections.push(Section::new(id, title, markup));
         }
     }
     if !result.bounds.is_empty() {

@@ -57,6 +57,14 @@ pub struct AllowanceCheck {
     /// The value.
     #[serde(with = "extended")]
     pub value_si: f64,
+    /// What the study says.
+    #[serde(flatten)]
+    pub answer: CheckAnswer,
+}
+
+/// What a direct study says about the requirements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CheckAnswer {
     /// Whether other random numbers were used than in the search, to confirm it.
     pub is_confirmation: bool,
     /// The least share of the requirement that is nearest to its limit, numerical error taken off.
@@ -118,4 +126,59 @@ pub struct AllocatedInput {
     /// What it costs.
     #[serde(with = "extended")]
     pub cost: f64,
+}
+
+/// How far several inputs may be loosened together, the others as in the study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TogetherRecord {
+    /// How they go together.
+    pub how: Together,
+    /// The inputs; values below are in their order.
+    pub inputs: Vec<LoosenedInput>,
+    /// Combinations at which all requirements are met, and met again with other random numbers: the loosest one, or those of the
+    /// frontier with the first input rising. Empty where there is none.
+    pub allowed_si: Vec<Vec<f64>>,
+    /// The next looser combinations that were tried, at which they are not met or not decided, in the same order.
+    pub beyond_si: Vec<Vec<f64>>,
+    /// Every study that was run, in its order.
+    pub checks: Vec<TogetherCheck>,
+    /// Runs of all of them.
+    pub runs: u64,
+}
+
+/// How several inputs are loosened together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Together {
+    /// Each has the same share of its largest value.
+    Proportional,
+    /// For each value of the first of two, the loosest value of the second.
+    Frontier,
+}
+
+/// An input that is loosened together with others.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LoosenedInput {
+    /// Its path.
+    pub path: String,
+    /// What of it is loosened.
+    pub what: Loosened,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// The least value that is tried.
+    #[serde(with = "extended")]
+    pub least_si: f64,
+    /// The loosest value that was asked about.
+    #[serde(with = "extended")]
+    pub up_to_si: f64,
+}
+
+/// A direct study at one combination.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TogetherCheck {
+    /// A value for each input.
+    pub values_si: Vec<f64>,
+    /// What the study says.
+    #[serde(flatten)]
+    pub answer: CheckAnswer,
 }

@@ -19,7 +19,10 @@ mod verdict;
 use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, Budget};
-pub use allowances::{AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, Loosened};
+pub use allowances::{
+    AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
+    LoosenedInput, Together, TogetherCheck, TogetherRecord,
+};
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use deviation::Deviation;
@@ -101,6 +104,9 @@ pub struct StudyResult {
     /// How far inputs may be loosened, one at a time.
     #[serde(default)]
     pub allowances: Vec<AllowanceRecord>,
+    /// How far inputs may be loosened together; absent where that is not asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub together: Option<TogetherRecord>,
     /// The cheapest combination of offers; absent where none has a price.
     #[serde(default)]
     pub allocation: Option<AllocationRecord>,

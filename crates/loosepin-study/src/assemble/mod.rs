@@ -27,7 +27,9 @@ use super::learned::LearnedBounds;
 use super::promise::Promised;
 use super::simultaneous::CurveBand;
 use loosepin_bounds::{Bounds, DoubleLoop};
-use loosepin_result::study::{AllocationRecord, AllowanceRecord, Contributors, FORMAT, StudyResult, SurrogateRecord};
+use loosepin_result::study::{
+    AllocationRecord, AllowanceRecord, Contributors, FORMAT, StudyResult, SurrogateRecord, TogetherRecord,
+};
 use loosepin_text::units::DisplayUnits;
 
 /// Answers of a study beside its bounds.
@@ -42,6 +44,7 @@ pub(super) struct Answers {
     /// What is promised for a share of the box.
     pub promise: Option<Promised>,
     pub allowances: Vec<AllowanceRecord>,
+    pub together: Option<TogetherRecord>,
     pub allocation: Option<AllocationRecord>,
     pub curve_bands: Vec<CurveBand>,
     /// Bounds by the other readings of intervals.
@@ -50,7 +53,8 @@ pub(super) struct Answers {
 
 /// Puts the result together.
 pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answers) -> StudyResult {
-    let Answers { plan, ended, contributors, learned, promise, allowances, allocation, curve_bands, beside } = answers;
+    let Answers { plan, ended, contributors, learned, promise, allowances, together, allocation, curve_bands, beside } =
+        answers;
     let study = material.study;
     let contributors = plan.as_ref().map_or_else(Vec::new, |plan| -> Vec<Contributors> {
         contributors::contributors(material, plan, contributors.as_ref())
@@ -84,6 +88,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         settled_share: summary::settled_share(material),
         requirements,
         allowances,
+        together,
         allocation,
         bounds: bounds::all_bounds(material, &curve_bands, &beside),
         cuts: bounds::cuts(material),

@@ -4,7 +4,9 @@ use super::description::{Allowance, AllowedInput, Requirement};
 use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::words::TOGETHER;
 use loosepin_mechanics::model::QuantityId;
+use loosepin_result::study::Together;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_apart};
 use loosepin_uncertainty::{Distribution, EpistemicVariable, Parameter};
@@ -13,21 +15,48 @@ impl StudyReader {
     /// Reads what may be loosened.
     pub fn read_allowances(&mut self, root: &Table<'_>, requirements: &[Requirement]) -> Vec<Allowance> {
         let Some(entry) = root.get("allow") else { return Vec::new() };
-        let allowances = self.reader.any_keys(&entry).iter().filter_map(|entry| self.allowance(entry)).collect();
+        let allowances = self.reader.any_keys(&entry).iter().filter_map(|entry| self.allowance(root, entry)).collect();
         if requirements.is_empty() && root.get("require").is_none() {
             self.complain(&StudyProblem::NothingRequired, &entry.at_key());
         }
         allowances
     }
 
-    fn allowance(&mut self, entry: &Entry<'_>) -> Option<Allowance> {
+    /// How the inputs are loosened together.
+    pub fn together(&mut self, root: &Table<'_>, allowances: &[Allowance]) -> Option<Together> {
+        let entry = root.get("allow_together")?;
+        let together = self.reader.choice(&entry, &TOGETHER)?;
+        // An input that is refused has its own complaint.
+        if self.reader.complaints.has_errors() {
+            return None;
+        }
+        let is_number_possible = match together {
+            Together::Proportional => allowances.len() >= 2,
+            Together::Frontier => allowances.len() == 2,
+        };
+        let found = match allowances.iter().find(|one| !one.fits.is_empty() || !one.costs.is_empty()) {
+            Some(one) => format!("'{}' with '{}'", one.path, if one.fits.is_empty() { "cost" } else { "fit" }),
+            None if is_number_possible => return Some(together),
+            None if allowances.is_empty() => "none".to_owned(),
+            None => allowances.len().to_string(),
+        };
+        let word = TOGETHER.iter().find(|known| known.1 == together).map_or("", |known| known.0).to_owned();
+        self.refused(&StudyProblem::Together { word, found }, entry.span)
+    }
+
+    fn allowance(&mut self, root: &Table<'_>, entry: &Entry<'_>) -> Option<Allowance> {
         let path = entry.name.to_owned();
         let table = self.reader.table(entry, &ALLOW_KEYS)?;
         if table.has("fit") {
             return self.fit_allowance(path, entry, &table);
         }
         let Some((input, least, dimension)) = self.allowed_input(&path) else {
-            return self.refused(&StudyProblem::AllowedInput { path }, entry.key_span);
+            // An input that is refused where it is described has its complaint there.
+            return if self.is_refused(root, &path) {
+                None
+            } else {
+                self.refused(&StudyProblem::AllowedInput { path }, entry.key_span)
+            };
         };
         if let Some(diameter) = table.get("diameter") {
             let problem = StudyProblem::BesideFits { entry: diameter.path.describe(), has_fits: false };
@@ -70,6 +99,18 @@ impl StudyReader {
             return self.refused(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, list.span);
         }
         Some(Allowance { path, input, least_si: least, up_to_si: up_to, fits: Vec::new(), costs })
+    }
+
+    /// Whether an input is described in the file and could not be read.
+    fn is_refused(&mut self, root: &Table<'_>, path: &str) -> bool {
+        let is_read =
+            self.random.iter().any(|input| input.path == path) || self.epistemic.iter().any(|input| input.path == path);
+        let tables = ["random", "epistemic"].map(|name| root.get(name));
+        !is_read
+            && tables
+                .into_iter()
+                .flatten()
+                .any(|table| self.reader.any_keys(&table).iter().any(|input| input.name == path))
     }
 
     /// The loosest of several fits.

@@ -8,7 +8,7 @@ use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
-use loosepin_result::study::{Budget, Deviation, Reduction, Side};
+use loosepin_result::study::{Budget, Deviation, Reduction, Side, Together};
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -53,6 +53,8 @@ pub struct Study {
     pub requirements: Vec<Requirement>,
     /// What may be loosened as far as the requirements allow, in file order.
     pub allowances: Vec<Allowance>,
+    /// How they are loosened together; nothing where each is by itself, the others as stated.
+    pub together: Option<Together>,
     /// How near the bounds are to be; empty where the samples are as stated.
     pub accuracy: Vec<AccuracyTarget>,
     /// Where the study ends although its bounds are not yet as near.

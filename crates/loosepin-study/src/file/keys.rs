@@ -438,6 +438,7 @@ pub(super) static EPISTEMIC_KEYS: Keys = Keys::new(
 .with_exactly_one(&[&["interval", "any_of", "fit", "evidence", "periodic", "fuzzy", "quantiles", "mean"]]);
 
 const READINGS: [&str; 3] = words(&words::READINGS);
+const TOGETHER: [&str; 2] = words(&words::TOGETHER);
 const DEVIATIONS: [&str; 4] = words(&words::DEVIATIONS);
 const REDUCTIONS: [&str; 6] = words(&words::REDUCTIONS);
 const PLAIN_STATISTICS: [&str; words::PLAIN_STATISTICS.len()] = words(&words::PLAIN_STATISTICS);
@@ -630,6 +631,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             Kind::Tables { keys: &ALLOW_KEYS, except: &[] },
             "",
             "uncertain inputs that may be loosened as far as the requirements allow, by their paths",
+        ),
+        optional(
+            "allow_together",
+            Kind::Choice(&TOGETHER),
+            "\"frontier\"",
+            "the inputs of `[allow]` are loosened together: each to the same share of its `up_to`, or two of them as a curve; one at a time if left out",
         ),
     ],
 );

@@ -209,6 +209,7 @@ fn read(
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
     let allowances = file.read_allowances(&root, &requirements);
+    let together = file.together(&root, &allowances);
     let promise = file.promise(&root, &asks, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
     file.check_whole(&root);
@@ -240,6 +241,7 @@ fn read(
         asks,
         requirements,
         allowances,
+        together,
         accuracy,
         budget,
         budget_place,

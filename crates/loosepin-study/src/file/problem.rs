@@ -270,6 +270,13 @@ problems! {
         Costs { entry: String } => Code::AskNotPossible,
             says("{entry}: give each value once, with its cost; a looser value must cost less"),
             hint("leave out offers that are no cheaper");
+        /// Inputs that cannot be loosened together.
+        Together { word: String, found: String } => Code::AskNotPossible,
+            says(
+                "allow_together = \"{word}\" takes {} under [allow] with 'up_to' alone; found {found}",
+                if word == "frontier" { "two inputs" } else { "two or more inputs" }
+            ),
+            hint("leave allow_together out: each input is then loosened by itself, and 'cost' finds the cheapest combination");
         /// Something to loosen as far as nothing allows.
         NothingRequired => Code::AskNotPossible,
             says("[allow] without a requirement: anything would be allowed"),

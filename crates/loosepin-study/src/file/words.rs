@@ -2,7 +2,7 @@
 
 use super::description::RareMethod;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_result::study::{Deviation, Reduction, Side};
+use loosepin_result::study::{Deviation, Reduction, Side, Together};
 use loosepin_surrogate::{Choice, Kind};
 
 /// The words of a table.
@@ -35,6 +35,10 @@ pub(super) const DEVIATIONS: [(&str, Deviation); 4] = [
     (Deviation::Clearance.word(), Deviation::Clearance),
     (Deviation::Total.word(), Deviation::Total),
 ];
+
+/// How inputs are loosened together.
+pub(super) const TOGETHER: [(&str, Together); 2] =
+    [("proportional", Together::Proportional), ("frontier", Together::Frontier)];
 
 /// How a curve becomes one number; the words are those of results too.
 pub(super) const REDUCTIONS: [(&str, Reduction); 6] = {

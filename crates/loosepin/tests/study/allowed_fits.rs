@@ -10,9 +10,15 @@ use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::find_template;
 
 /// A fiftieth of a turn, so that thousands of runs take seconds.
-fn conducted(inputs: &str) -> StudyResult {
+pub fn conducted(inputs: &str) -> StudyResult {
+    conducted_with("", inputs)
+}
+
+/// The same, with keys before the tables.
+pub fn conducted_with(keys: &str, inputs: &str) -> StudyResult {
     let text = format!(
-        "name = \"which fit\"
+        "{keys}
+        name = \"which fit\"
         model = \"model.toml\"
         seed = 7
         [cycle]
@@ -41,7 +47,7 @@ fn conducted(inputs: &str) -> StudyResult {
     conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
 }
 
-const CLEARANCE: &str = "\"joint.gudgeon.radial_clearance\"";
+pub const CLEARANCE: &str = "\"joint.gudgeon.radial_clearance\"";
 
 /// In any order: by the greatest clearance H7/g6 20.5 µm, H8/f7 37 µm, H9/e9 72 µm, H11/d11 162.5 µm.
 const FITS: &str = "[\"H8/f7\", \"H11/d11\", \"H7/g6\", \"H9/e9\"]";
@@ -63,11 +69,13 @@ fn identity_a_direct_study_agrees_with_the_loosest_fit_and_with_the_next_one() {
     assert_eq!(looser[place + 1], beyond);
     assert_eq!(conducted(&with_fit(allowed)).requirements[0].verdict, Verdict::Met);
     let refused =
-        found.checks.iter().any(|check| check.fit.as_deref() == Some(beyond) && check.verdict != Verdict::Met);
+        found.checks.iter().any(|check| check.fit.as_deref() == Some(beyond) && check.answer.verdict != Verdict::Met);
     assert!(refused, "{found:?}");
     let confirmed = found.checks.last().expect("checks");
     assert!(
-        confirmed.is_confirmation && confirmed.verdict == Verdict::Met && confirmed.fit.as_deref() == Some(allowed)
+        confirmed.answer.is_confirmation
+            && confirmed.answer.verdict == Verdict::Met
+            && confirmed.fit.as_deref() == Some(allowed)
     );
     let text = study_text(&result).split_whitespace().collect::<Vec<&str>>().join(" ");
     let words = format!("The gudgeon radial clearance may have the fit {allowed}: all requirements are met");

@@ -1,6 +1,7 @@
 //! Whole studies, and bounds that are known otherwise.
 
 mod allowed_fits;
+mod allowed_together;
 mod contact_law_lists;
 mod drafts;
 mod efforts;

@@ -142,6 +142,7 @@ pub fn worn_pin() -> StudyResult {
         settled_share: Some(0.874),
         requirements: requirements(&outers),
         allowances: allowances(),
+        together: None,
         allocation: allocation(),
         bounds: bounds(&outers, &poses),
         cuts: Vec::new(),
@@ -487,10 +488,7 @@ fn allowances() -> Vec<AllowanceRecord> {
     let check = |value_si: f64, is_confirmation: bool, share: f64, verdict: Verdict| AllowanceCheck {
         fit: None,
         value_si,
-        is_confirmation,
-        share,
-        required_share: 0.9973,
-        verdict,
+        answer: CheckAnswer { is_confirmation, share, required_share: 0.9973, verdict },
     };
     vec![AllowanceRecord {
         path: CLEARANCE.to_owned(),

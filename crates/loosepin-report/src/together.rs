@@ -1,0 +1,151 @@
+//! Inputs that are loosened together: the sentences, and the frontier of two as a chart.
+
+use maud::html;
+
+use super::chart::{Chart, Entry, EntryValues, Role, scaled};
+use super::inverse::{ALL_ELSE, ALLOWED_DIGITS, subject};
+use super::number::{NumberWriter, Rounding};
+use super::wording::{counted, counted_as, listed, verdict_words};
+use loosepin_result::study::{StudyResult, Together, TogetherCheck, TogetherRecord};
+
+/// What the studies say, in sentences.
+pub(super) fn together_sentences(result: &StudyResult, one: &TogetherRecord, writer: &NumberWriter) -> Vec<String> {
+    let spent = format!(
+        "{ALL_ELSE}, {}, {}.",
+        counted_as(one.checks.len() as u64, "direct study", "direct studies", writer),
+        counted(one.runs, "run", writer)
+    );
+    let Some(first) = one.allowed_si.first() else {
+        let least: Vec<f64> = one.inputs.iter().map(|input| input.least_si).collect();
+        return vec![format!(
+            "Not even the smallest values together meet the requirements: with {}, {}. {spent}",
+            values(result, one, &least, Rounding::Nearest, writer),
+            refused(one, &least, writer)
+        )];
+    };
+    if one.beyond_si.is_empty() {
+        return vec![format!(
+            "Together, {} are allowed, the largest values that were asked about: all requirements are met ({}), also with other \
+             random numbers. {spent}",
+            values(result, one, first, Rounding::Nearest, writer),
+            shares(one, first, writer)
+        )];
+    }
+    match one.how {
+        Together::Proportional => {
+            let share = one.inputs.iter().zip(first).map(|(input, value)| value / input.up_to_si).fold(1.0, f64::min);
+            let beyond = &one.beyond_si[0];
+            vec![format!(
+                "Together, each at {} of its largest value or at its least: {} are allowed. All requirements are met ({}), also with \
+                 other random numbers. With {} {}. {spent}",
+                writer.percent(share, Rounding::Down),
+                values(result, one, first, Rounding::Down, writer),
+                shares(one, first, writer),
+                values(result, one, beyond, Rounding::Up, writer),
+                refused(one, beyond, writer),
+            )]
+        }
+        Together::Frontier => {
+            let [x, y] = [0, 1].map(|index| {
+                let input = &one.inputs[index];
+                (subject(result, &input.path, input.what), &input.unit)
+            });
+            let pairs: Vec<String> = one
+                .allowed_si
+                .iter()
+                .map(|pair| {
+                    format!(
+                        "{} and {}",
+                        writer.rounded(pair[0], x.1, ALLOWED_DIGITS, Rounding::Down),
+                        writer.rounded(pair[1], y.1, ALLOWED_DIGITS, Rounding::Down)
+                    )
+                })
+                .collect();
+            vec![
+                format!(
+                    "One against the other: {} and {} together may be at most {}. All requirements are met with each pair, also with \
+                     other random numbers.",
+                    x.0,
+                    y.0,
+                    pairs.join("; ")
+                ),
+                format!(
+                    "Looser is taken to be never better: a pair that is tighter than a met one was not run itself. {spent}"
+                ),
+            ]
+        }
+    }
+}
+
+/// `upper limit of the gudgeon radial clearance 0.1 mm and standard deviation of the rod length 0.02 mm`.
+fn values(
+    result: &StudyResult,
+    one: &TogetherRecord,
+    values_si: &[f64],
+    rounding: Rounding,
+    writer: &NumberWriter,
+) -> String {
+    let words: Vec<String> = one
+        .inputs
+        .iter()
+        .zip(values_si)
+        .map(|(input, value_si)| {
+            let value = writer.rounded(*value_si, &input.unit, ALLOWED_DIGITS, rounding);
+            format!("{} {value}", subject(result, &input.path, input.what))
+        })
+        .collect();
+    listed(&words)
+}
+
+/// The least share of the studies at these values, and what is required.
+fn shares(one: &TogetherRecord, values_si: &[f64], writer: &NumberWriter) -> String {
+    of(one, values_si).min_by(|a, b| a.answer.share.total_cmp(&b.answer.share)).map_or_else(String::new, |check| {
+        format!(
+            "{}, required {}",
+            writer.percent(check.answer.share, Rounding::Down),
+            writer.percent(check.answer.required_share, Rounding::Nearest)
+        )
+    })
+}
+
+/// `they are not met (93 %, required 95 %)`; a combination that is looser than a refused one was not run itself.
+fn refused(one: &TogetherRecord, values_si: &[f64], writer: &NumberWriter) -> String {
+    of(one, values_si).last().map_or_else(
+        || "they are not met, since a tighter combination is not".to_owned(),
+        |check| format!("they are {} ({})", verdict_words(check.answer.verdict), shares(one, values_si, writer)),
+    )
+}
+
+fn of<'a>(one: &'a TogetherRecord, values_si: &'a [f64]) -> impl Iterator<Item = &'a TogetherCheck> {
+    one.checks.iter().filter(move |check| check.values_si == values_si)
+}
+
+/// The frontier of two inputs: what is met below the line, what is refused above the other.
+pub(super) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &NumberWriter) -> Option<Chart> {
+    let is_curve = one.how == Together::Frontier && one.allowed_si.len() > 1;
+    let [x, y] = <&[_; 2]>::try_from(&one.inputs[..]).ok().filter(|_| is_curve)?;
+    let first_si: Vec<f64> = one.allowed_si.iter().map(|pair| pair[0]).collect();
+    let met_si: Vec<f64> = one.allowed_si.iter().map(|pair| pair[1]).collect();
+    let refused_si: Vec<f64> = first_si
+        .iter()
+        .map(|first| one.beyond_si.iter().find(|pair| pair[0] == *first).map_or(f64::NAN, |pair| pair[1]))
+        .collect();
+    let [x_words, y_words] = [x, y].map(|input| subject(result, &input.path, input.what));
+    let in_page = |values_si: &[f64]| scaled(values_si, &y.unit, writer);
+    let least = vec![y.least_si; met_si.len()];
+    let mut chart = Chart::over("frontier".to_owned(), &x_words, &first_si, &x.unit, writer);
+    chart.y_label = y_words.clone();
+    chart.y_symbol = writer.symbol(&y.unit);
+    chart.entries = vec![
+        Entry::new("requirements met", Role::Random, false, EntryValues::band(&in_page(&least), &in_page(&met_si))),
+        Entry::new("next looser value, refused", Role::Limit, true, EntryValues::line(&in_page(&refused_si))),
+    ];
+    chart.caption = html! {
+        strong { "One against the other." }
+        " How large the " (y_words) " may be, over the " (x_words) ", so that every requirement holds, at "
+        (first_si.len()) " values of it."
+    };
+    chart.alternative =
+        format!("Chart of the largest allowed {y_words} over the {x_words}; it falls from left to right.");
+    Some(chart)
+}
