@@ -121,7 +121,7 @@ fn hint_at(path: &str) -> Option<String> {
         "radial_clearance_when_warm" | "clearance_when_warm" => {
             "at this temperature the pin or block is as large as its hole or guide: the joint seizes"
         }
-        "restitution" => "1 loses no energy; 0 would end every impact at rest",
+        "restitution" => "a restitution of 90 % is 0.9; 1 loses no energy, 0 would end every impact at rest",
         "lower_speed" => "friction grows from nothing at lower_speed to full at upper_speed",
         _ => return None,
     };

@@ -20,8 +20,8 @@ problems! {
             says("{entry}: '{word}' is written {form}");
         /// An angle where the whole curve is named.
         AngleForCurve { entry: String, found: String, drive: String } => Code::AskNotPossible,
-            says("{entry} is {found}; must be \"cycle\", which is the whole curve"),
-            hint("angles of the drive are written poses = {{ {drive} = [\"90 deg\"] }}");
+            says("{entry} is {found}; it takes only \"cycle\", the whole curve"),
+            hint("for angles of the drive '{drive}', write in its place poses = {{ {drive} = [\"90 deg\"] }}");
         /// A probability as text.
         Percent { entry: String, found: String } => Code::BadProbability,
             says("{entry} is \"{found}\"; expected a number between 0 and 1"),

@@ -39,10 +39,10 @@ problems! {
             hint("try another family, or leave fitted out to take the sample as it is");
         /// Text that is no value with a tolerance.
         NoTolerance { entry: String, text: String } => Code::BadTolerance,
-            says("{entry}: '{text}' is no value with its tolerance"),
+            says("{entry}: '{text}' is not a nominal value with its limits"),
             hint_of(Some(match text.contains(',') {
                 true => format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")),
-                false => "write \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
+                false => "write the nominal value and its limits: for 50 mm, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
             }));
         /// Limits that leave nothing between them.
         NoRoom { entry: String, lower: String, upper: String } => Code::BadTolerance,

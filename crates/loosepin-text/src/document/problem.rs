@@ -60,8 +60,9 @@ problems! {
             }));
         MissingTag { table: String, key: &'static str, choices: Vec<&'static str> } => Code::MissingKey,
             says("{}{key} is missing; must be {}", prefix(table), one_of(choices));
-        MissingOneOf { table: String, keys: Vec<&'static str> } => Code::MissingKey,
-            says("{}one of {} is missing", prefix(table), quoted(keys));
+        MissingOneOf { table: String, keys: Vec<&'static str>, example: String } => Code::MissingKey,
+            says("{}one of {} is missing", prefix(table), quoted(keys)),
+            hint_of((!example.is_empty()).then(|| format!("for example {example}")));
         MoreThanOneOf { table: String, given: Vec<&'static str>, keys: Vec<&'static str> } => Code::ConflictingKeys,
             says("{}{} cannot be used together; give exactly one of {}", prefix(table), quoted(given), quoted(keys));
         WrongType {
@@ -101,13 +102,17 @@ problems! {
         BadName { what: &'static str, name: String } => Code::BadName,
             says("{what} cannot be called '{name}'; names begin with a letter or _ and have letters, digits, _ and -");
         BadCount { entry: String, found: String, least: u64, most: u64 } => Code::BadCount,
-            says("{entry} is {found}; must be a whole number from {least} to {most}");
+            says("{entry} is {found}; must be a whole number from {least} to {most}"),
+            hint_of(plain_count(found, *least, *most).map(|plain| format!("written without point and exponent: {plain}")));
         MissingUnit { entry: String, found: String, due: Dimension } => Code::MissingUnit,
             says("{entry} is {found} without a unit; must be {due}"),
             hint_of(Some(with_unit(found, *due)));
         WrongDimension { entry: String, found: Dimension, due: Dimension } => Code::WrongDimension,
             says("{entry} is {found}; must be {due}"),
             hint_of(Some(match due.example() {
+                Some(example) if *due == Dimension::ANGULAR_VELOCITY && *found == Dimension::FREQUENCY => {
+                    format!("1 Hz is 60 rpm; for example \"{example}\"")
+                }
                 Some(example) => format!("for example \"{example}\""),
                 None => format!("its unit is {}", due.si_unit()),
             }));
@@ -119,6 +124,14 @@ problems! {
             hint_of(is_probability(rule)
                 .then(|| "probabilities are written as numbers, 97.5 % is 0.975".to_owned()));
     }
+}
+
+/// The whole number within the limits that `found` writes in another way, such as `1e3`.
+fn plain_count(found: &str, least: u64, most: u64) -> Option<u64> {
+    let value: f64 = found.parse().ok()?;
+    let is_exact = value.fract() == 0.0 && value >= 0.0 && value < 9e15;
+    let count = is_exact.then_some(value as u64)?;
+    (least..=most).contains(&count).then_some(count)
 }
 
 fn is_probability(rule: &Rule) -> bool {

@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::entry::{Entry, Table, Written, shortened};
-use super::keys::Keys;
+use super::keys::{Keys, Kind};
 use super::meant_file::{file_of_like_name, files_inside};
 use super::other_words::by_other_word;
 use super::path::{EntryPath, is_name};
@@ -242,7 +242,11 @@ impl Reader {
                 // Whatever was complained about may have been meant for it.
                 [] if has_unknown || has_planned => {}
                 [] => {
-                    self.complain(&DocumentProblem::MissingOneOf { table: words.clone(), keys: group.to_vec() }, span)
+                    let first = group.first().and_then(|key| keys.find(key)).filter(|key| !key.example.is_empty());
+                    let example =
+                        first.map_or(String::new(), |key| format!("{} = {} ({})", key.name, key.example, key.doc));
+                    let problem = DocumentProblem::MissingOneOf { table: words.clone(), keys: group.to_vec(), example };
+                    self.complain(&problem, span)
                 }
                 [_, second, ..] => {
                     let place = table.get(second).map_or(span, |entry| entry.key_span);
@@ -345,7 +349,12 @@ impl Reader {
         let example = entry.key.map_or(String::new(), |key| match key.example {
             // [[random]] instead of [random].
             "" if due == "a table" && matches!(entry.value, DeValue::Array(_)) => {
-                format!("[{}], with one pair of brackets ({})", key.name, key.doc)
+                let line = if matches!(key.kind, Kind::Tables { .. }) {
+                    ", and in it a line for each: the path, then = { ... }"
+                } else {
+                    ""
+                };
+                format!("[{}], with one pair of brackets{line} ({})", key.name, key.doc)
             }
             "" => String::new(),
             example => format!("{} = {example} ({})", key.name, key.doc),

@@ -66,7 +66,7 @@ dimensions! {
     AREA [2.0, 0.0, 0.0, 0.0, 0.0] "", "an area", "1 mm^2", "m².";
     VOLUME [3.0, 0.0, 0.0, 0.0, 0.0] "", "a volume", "1 mm^3", "m³.";
     FREQUENCY [0.0, 0.0, -1.0, 0.0, 0.0] "", "a frequency", "50 Hz", "Hz.";
-    SPRING_STIFFNESS [0.0, 1.0, -2.0, 0.0, 0.0] "", "a stiffness in N/m", "20 N/mm", "N/m.";
+    SPRING_STIFFNESS [0.0, 1.0, -2.0, 0.0, 0.0] "", "a stiffness (force per length)", "20 N/mm", "N/m.";
     DAMPING [0.0, 1.0, -1.0, 0.0, 0.0] "N s/m", "a damping", "5 N s/m", "N s/m.";
     TORSIONAL_STIFFNESS [2.0, 1.0, -2.0, -1.0, 0.0] "N m/rad", "the stiffness of a torsional spring", "2 N m/rad", "N m/rad.";
     TORSIONAL_DAMPING [2.0, 1.0, -1.0, -1.0, 0.0] "N m s/rad", "a torsional damping", "0.01 N m s/rad", "N m s/rad.";

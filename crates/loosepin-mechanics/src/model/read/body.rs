@@ -38,6 +38,11 @@ impl ModelReader {
                 let centre = table.get("centre_of_mass").map(|entry| self.vector(&entry));
                 body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
                 body.points = self.points(&table, elongation);
+                if table.get("points").is_some_and(|points| !points.is_table()) {
+                    self.without_points.insert(id);
+                }
+            } else {
+                self.without_points.insert(id);
             }
             self.body_of_name.insert(body.name.clone(), id);
             self.bodies.push(body);

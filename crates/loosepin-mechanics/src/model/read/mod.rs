@@ -72,6 +72,7 @@ impl Model {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
         let root = file.reader.root(toml.get_ref(), &MODEL_KEYS);
+        file.has_unknown_tables = root.has_unknown();
         file.read(&root)
     }
 }

@@ -10,7 +10,7 @@ use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, Quantity, QuantityId, QuantityTable};
 use crate::model::spring::Spring;
 use crate::model::topology::{Body, Contact, Joint};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Complaint, Source, Span, nearest_name};
@@ -26,6 +26,10 @@ pub(super) type NamesOf<T> = Vec<(String, Option<T>)>;
 /// A model in the making.
 pub(super) struct ModelReader {
     pub reader: Reader,
+    /// Whether the file has tables that it cannot have: names that stand there are not missing.
+    pub has_unknown_tables: bool,
+    /// Bodies whose points could not be read.
+    pub without_points: HashSet<BodyId>,
     pub quantities: QuantityTable,
     pub parameters: Parameters,
     pub places: HashMap<String, Span>,
@@ -67,6 +71,8 @@ impl ModelReader {
         };
         ModelReader {
             reader: Reader::new(source),
+            has_unknown_tables: false,
+            without_points: HashSet::new(),
             quantities: QuantityTable::default(),
             parameters: Parameters::default(),
             places: HashMap::new(),
@@ -297,6 +303,10 @@ impl ModelReader {
         if let Some(point) = points.iter().position(|point| point.name == point_name) {
             return Some(PointId { body, point });
         }
+        // Its points have a complaint already.
+        if self.without_points.contains(&body) {
+            return None;
+        }
         let known = points.iter().map(|point| format!("'{body_name}.{}'", point.name)).collect();
         let nearest = nearest_name(point_name, points.iter().map(|point| point.name.as_str()))
             .map(|nearest| format!("{body_name}.{nearest}"));
@@ -344,6 +354,10 @@ impl ModelReader {
         nearest: Option<String>,
         known: Vec<String>,
     ) {
+        // What is meant may stand in a misspelt table, which has its complaint.
+        if self.has_unknown_tables {
+            return;
+        }
         let problem = ModelProblem::UnknownReference {
             entry: entry.path.describe(),
             what,
