@@ -17,7 +17,7 @@ test:
     ./test
 
 # The steps of ./test, once the tools are there.
-everything: format-check lint docs rust-tests python-tests browser-tests
+everything: format-check lint docs page-scripts-check rust-tests python-tests browser-tests
 
 # Rewrites the sources in the house format.
 format:
@@ -38,6 +38,25 @@ docs: site
 # Rewrites the tables of keys, units and contact laws in docs; a test fails where they are stale.
 file-pages:
     LOOSEPIN_REWRITE_PAGES=1 cargo test --locked --package loosepin --test documents tables_of_the_pages
+
+# Builds the scripts of the report pages from TypeScript; the built files are checked in.
+page-scripts:
+    cd crates/loosepin-report/scripts && npm ci --silent --no-audit --no-fund && npm run --silent build
+
+# The built scripts of the report pages are those of their sources, byte for byte.
+page-scripts-check:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    kept=$(mktemp -d)
+    trap 'rm -rf "$kept"' EXIT
+    cp crates/loosepin-report/assets/*.js "$kept"
+    just page-scripts
+    for built in crates/loosepin-report/assets/*.js; do
+        cmp "$built" "$kept/$(basename "$built")" || {
+            echo "error: $built is not what its source gives; it is built now: look at it, and commit it" >&2
+            exit 1
+        }
+    done
 
 # The documentation as a site with search: target/site/book/index.html.
 site:

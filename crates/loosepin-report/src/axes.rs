@@ -2,6 +2,8 @@
 
 use maud::{Markup, html};
 
+use super::ticks::{tick_text, ticks};
+
 /// Room for numbers on the left and below.
 const LEFT: f64 = 74.0;
 const BELOW: f64 = 46.0;
@@ -39,15 +41,6 @@ impl Axis {
     fn share(&self, value: f64) -> f64 {
         (value - self.from) / (self.to - self.from)
     }
-
-    /// Round numbers within the axis: 1, 2 or 5 times a power of ten apart.
-    fn ticks(&self) -> Vec<f64> {
-        let rough = (self.to - self.from) / TICKS;
-        let power = 10_f64.powf(rough.log10().floor());
-        let spacing = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= rough).unwrap_or(rough);
-        let (first, last) = ((self.from / spacing).ceil() as i64, (self.to / spacing).floor() as i64);
-        (first..=last).map(|k| k as f64 * spacing).collect()
-    }
 }
 
 /// Two axes in a picture of so many units; a unit is about a pixel.
@@ -72,16 +65,18 @@ impl Axes {
     /// The lines of the ticks, with their numbers.
     pub fn grid(&self) -> Markup {
         let (bottom, right) = (self.height - BELOW, self.width - MARGIN);
+        let of = |axis: &Axis| ticks(axis.from, axis.to, (axis.to - axis.from) / TICKS, false);
+        let ((x_ticks, x_step), (y_ticks, y_step)) = (of(&self.x), of(&self.y));
         html! {
-            @for tick in self.x.ticks() {
+            @for tick in x_ticks {
                 @let place = self.across(tick);
                 line.grid x1=(format!("{place:.1}")) x2=(format!("{place:.1}")) y1=(MARGIN) y2=(bottom) {}
-                text x=(format!("{place:.1}")) y=(bottom + 17.0) text-anchor="middle" { (tick_text(tick)) }
+                text x=(format!("{place:.1}")) y=(bottom + 17.0) text-anchor="middle" { (tick_text(tick, x_step)) }
             }
-            @for tick in self.y.ticks() {
+            @for tick in y_ticks {
                 @let place = self.up(tick);
                 line.grid x1=(LEFT) x2=(right) y1=(format!("{place:.1}")) y2=(format!("{place:.1}")) {}
-                text x=(LEFT - 8.0) y=(format!("{:.1}", place + 4.0)) text-anchor="end" { (tick_text(tick)) }
+                text x=(LEFT - 8.0) y=(format!("{:.1}", place + 4.0)) text-anchor="end" { (tick_text(tick, y_step)) }
             }
         }
     }
@@ -100,27 +95,9 @@ impl Axes {
     }
 }
 
-/// A tick with no more digits than it has.
-fn tick_text(tick: f64) -> String {
-    // Ticks are multiples of 1, 2 or 5 times a power of ten: twelve digits clear the round-off, never a digit.
-    let text = format!("{:.12}", tick);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.replace('-', "−") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn analytic_ticks_are_round_and_inside() {
-        let axis = Axis { from: 0.1, to: 0.5 };
-        let texts: Vec<String> = axis.ticks().iter().map(|tick| tick_text(*tick)).collect();
-        assert_eq!(texts, ["0.1", "0.2", "0.3", "0.4", "0.5"]);
-        let axis = Axis { from: -3.3, to: 2.1 };
-        let texts: Vec<String> = axis.ticks().iter().map(|tick| tick_text(*tick)).collect();
-        assert_eq!(texts, ["−3", "−2", "−1", "0", "1", "2"]);
-    }
 
     #[test]
     fn analytic_an_axis_of_one_value_has_an_extent() {

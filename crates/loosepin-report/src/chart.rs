@@ -1,20 +1,22 @@
-//! Charts over one axis: what the script of the page draws, the legend, the text alternative and the numbers behind it.
+//! Charts over one axis: the picture, the legend, the text alternative and the numbers behind it.
 
 use maud::{Markup, html};
-use serde::Serialize;
 
+use super::chart_drawing::drawing;
+use super::figure::{Picture, csv_element};
 use super::number::{NumberWriter, PLAIN_DIGITS};
-use super::script_data::{rounded, script_json};
+use super::script_data::rounded;
 use loosepin_text::units::SiUnit;
 
-/// Points that a chart holds at most per entry; longer histories keep the extremes of each stretch.
+/// Rows that the numbers behind a chart hold at most; longer histories keep the extremes of each stretch.
+const MOST_ROWS: usize = 20_000;
+/// Points that a picture has at most per curve.
 const MOST_POINTS: usize = 1600;
 /// Rows of the table behind a chart.
 const TABLE_ROWS: usize = 24;
 
 /// Kind of the horizontal axis; decides on the ticks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum HorizontalAxis {
     /// Angle of a drive: ticks at 30°, 45°, 90°.
     Angle,
@@ -23,8 +25,7 @@ pub(super) enum HorizontalAxis {
 }
 
 /// The colour of an entry, by its meaning; the style sheet has the colours for light and dark.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     Random,
     Mixed,
@@ -65,8 +66,7 @@ impl Role {
 }
 
 /// Values of one entry, in the units of the chart.
-#[derive(Debug, Clone, Serialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[derive(Debug, Clone)]
 pub(super) enum EntryValues {
     /// A filled band between two curves.
     Band { lower: Vec<Option<f64>>, upper: Vec<Option<f64>> },
@@ -89,7 +89,7 @@ impl EntryValues {
         EntryValues::Line { values: rounded(values) }
     }
 
-    fn lists(&self) -> Vec<&Vec<Option<f64>>> {
+    pub fn lists(&self) -> Vec<&Vec<Option<f64>>> {
         match self {
             EntryValues::Band { lower, upper } | EntryValues::Pair { lower, upper } => vec![lower, upper],
             EntryValues::Line { values } => vec![values],
@@ -105,12 +105,11 @@ impl EntryValues {
 }
 
 /// One line of the legend and what it stands for.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub(super) struct Entry {
     pub label: String,
     pub role: Role,
     pub dashed: bool,
-    #[serde(flatten)]
     pub values: EntryValues,
 }
 
@@ -133,17 +132,16 @@ impl Entry {
 }
 
 /// An upright line with a name.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub(super) struct Mark {
     pub at: Option<f64>,
     pub label: String,
 }
 
 /// One chart.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub(super) struct Chart {
-    /// Of the element, unique in the page.
-    #[serde(skip)]
+    /// Name of the figure, unique in the page.
     pub id: String,
     pub horizontal: HorizontalAxis,
     pub x_label: String,
@@ -158,10 +156,8 @@ pub(super) struct Chart {
     pub marks: Vec<Mark>,
     pub height: u32,
     /// One sentence on what is to be seen, for the caption.
-    #[serde(skip)]
     pub caption: Markup,
     /// Text alternative for readers who cannot see the chart.
-    #[serde(skip)]
     pub alternative: String,
 }
 
@@ -198,13 +194,21 @@ impl Chart {
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }
 
-    /// The figure: canvas, legend with read-out, caption, numbers.
+    /// The figure: picture, legend with read-out, caption, numbers.
     pub fn figure(mut self) -> Markup {
-        self.thin_out();
-        let json = script_json(&self);
+        self.thin_out(MOST_ROWS);
+        let mut drawn = self.clone();
+        drawn.thin_out(MOST_POINTS);
+        let (view, plot, drawn) = drawing(&drawn);
+        let name = self.id.clone();
+        let picture = Picture { name, class: "chart", view, alternative: self.alternative.clone(), drawn };
+        let is_angle = self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°";
         html! {
-            figure.chart id=(self.id) {
-                div.plot data-chart=(self.id) tabindex="0" role="img" aria-label=(self.alternative) {}
+            figure.chart id=(self.id) data-figure=(self.id) {
+                div.plot data-chart=(self.id) data-plot=(plot.to_attribute()) data-x-name=(self.x_label) data-x-unit=(self.x_symbol)
+                    data-y-unit=(self.y_symbol) data-angle[is_angle] data-fixed[self.y_range.is_some()] tabindex="0" role="group" aria-label=(self.alternative) {
+                    (picture.svg())
+                }
                 div.readout {
                     span.position data-position="" { (self.x_label) }
                     button.reset type="button" hidden { "Show all" }
@@ -212,7 +216,7 @@ impl Chart {
                 ul.legend {
                     @for (index, entry) in self.entries.iter().enumerate() {
                         li {
-                            button type="button" aria-pressed="true" data-entry=(index) {
+                            button type="button" aria-pressed="true" data-entry=(index) data-columns=(entry.values.lists().len()) {
                                 span class={ "swatch " (entry.role.class()) " " (swatch_shape(entry)) } aria-hidden="true" {}
                                 span.label { (entry.label) }
                                 span.value data-value=(index) {}
@@ -222,9 +226,35 @@ impl Chart {
                 }
                 figcaption { (self.caption) }
                 (self.numbers())
-                script type="application/json" data-for=(self.id) { (json) }
+                (csv_element(Some(&self.csv())))
             }
         }
+    }
+
+    /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.
+    fn csv(&self) -> String {
+        let with_unit = |words: &str, symbol: &str| {
+            let name = if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") };
+            if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
+        };
+        let mut heads = vec![with_unit(&self.x_label, &self.x_symbol)];
+        for entry in &self.entries {
+            let parts: &[&str] = if entry.values.lists().len() == 2 { &[", lower", ", upper"] } else { &[""] };
+            heads.extend(parts.iter().map(|part| with_unit(&format!("{}{part}", entry.label), &self.y_symbol)));
+        }
+        let mut text = heads.join(",");
+        text.push('\n');
+        for row in 0..self.x.len() {
+            let cells = self.entries.iter().flat_map(|entry| entry.values.lists());
+            let cells = cells.map(|list| list.get(row).copied().flatten());
+            let cells: Vec<String> = std::iter::once(self.x[row])
+                .chain(cells)
+                .map(|cell| cell.map_or(String::new(), |number| number.to_string()))
+                .collect();
+            text.push_str(&cells.join(","));
+            text.push('\n');
+        }
+        text
     }
 
     fn numbers(&self) -> Markup {
@@ -267,13 +297,13 @@ impl Chart {
     }
 
     /// Keeps, of every stretch of points, those where some entry is smallest or largest, so that no peak is lost.
-    fn thin_out(&mut self) {
+    fn thin_out(&mut self, most: usize) {
         let points = self.x.len();
-        if points <= MOST_POINTS {
+        if points <= most {
             return;
         }
         let lists: usize = self.entries.iter().map(|entry| entry.values.lists().len()).sum();
-        let stretches = (MOST_POINTS / (2 * lists.max(1))).max(1);
+        let stretches = (most / (2 * lists.max(1))).max(1);
         let mut kept = vec![0, points - 1];
         for stretch in 0..stretches {
             let from = stretch * points / stretches;
@@ -328,7 +358,7 @@ mod tests {
         let units = DisplayUnits::default();
         let mut chart = Chart::over("a".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
         chart.entries.push(Entry::new("", Role::First, false, EntryValues::line(&values)));
-        chart.thin_out();
+        chart.thin_out(MOST_POINTS);
         assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
         let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));
         assert_eq!(peak.map(|row| chart.x[row]), Some(Some(PEAK_AT as f64)));

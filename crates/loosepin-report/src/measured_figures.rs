@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::chart::{Chart, Entry, Role};
+use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::page::cards;
 use super::wording::count;
@@ -55,7 +56,7 @@ fn chart(curve: &MeasuredCurve, record: &SimulationRecord, id: String, writer: &
 }
 
 fn over(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = chart(curve, record, format!("measured-{index}"), writer);
+    let mut chart = chart(curve, record, name_of("measured", &format!("{} {}", curve.output, index + 1)), writer);
     chart.entries.push(Entry::line("computed", Role::First, false, &curve.computed_si, &curve.unit, writer));
     chart.entries.push(Entry::line("measured", Role::Limit, true, &curve.measured_si, &curve.unit, writer));
     chart.caption = html! { strong { (curve.output) } ", measured (" (curve.file) ") and computed." };
@@ -64,7 +65,7 @@ fn over(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writer: 
 }
 
 fn residual(curve: &MeasuredCurve, record: &SimulationRecord, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = chart(curve, record, format!("residual-{index}"), writer);
+    let mut chart = chart(curve, record, name_of("residual", &format!("{} {}", curve.output, index + 1)), writer);
     chart.height = 200;
     let residuals: Vec<f64> =
         curve.measured_si.iter().zip(&curve.computed_si).map(|(measured, computed)| measured - computed).collect();

@@ -3,12 +3,15 @@
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
+use super::figure::Picture;
 use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
 use super::page::{COLOURS, MECHANISM_STYLE};
 use super::script_data::{round_to_digits, script_json};
 use loosepin_result::simulation::{Drawing, PoseTable};
 use loosepin_text::units;
 
+/// Name of the figure.
+const NAME: &str = "mechanism";
 /// Poses are sent with so many digits: 0.1 µm in a metre, so that a magnified deviation is smooth.
 const POSE_DIGITS: usize = 8;
 /// Most poses in a page.
@@ -42,7 +45,7 @@ struct BodyMotion {
 }
 
 /// The figure, or nothing where the record holds no poses.
-pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Markup {
+pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
         return html! {};
     }
@@ -59,12 +62,16 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
         if drawing.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", drawing.bodies.len()) },
         units::counted(drawing.joints.len(), "joint")
     );
+    let picture = Picture {
+        name: NAME.to_owned(),
+        class: "mechanism",
+        view: [frame.left, frame.top, frame.width, frame.height],
+        alternative,
+        drawn: shapes(drawing, reference, &motion, &frame, magnification, has_ideal),
+    };
     html! {
-        figure.mechanism id=(id) data-mechanism=(id) {
-            svg viewBox=(view_box(&frame))
-                role="img" aria-label=(alternative) preserveAspectRatio="xMidYMid meet" {
-                (shapes(drawing, reference, &motion, &frame, magnification, has_ideal))
-            }
+        figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
+            (picture.svg())
             div.controls {
                 button.play type="button" aria-pressed="false" { "Play" }
                 label {
@@ -93,7 +100,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str, id: &str) -> Mark
                     "The mechanism over one turn."
                 }
             }
-            script type="application/json" data-for=(id) { (script_json(&motion)) }
+            script type="application/json" data-for=(NAME) { (script_json(&motion)) }
         }
     }
 }

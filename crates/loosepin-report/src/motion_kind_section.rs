@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::chart::{Chart, Entry, EntryValues, Role};
+use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::still_figures::journal_sections;
 use super::wording::counted;
@@ -75,11 +76,11 @@ fn sections(kind: &MotionKind, drive: &str, writer: &NumberWriter) -> Markup {
         @if !kind.journals.is_empty() {
             div.orbits { @for journal in &kind.journals { (journal_sections(journal as &JournalOrbit, writer)) } }
         }
-        @for (index, output) in kind.outputs.iter().enumerate() { (output_chart(output, index, writer)) }
+        @for output in &kind.outputs { (output_chart(output, writer)) }
     }
 }
 
-fn output_chart(output: &SectionedOutput, index: usize, writer: &NumberWriter) -> Markup {
+fn output_chart(output: &SectionedOutput, writer: &NumberWriter) -> Markup {
     let turns: Vec<f64> = (1..=output.deviation_si.len()).map(|turn| turn as f64).collect();
     let label = format!("deviation of {}", output.name);
     Chart {
@@ -89,7 +90,7 @@ fn output_chart(output: &SectionedOutput, index: usize, writer: &NumberWriter) -
         height: 200,
         caption: html! { strong { "Deviation of " (output.name) " once a turn." } " The line is level if the motion repeats every turn." },
         alternative: format!("Chart of the {label} at the end of each turn."),
-        ..Chart::over(format!("section-{index}"), "turn", &turns, &SiUnit::NONE, writer)
+        ..Chart::over(name_of("each-turn", &output.name), "turn", &turns, &SiUnit::NONE, writer)
     }
     .figure()
 }

@@ -4,6 +4,7 @@ use maud::{Markup, html};
 use std::f64::consts::TAU;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
+use super::figure::name_of;
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
@@ -18,21 +19,27 @@ use loosepin_text::units::SiUnit;
 /// Text from files is escaped.
 pub fn motion_page(record: &MotionRecord) -> String {
     let writer = NumberWriter::for_page(&record.display_units);
+    let first = record.outputs.iter().position(has_clearance);
+    let below = match first {
+        Some(index) => clearance_chart(record, &record.outputs[index], &writer).figure(),
+        None => record
+            .outputs
+            .iter()
+            .find(|output| has_scatter(output))
+            .map_or_else(Markup::default, |output| scatter_chart(record, output, &writer).figure()),
+    };
+    let shown_scatter = if first.is_some() { None } else { record.outputs.iter().position(has_scatter) };
     let mut sections = Vec::new();
     if record.outputs.iter().any(has_clearance) {
-        sections.push(Section::new("clearance", "Effect of play", clearance(record, &writer)));
+        sections.push(Section::new("clearance", "Effect of play", clearance(record, first, &writer)));
         sections.push(Section::new("contributors", "Contribution of each joint", contributors(record, &writer)));
     }
     if record.outputs.iter().any(has_scatter) {
-        sections.push(Section::new("scatter", "Effect of part scatter", scatter(record, &writer)));
+        sections.push(Section::new("scatter", "Effect of part scatter", scatter(record, shown_scatter, &writer)));
     }
     sections.push(Section::new("motion", "Ideal motion", motion(record, &writer)));
     if !record.efforts.is_empty() {
         sections.push(Section::new("efforts", "What the drives must do", efforts(record, &writer)));
-    }
-    if !record.drawing.bodies.is_empty() {
-        let figure = mechanism_figure(&record.drawing, &record.drive, "mechanism-figure");
-        sections.push(Section::new("mechanism", "The mechanism", figure));
     }
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
     Page {
@@ -46,7 +53,10 @@ pub fn motion_page(record: &MotionRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: sentences(&headline_sentences(record, &writer)),
+        beside: mechanism_figure(&record.drawing, &record.drive),
+        below,
         sections,
+        identity: "motion".to_owned(),
         version: record.version.clone(),
     }
     .into_html()
@@ -150,21 +160,21 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
     Chart::over_angle(id, &record.drive, &record.drive_angle_rad, writer)
 }
 
-fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+fn clearance(record: &MotionRecord, shown: Option<usize>, writer: &NumberWriter) -> Markup {
     html! {
         p {
             "Each journal may lie anywhere in its clearance circle. The worst case adds the largest effects of all joints. The \
              standard deviations assume journals spread evenly over their circles, or over the rims. Inertia and impacts are not \
              included: use " code { "simulate" } " and " code { "study" } " for them."
         }
-        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_clearance(output)) {
-            (clearance_chart(record, output, index, writer).figure())
+        @for (index, output) in record.outputs.iter().enumerate() {
+            @if has_clearance(output) && Some(index) != shown { (clearance_chart(record, output, writer).figure()) }
         }
     }
 }
 
-fn clearance_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = angle_chart(record, format!("clearance-{index}"), writer);
+fn clearance_chart(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, name_of("clearance", &output.name), writer);
     chart.y_label = format!("deviation of {}", output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     chart.height = 340;
@@ -237,20 +247,20 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
     }
 }
 
-fn scatter(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+fn scatter(record: &MotionRecord, shown: Option<usize>, writer: &NumberWriter) -> Markup {
     html! {
         p {
             "Root sum of squares of the effects of all dimensions, correlations included. First order, without play."
         }
         @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| has_scatter(output)) {
-            (scatter_chart(record, output, index, writer).figure())
+            @if Some(index) != shown { (scatter_chart(record, output, writer).figure()) }
             (scatter_table(record, output, writer))
         }
     }
 }
 
-fn scatter_chart(record: &MotionRecord, output: &OutputMotion, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = angle_chart(record, format!("scatter-{index}"), writer);
+fn scatter_chart(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Chart {
+    let mut chart = angle_chart(record, name_of("scatter", &output.name), writer);
     chart.y_label = format!("deviation of {}", output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     let upper = scaled(&output.dimensional_standard_deviation_si, &output.unit, writer);
@@ -298,12 +308,12 @@ fn share_bar(part_si: f64, whole_si: f64, writer: &NumberWriter) -> Markup {
 
 fn motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
-        @for (index, output) in record.outputs.iter().enumerate() {
-            (motion_chart(record, output, index, "position", &output.value_si, Some(output.unit.clone()), writer))
+        @for output in &record.outputs {
+            (motion_chart(record, output, "position", &output.value_si, Some(output.unit.clone()), writer))
             @let rate = output.unit.per_second();
-            (motion_chart(record, output, index, "velocity", &output.velocity_si, rate.clone(), writer))
+            (motion_chart(record, output, "velocity", &output.velocity_si, rate.clone(), writer))
             @let second = rate.and_then(|rate| rate.per_second());
-            (motion_chart(record, output, index, "acceleration", &output.acceleration_si, second, writer))
+            (motion_chart(record, output, "acceleration", &output.acceleration_si, second, writer))
         }
     }
 }
@@ -311,7 +321,7 @@ fn motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
 fn motion_chart(
     record: &MotionRecord,
     output: &OutputMotion,
-    index: usize,
+
     what: &str,
     values_si: &[f64],
     unit: Option<SiUnit>,
@@ -321,7 +331,7 @@ fn motion_chart(
     if values_si.is_empty() {
         return html! {};
     }
-    let mut chart = angle_chart(record, format!("{what}-{index}"), writer);
+    let mut chart = angle_chart(record, name_of(what, &output.name), writer);
     chart.height = 220;
     chart.y_label = format!("{what} of {}", output.name);
     chart.y_symbol = writer.symbol(&unit);
@@ -347,16 +357,16 @@ fn efforts(record: &MotionRecord, writer: &NumberWriter) -> Markup {
             "What inertia, weight, springs, loads and friction in joints without play need to make the ideal motion. Play and impacts \
              are not included: use " code { "simulate" } " for them."
         }
-        @for (index, effort) in record.efforts.iter().enumerate() { (effort_chart(record, effort, index, writer)) }
+        @for effort in &record.efforts { (effort_chart(record, effort, writer)) }
     }
 }
 
-fn effort_chart(record: &MotionRecord, effort: &EffortMotion, index: usize, writer: &NumberWriter) -> Markup {
+fn effort_chart(record: &MotionRecord, effort: &EffortMotion, writer: &NumberWriter) -> Markup {
     let EffortMotion { name, words, unit, value_si } = effort;
     if value_si.is_empty() {
         return html! {};
     }
-    let mut chart = angle_chart(record, format!("effort-{index}"), writer);
+    let mut chart = angle_chart(record, name_of("effort", name), writer);
     chart.height = 220;
     chart.y_label.clone_from(name);
     chart.y_symbol = writer.symbol(unit);

@@ -2,18 +2,23 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// The charting library, embedded: uPlot 1.6.32, MIT (THIRD_PARTY_NOTICES.md).
-const UPLOT_SCRIPT: &str = include_str!("../assets/uplot/uPlot.iife.min.js");
-/// Its style.
-const UPLOT_STYLE: &str = include_str!("../assets/uplot/uPlot.min.css");
+use super::figure::saved_style;
+
 /// Our style: colours, shapes of mechanisms, the rest.
 pub(super) const COLOURS: &str = include_str!("../assets/colours.css");
 pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css");
+pub(super) const FIGURE_STYLE: &str =
+    concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
 const STYLE: &str = include_str!("../assets/report.css");
-/// Draws charts from the data in the page.
-const CHART_SCRIPT: &str = include_str!("../assets/charts.js");
-/// Moves the mechanism.
-const MECHANISM_SCRIPT: &str = include_str!("../assets/mechanism.js");
+/// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
+const SCRIPTS: [&str; 5] = [
+    include_str!("../assets/ticks.js"),
+    include_str!("../assets/cursor.js"),
+    // Takes the figures as they are before the next ones make them live.
+    include_str!("../assets/save.js"),
+    include_str!("../assets/chart.js"),
+    include_str!("../assets/mechanism.js"),
+];
 /// A browser must not fetch anything for these pages, even if text in them asked for it.
 const CONTENT_POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'";
@@ -41,7 +46,13 @@ pub(super) struct Page {
     pub subtitle: Markup,
     /// The answer, before everything else.
     pub answer: Markup,
+    /// The mechanism, on the right of the answer.
+    pub beside: Markup,
+    /// The chart that the answer is about, below both.
+    pub below: Markup,
     pub sections: Vec<Section>,
+    /// What was computed: `study 1f3a5b7c`.
+    pub identity: String,
     pub version: String,
 }
 
@@ -49,7 +60,7 @@ impl Page {
     pub fn into_html(self) -> String {
         let page = html! {
             (DOCTYPE)
-            html lang="en" {
+            html lang="en" data-origin=(format!("{} (loosepin {})", self.identity, self.version)) {
                 head {
                     meta charset="utf-8";
                     meta http-equiv="Content-Security-Policy" content=(CONTENT_POLICY);
@@ -57,7 +68,7 @@ impl Page {
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(format!("loosepin {}", self.version));
                     title { (self.title) }
-                    style { (PreEscaped(UPLOT_STYLE)) (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(MECHANISM_STYLE)) }
+                    style { (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE)) }
                 }
                 body {
                     a.skip href="#content" { "Skip to the answer" }
@@ -67,7 +78,11 @@ impl Page {
                         p.subtitle { (self.subtitle) }
                     }
                     main id="content" {
-                        section.answer id="answer" aria-label="The answer" { (self.answer) }
+                        div.first {
+                            section.answer id="answer" aria-label="The answer" { (self.answer) }
+                            div.beside { (self.beside) }
+                            div.below { (self.below) }
+                        }
                         nav aria-label="On this page" {
                             ol {
                                 @for section in &self.sections {
@@ -85,14 +100,12 @@ impl Page {
                     footer {
                         p.help {
                             "Charts: drag to zoom in, double-click to zoom out. Click a name below a chart to hide or show its \
-                             curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all."
+                             curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all. One cursor moves mechanism and charts."
                         }
                         p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
                     }
-                    noscript { p.help { "The charts need JavaScript, which is switched off here. The tables hold the numbers." } }
-                    script { (PreEscaped(UPLOT_SCRIPT)) }
-                    script { (PreEscaped(CHART_SCRIPT)) }
-                    script { (PreEscaped(MECHANISM_SCRIPT)) }
+                    script type="text/css" id="saved-style" { (PreEscaped(saved_style())) }
+                    @for script in SCRIPTS { script { (PreEscaped(script)) } }
                 }
             }
         };

@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::axes::{Axes, Axis};
+use super::figure::{Picture, name_of};
 use super::number::NumberWriter;
 use super::wording::named_words;
 use loosepin_result::sweep::{SweepPoint, SweepRecord};
@@ -38,20 +39,18 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
         record.recorded_turns,
         record.points.len()
     );
-    html! {
-        figure.section {
-            svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
-                (axes.grid())
-                path.irregular d=(dots(&|point| point.period_turns.is_none())) {}
-                path.regular d=(dots(&|point| point.period_turns.is_some())) {}
-                (axes.labels([&record.path, &across.symbol], [&format!("deviation of {}", swept.name), &up.symbol]))
-            }
-            figcaption {
+    let drawn = html! {
+        (axes.grid())
+        path.irregular d=(dots(&|point| point.period_turns.is_none())) {}
+        path.regular d=(dots(&|point| point.period_turns.is_some())) {}
+        (axes.labels([&record.path, &across.symbol], [&format!("deviation of {}", swept.name), &up.symbol]))
+    };
+    let caption = html! {
                 strong { "Once a turn, at " (angle) " of " (record.drive) ": the deviation of " (name) "." }
                 " A dot for each of " (record.recorded_turns) " turns; "
                 span.regular { "blue" } " if the motion repeats, "
                 span.irregular { "orange" } " if not."
-            }
-        }
-    }
+    };
+    let name = name_of("bifurcation", &swept.name);
+    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], alternative, drawn }.figure(caption, None)
 }

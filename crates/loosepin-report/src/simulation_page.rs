@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use super::answer::{turn_word, turns};
 use super::chart::{Chart, Entry, Role};
+use super::figure::name_of;
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
@@ -28,9 +29,24 @@ const SHARE_OF_TURN: f64 = 1e-9;
 /// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
 pub fn simulation_page(record: &SimulationRecord) -> String {
     let writer = NumberWriter::for_page(&record.display_units);
-    let mut sections = vec![Section::new("outputs", "Outputs", outputs(record, &writer))];
-    if record.outputs.iter().any(|output| !output.deviation_si.is_empty()) {
-        sections.push(Section::new("deviation", "Deviation from the ideal motion", deviations(record, &writer)));
+    let first = record.outputs.iter().position(|output| !output.deviation_si.is_empty());
+    let below = first.map(|index| deviation_chart(record, &record.outputs[index], &writer).figure());
+    let mut sections = Vec::new();
+    if !record.orbits.is_empty() {
+        let words = "The path of the pin centre relative to the hole, in the frame of the part with the hole.";
+        let markup = html! {
+            p { (words) }
+            div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, &writer)) } }
+        };
+        sections.push(Section::new("orbits", "The journal in its bearing", markup));
+    }
+    sections.push(Section::new("outputs", "Outputs", outputs(record, &writer)));
+    if record.outputs.iter().filter(|output| !output.deviation_si.is_empty()).count() > 1 {
+        sections.push(Section::new(
+            "deviation",
+            "Other deviations from the ideal motion",
+            deviations(record, first, &writer),
+        ));
     }
     if !record.measured.is_empty() {
         sections.push(Section::new("measured", "Measured against computed", measured_figures(record, &writer)));
@@ -47,24 +63,8 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     if !record.controls.is_empty() {
         sections.push(Section::new("control", "Controls", controls(record, &writer)));
     }
-    if !record.orbits.is_empty() {
-        sections.push(Section::new(
-            "orbits",
-            "The journal in its bearing",
-            html! {
-                p {
-                    "The path of the pin centre relative to the hole, in the frame of the part with the hole."
-                }
-                div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, &writer)) } }
-            },
-        ));
-    }
     if let Some(kind) = kind_section(record, &writer) {
         sections.push(Section::new("kind", "Kind of motion", kind));
-    }
-    if !record.drawing.bodies.is_empty() {
-        let figure = mechanism_figure(&record.drawing, &record.settings.drive, "mechanism-figure");
-        sections.push(Section::new("mechanism", "The mechanism", figure));
     }
     sections.push(Section::new("energy", "Energy balance", energy(record, &writer)));
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
@@ -79,7 +79,10 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
+        beside: mechanism_figure(&record.drawing, &record.settings.drive),
+        below: below.unwrap_or_default(),
         sections,
+        identity: "simulation".to_owned(),
         version: record.version.clone(),
     }
     .into_html()
@@ -252,14 +255,14 @@ fn abscissa_words(record: &SimulationRecord) -> String {
 
 fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
-        @for (index, output) in record.outputs.iter().enumerate() {
-            (output_chart(record, output, index, writer).figure())
+        @for output in &record.outputs {
+            (output_chart(record, output, writer).figure())
         }
     }
 }
 
-fn output_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = run_chart(record, format!("output-{index}"), writer);
+fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &NumberWriter) -> Chart {
+    let mut chart = run_chart(record, name_of("output", &output.name), writer);
     chart.y_label.clone_from(&output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     chart.entries.push(Entry::line("with play", Role::First, false, &output.value_si, &output.unit, writer));
@@ -272,16 +275,16 @@ fn output_chart(record: &SimulationRecord, output: &OutputHistory, index: usize,
     chart
 }
 
-fn deviations(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+fn deviations(record: &SimulationRecord, shown: Option<usize>, writer: &NumberWriter) -> Markup {
     html! {
-        @for (index, output) in record.outputs.iter().enumerate().filter(|(_, output)| !output.deviation_si.is_empty()) {
-            (deviation_chart(record, output, index, writer).figure())
+        @for (index, output) in record.outputs.iter().enumerate() {
+            @if !output.deviation_si.is_empty() && Some(index) != shown { (deviation_chart(record, output, writer).figure()) }
         }
     }
 }
 
-fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, index: usize, writer: &NumberWriter) -> Chart {
-    let mut chart = run_chart(record, format!("deviation-{index}"), writer);
+fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, writer: &NumberWriter) -> Chart {
+    let mut chart = run_chart(record, name_of("deviation", &output.name), writer);
     chart.y_label = format!("deviation of {}", output.name);
     chart.y_symbol = writer.symbol(&output.unit);
     chart.entries.push(Entry::line(

@@ -1,6 +1,7 @@
 //! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
 
 use super::chart::{Chart, Entry, Role};
+use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::page::cards;
 use super::wording::{named_words, without_round_off};
@@ -89,15 +90,15 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
             html! { (writer.value(own.peak_si, &own.unit)) },
             html! { (dominant_words(record, own, writer)) },
         ])))
-        @for (index, own) in drawn.iter().enumerate() {
-            (spectrum_chart(own, index, drive, writer).figure())
+        @for own in &drawn {
+            (spectrum_chart(own, drive, writer).figure())
         }
     })
 }
 
-fn spectrum_chart(own: &Oscillation, index: usize, drive: &str, writer: &NumberWriter) -> Chart {
+fn spectrum_chart(own: &Oscillation, drive: &str, writer: &NumberWriter) -> Chart {
     let label = format!("order of {drive}");
-    let mut chart = Chart::over(format!("spectrum-{index}"), &label, &own.spectrum.orders, &SiUnit::NONE, writer);
+    let mut chart = Chart::over(name_of("spectrum", &own.name), &label, &own.spectrum.orders, &SiUnit::NONE, writer);
     chart.height = 220;
     chart.y_label = "amplitude".to_owned();
     chart.y_symbol = writer.symbol(&own.unit);

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::figure::{Picture, name_of};
 use super::number::{NumberWriter, Rounding};
 use loosepin_result::simulation::JournalOrbit;
 use loosepin_result::study::HistogramBin;
@@ -30,6 +31,7 @@ pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
     let title = if orbit.label.is_empty() { orbit.joint.clone() } else { format!("{}, {}", orbit.joint, orbit.label) };
     in_circle(
         &format!("Path of the journal of {title}: within {farthest} of the bearing's centre, clearance {clearance}."),
+        &name_of("orbit", &title),
         html! { path.track d=(path) {} },
         html! {
             strong { (title) } ". Circle: radial clearance " (clearance) ". On the rim in " (rim)
@@ -45,6 +47,7 @@ pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) ->
     let dots: String = places(journal).map(|place| format!("M{place}h0")).collect();
     in_circle(
         &format!("The journal of {joint} once a turn, {turns} turns: dots in the circle of the clearance {clearance}."),
+        &name_of("once-a-turn", joint),
         html! { path.dots d=(dots) {} },
         html! { strong { (joint) ", once a turn" } ". Circle: radial clearance " (clearance) ". " (turns) " turns." },
     )
@@ -59,21 +62,18 @@ fn places(journal: &JournalOrbit) -> impl Iterator<Item = String> {
 }
 
 /// The circle of a clearance with what is drawn in it.
-fn in_circle(alternative: &str, drawn: Markup, caption: Markup) -> Markup {
-    let view = format!("{} {} {} {}", -ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE);
-    html! {
-        figure.orbit {
-            svg viewBox=(view) role="img" aria-label=(alternative) {
-                g transform="scale(1 -1)" {
-                    line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
-                    line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
-                    circle.clearance r=(ORBIT_RADIUS) {}
-                    (drawn)
-                }
-            }
-            figcaption { (caption) }
+fn in_circle(alternative: &str, name: &str, drawn: Markup, caption: Markup) -> Markup {
+    let view = [-ORBIT_HALF_SIDE, -ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE, 2.0 * ORBIT_HALF_SIDE];
+    let drawn = html! {
+        g transform="scale(1 -1)" {
+            line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
+            line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
+            circle.clearance r=(ORBIT_RADIUS) {}
+            (drawn)
         }
-    }
+    };
+    Picture { name: name.to_owned(), class: "orbit", view, alternative: alternative.to_owned(), drawn }
+        .figure(caption, None)
 }
 
 /// Where `value` lies between `from` and `to`, in percent of the width.

@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::axes::{Axes, Axis};
+use super::figure::{Picture, name_of};
 use super::number::{NumberWriter, plain_name};
 use super::wording::{deviation_words, output_words, place_words};
 use loosepin_result::study::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
@@ -52,21 +53,19 @@ pub(super) fn surrogate_figure(
         "{} training runs of {name} against the {input}, and the surrogate with its band.",
         picture.run_input_si.len()
     );
-    html! {
-        figure.section {
-            svg viewBox=(format!("0 0 {WIDTH} {HEIGHT}")) role="img" aria-label=(alternative) {
+    let drawn = html! {
                 (axes.grid())
                 path.irregular.dots d=(dots) {}
                 path.regular d=(line(&picture.output_si)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&low)) {}
                 path.regular stroke-dasharray="5 5" d=(line(&high)) {}
                 (axes.labels([&input, &across.symbol], [&subject, &up.symbol]))
-            }
-            figcaption {
+    };
+    let caption = html! {
                 strong { (name) ", " (deviation_words(output.of)) ", " (at) ", against the " (input) "." }
                 " " span.irregular { "Dots" } ": training runs, projected along the surrogate to the middle of all other inputs. "
                 span.regular { "Lines" } ": the surrogate there, with its error."
-            }
-        }
-    }
+    };
+    let name = name_of("surrogate", &format!("{} {}", output.output, output.of.word()));
+    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], alternative, drawn }.figure(caption, None)
 }

@@ -29,7 +29,10 @@ pub fn sweep_page(record: &SweepRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: sentences(&headline_sentences(record, &writer)),
+        beside: html! {},
+        below: html! {},
         sections,
+        identity: "sweep".to_owned(),
         version: record.version.clone(),
     }
     .into_html()

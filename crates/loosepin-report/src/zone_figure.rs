@@ -2,9 +2,11 @@
 
 use maud::{Markup, html};
 
+use super::figure::Picture;
 use super::mechanism_shapes::MM_PER_M;
 use super::number::{NumberWriter, Rounding};
-use loosepin_result::study::{Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
+use super::script_data::round_to_digits;
+use loosepin_result::study::{CurveRange, Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
 
 /// The longer side of the picture in its own units; a unit is about a pixel.
@@ -53,7 +55,7 @@ impl View {
 }
 
 /// The figure, or nothing where the curve is no distance from a path, or has no ends.
-pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &NumberWriter) -> Markup {
+pub(super) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, writer: &NumberWriter) -> Markup {
     let Some(path) = &curve.path else { return html! {} };
     let whole = curve.simultaneous.iter().find(|each| !each.band.lower_si.is_empty());
     let band = whole.map_or(&curve.mixed, |each| &each.band);
@@ -113,17 +115,15 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
          {} to a side.",
         writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)
     );
-    html! {
-        figure.zone {
-            svg viewBox=(format!("0 0 {:.0} {:.0}", view.width, view.height)) role="img" aria-label=(alternative) {
-                path.band d=(zone) {}
-                path.border d=(borders) {}
-                @if let Some(nominal) = &nominal { path.actual d={ (view.line(nominal)) (closing) } {} }
-                path.ideal d={ (view.line(&ideal)) (closing) } {}
-                circle.start r="5" cx=(start(&view, &ideal[0]).0) cy=(start(&view, &ideal[0]).1) {}
-                (bars(&view, magnification, writer))
-            }
-            figcaption {
+    let drawn = html! {
+        path.band d=(zone) {}
+        path.border d=(borders) {}
+        @if let Some(nominal) = &nominal { path.actual d={ (view.line(nominal)) (closing) } {} }
+        path.ideal d={ (view.line(&ideal)) (closing) } {}
+        circle.start r="5" cx=(start(&view, &ideal[0]).0) cy=(start(&view, &ideal[0]).1) {}
+        (bars(&view, magnification, writer))
+    };
+    let caption = html! {
                 strong { "The path of " (subject) ", deviations magnified " (magnified) " times." }
                 " Dashed: the ideal path; the dot is where the recorded part begins. Orange: where " (stay) ", for all unknown values, \
                  numerical error included: up to "
@@ -132,9 +132,31 @@ pub(super) fn zone_figure(curve: &DeviationCurve, subject: &str, writer: &Number
                 @if curve.of == Deviation::Clearance {
                     " Deviations are those of each mechanism from its own ideal path, drawn on that of the drawing."
                 }
-            }
-        }
+    };
+    let csv = zone_csv(curve, path, band, writer);
+    Picture { name, class: "zone", view: [0.0, 0.0, view.width, view.height], alternative, drawn }
+        .figure(caption, Some(&csv))
+}
+
+/// The ideal path and the ends of the zone beside it, pose by pose.
+fn zone_csv(curve: &DeviationCurve, path: &PathCurve, band: &CurveRange, writer: &NumberWriter) -> String {
+    let (length, own) = (writer.units.of(&SiUnit::LENGTH), writer.units.of(&curve.unit));
+    let mut text =
+        format!("angle [deg],ideal x [{0}],ideal y [{0}],lower end [{1}],upper end [{1}]\n", length.symbol, own.symbol);
+    for (k, angle_rad) in curve.pose_rad.iter().enumerate().take(path.x_m.len()) {
+        let cells = [
+            Some(angle_rad.to_degrees()),
+            Some(length.from_si(path.x_m[k])),
+            Some(length.from_si(path.y_m[k])),
+            band.lower_si.get(k).map(|value| own.from_si(*value)),
+            band.upper_si.get(k).map(|value| own.from_si(*value)),
+        ];
+        let cells =
+            cells.map(|cell| cell.and_then(|value| round_to_digits(value, 9)).map_or(String::new(), |v| v.to_string()));
+        text.push_str(&cells.join(","));
+        text.push('\n');
     }
+    text
 }
 
 /// Twice the area that corners enclose, above zero against the clock.

@@ -4,21 +4,55 @@ use maud::{Markup, html};
 
 use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
+use crate::figure::name_of;
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::round_to_digits;
 use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
-    BoundRecord, CurveRange, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
+    BoundRecord, CurveRange, Deviation, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
     SimultaneousCurve, Statistic, StudyResult, Treatment,
 };
 use loosepin_text::units::SiUnit;
 
-pub(super) fn deviation_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+/// What the first screen draws below the answer.
+pub(super) struct FirstChart {
+    pub markup: Markup,
+    /// Probability boxes in it.
+    pub boxes: usize,
+}
+
+/// The band of the curve that a requirement is about, else of the first one; where no curve was asked for, the first distribution.
+pub(super) fn first_chart(result: &StudyResult, writer: &NumberWriter) -> FirstChart {
+    if let Some(curve) = first_curve(result).and_then(|index| result.curves.get(index)) {
+        return FirstChart { markup: deviation_chart(result, curve, writer).figure(), boxes: 0 };
+    }
+    let first = result.boxes.first().map(|pbox| box_chart(result, pbox, 0, writer).figure());
+    FirstChart { boxes: usize::from(first.is_some()), markup: first.unwrap_or_default() }
+}
+
+/// The curve that a requirement is about, else the first one.
+fn first_curve(result: &StudyResult) -> Option<usize> {
+    let is_required = |curve: &DeviationCurve| !limits_of(result, curve).is_empty();
+    (!result.curves.is_empty()).then(|| result.curves.iter().position(is_required).unwrap_or(0))
+}
+
+/// The bands that the first screen does not have.
+pub(super) fn other_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let first = first_curve(result);
     html! {
         @for (index, curve) in result.curves.iter().enumerate() {
-            (deviation_chart(result, curve, index, writer).figure())
-            (zone_figure(curve, &point_words(result, curve), writer))
+            @if Some(index) != first { (deviation_chart(result, curve, writer).figure()) }
+        }
+    }
+}
+
+/// Paths with the zones about them.
+pub(super) fn zones(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        @for curve in &result.curves {
+            @let name = name_of("path", &format!("{} {}", curve.output, curve.of.word()));
+            (zone_figure(curve, name, &point_words(result, curve), writer))
         }
     }
 }
@@ -29,7 +63,13 @@ fn point_words(result: &StudyResult, curve: &DeviationCurve) -> String {
     part.map_or_else(|| curve.output.clone(), |(point, _)| point.to_owned())
 }
 
-fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, writer: &NumberWriter) -> Chart {
+/// The name of a figure: `deviation.slider`, `clearance.slider`.
+fn curve_name(curve: &DeviationCurve) -> String {
+    let kind = if curve.of == Deviation::Total { "deviation" } else { curve.of.word() };
+    name_of(kind, &curve.output)
+}
+
+fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Chart {
     let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let range = |range: &CurveRange| {
         (scaled(&range.lower_si, &curve.unit, writer), scaled(&range.upper_si, &curve.unit, writer))
@@ -93,7 +133,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, index: usize, w
             subject,
             result.cycle.drive
         ),
-        ..Chart::over_angle(format!("deviation-{index}"), &result.cycle.drive, &curve.pose_rad, writer)
+        ..Chart::over_angle(curve_name(curve), &result.cycle.drive, &curve.pose_rad, writer)
     }
 }
 
@@ -117,18 +157,20 @@ fn simultaneous_words(each: &SimultaneousCurve, writer: &NumberWriter) -> String
 
 /// The limits that a requirement puts on this deviation over the cycle.
 fn limits(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Vec<(String, f64, f64)> {
-    let concerns = |requirement: &&RequirementOutcome| {
-        requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
-    };
-    result
-        .requirements
-        .iter()
-        .filter(concerns)
+    limits_of(result, curve)
+        .into_iter()
         .map(|requirement| {
             let words = requirement_words(result, requirement, &curve.unit, writer);
             (format!("required: {words}"), requirement.lower_si, requirement.upper_si)
         })
         .collect()
+}
+
+fn limits_of<'a>(result: &'a StudyResult, curve: &DeviationCurve) -> Vec<&'a RequirementOutcome> {
+    let concerns = |requirement: &&RequirementOutcome| {
+        requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
+    };
+    result.requirements.iter().filter(concerns).collect()
 }
 
 fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
@@ -142,15 +184,26 @@ fn worst_pose(curve: &DeviationCurve) -> (f64, f64) {
         .unwrap_or((0.0, 0.0))
 }
 
-pub(super) fn box_charts(result: &StudyResult, writer: &NumberWriter) -> Markup {
+/// Probability boxes but the first `shown` ones.
+pub(super) fn box_charts(result: &StudyResult, shown: usize, writer: &NumberWriter) -> Markup {
     html! {
         p {
             "The share of mechanisms that stay below a given value lies inside the orange band. The height of the band shows the \
              effect of the unknown inputs."
         }
-        @for (index, probability_box) in result.boxes.iter().enumerate() {
+        @for (index, probability_box) in result.boxes.iter().enumerate().skip(shown) {
             (box_chart(result, probability_box, index, writer).figure())
         }
+    }
+}
+
+/// The name of a figure: `distribution.slider`, with a number from the second one of an output on.
+fn box_name(result: &StudyResult, index: usize) -> String {
+    let output = &result.boxes[index].output;
+    let name = name_of("distribution", output);
+    match result.boxes[..index].iter().filter(|before| before.output == *output).count() {
+        0 => name,
+        before => format!("{name}.{}", before + 1),
     }
 }
 
@@ -202,7 +255,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
             " Sampling error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
-        ..Chart::over(format!("box-{index}"), &x_label, &pbox.value_si, &pbox.unit, writer)
+        ..Chart::over(box_name(result, index), &x_label, &pbox.value_si, &pbox.unit, writer)
     }
 }
 

@@ -30,78 +30,54 @@ use loosepin_result::study::{StudyResult, Verdict};
 pub fn study_page(result: &StudyResult) -> String {
     let writer = NumberWriter::for_page(&result.display_units);
     let answer = answer(result, &writer);
+    let first = curves::first_chart(result, &writer);
     let mut sections = Vec::new();
-    if !result.requirements.is_empty() {
-        sections.push(Section::new("requirements", "Requirements", requirements(result, &writer)));
-    }
-    for (id, title, sentences) in [
-        ("accuracy", "Accuracy of the bounds", accuracy_sentences(result, &writer)),
-        ("allowed", "Loosest values that meet the requirements", inverse_sentences(result, &writer)),
-        ("rare", "Small probabilities", rare_sentences(result, &writer)),
-    ] {
-        if !sentences.is_empty() {
-            let figure =
-                result.together.as_ref().filter(|_| id == "allowed").and_then(|one| frontier(result, one, &writer));
-            let markup = html! {
-                ul { @for sentence in &sentences { li { (sentence) } } }
-                @if let Some(chart) = figure { (chart.figure()) }
-            };
-            sections.push(Section::new(id, title, markup));
+    let mut add = |id: &'static str, title: &str, is_there: bool, body: &dyn Fn() -> Markup| {
+        if is_there {
+            sections.push(Section::new(id, title, body()));
         }
+    };
+    let has_path = result.curves.iter().any(|curve| curve.path.is_some());
+    add("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, &writer));
+    add("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
+        curves::other_charts(result, &writer)
+    });
+    add("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, &writer));
+    let is_explained = !result.contributors.is_empty();
+    add("contributors", "Sensitivity", is_explained, &|| contributors::contributors(result, &writer));
+    let allowed = inverse_sentences(result, &writer);
+    let frontier = || result.together.as_ref().and_then(|one| frontier(result, one, &writer));
+    add("allowed", "Loosest values that meet the requirements", !allowed.is_empty(), &|| {
+        html! { (list(&allowed)) @if let Some(chart) = frontier() { (chart.figure()) } }
+    });
+    add("boxes", "Distribution", result.boxes.len() > first.boxes, &|| {
+        curves::box_charts(result, first.boxes, &writer)
+    });
+    let are_treated = !result.treatments.is_empty();
+    add("treatments", "Three treatments of the unknown inputs", are_treated, &|| {
+        treatments::treatments(result, &writer)
+    });
+    add("requirements", "Requirements", !result.requirements.is_empty(), &|| requirements(result, &writer));
+    add("bounds", "Bounds", !result.bounds.is_empty(), &|| bounds_table::bounds_table(result, &writer));
+    if let Some(record) = &result.promise {
+        add("promise", &promise_title(record, &writer), true, &|| promise(result, &writer));
     }
-    if !result.bounds.is_empty() {
-        sections.push(Section::new("bounds", "Bounds", bounds_table::bounds_table(result, &writer)));
-    }
-    if let Some(promise) = &result.promise {
-        let sentences = promise_sentences(result, &writer);
-        let (head, ends) = sentences.split_at(2);
-        let markup = html! {
-            @for sentence in head { p { (sentence) } }
-            ul { @for sentence in ends { li { (sentence) } } }
-        };
-        sections.push(Section::new("promise", promise_title(promise, &writer), markup));
-    }
+    add("degrees", "Bounds by degree of possibility", !result.cuts.is_empty(), &|| cuts::cuts(result, &writer));
+    let has_percentiles = !result.percentiles.is_empty();
+    add("percentiles", "Percentiles of the statistics", has_percentiles, &|| cuts::percentiles(result, &writer));
+    let rare = rare_sentences(result, &writer);
+    add("rare", "Small probabilities", !rare.is_empty(), &|| list(&rare));
     if let Some(record) = &result.surrogate {
-        let markup = surrogate::surrogate(result, record, &writer);
-        sections.push(Section::new("surrogate", super::surrogate_text::title(record), markup));
+        let title = super::surrogate_text::title(record);
+        add("surrogate", &title, true, &|| surrogate::surrogate(result, record, &writer));
     }
-    if !result.cuts.is_empty() {
-        sections.push(Section::new("degrees", "Bounds by degree of possibility", cuts::cuts(result, &writer)));
-    }
-    if !result.percentiles.is_empty() {
-        sections.push(Section::new("percentiles", "Percentiles of the statistics", cuts::percentiles(result, &writer)));
-    }
-    if !result.curves.is_empty() {
-        sections.push(Section::new("curves", "Deviation over the cycle", curves::deviation_charts(result, &writer)));
-    }
-    if !result.boxes.is_empty() {
-        sections.push(Section::new("boxes", "Probability boxes", curves::box_charts(result, &writer)));
-    }
-    if !result.contributors.is_empty() {
-        sections.push(Section::new("contributors", "Sensitivity", contributors::contributors(result, &writer)));
-    }
-    if !result.treatments.is_empty() {
-        sections.push(Section::new(
-            "treatments",
-            "Three treatments of the unknown inputs",
-            treatments::treatments(result, &writer),
-        ));
-    }
-    if !result.drawing.bodies.is_empty() {
-        sections.push(Section::new(
-            "mechanism",
-            "The mechanism",
-            mechanism_figure(&result.drawing, &result.cycle.drive, "mechanism-figure"),
-        ));
-    }
-    if !result.orbits.is_empty() {
-        sections.push(Section::new("orbits", "The journal in its bearing", orbits(result, &writer)));
-    }
-    sections.push(Section::new("runs", "Runs, failures and impacts", provenance::runs(result, &writer)));
+    let accuracy = accuracy_sentences(result, &writer);
+    add("accuracy", "Accuracy of the bounds", !accuracy.is_empty(), &|| list(&accuracy));
+    add("runs", "Runs, failures and impacts", true, &|| provenance::runs(result, &writer));
     if let Some(energy) = &result.energy {
-        sections.push(Section::new("energy", "Energy check", provenance::energy(energy, &writer)));
+        add("energy", "Energy check", true, &|| provenance::energy(energy, &writer));
     }
-    sections.push(Section::new("method", "How this was computed", provenance::method(result, &writer)));
+    add("method", "How this was computed", true, &|| provenance::method(result, &writer));
     Page {
         title: result.name.clone(),
         kicker: "Accuracy study",
@@ -110,7 +86,10 @@ pub fn study_page(result: &StudyResult) -> String {
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
+        beside: mechanism_figure(&result.drawing, &result.cycle.drive),
+        below: first.markup,
         sections,
+        identity: format!("study {}", short_hash(&result.input_hash)),
         version: result.version.clone(),
     }
     .into_html()
@@ -127,6 +106,19 @@ pub fn study_excerpt(result: &StudyResult) -> String {
         bounds_table::bounds_table(result, &writer)
     };
     html! { (answer) (table) }.into_string()
+}
+
+fn list(sentences: &[String]) -> Markup {
+    html! { ul { @for sentence in sentences { li { (sentence) } } } }
+}
+
+fn promise(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    let sentences = promise_sentences(result, writer);
+    let (head, ends) = sentences.split_at(sentences.len().min(2));
+    html! {
+        @for sentence in head { p { (sentence) } }
+        (list(ends))
+    }
 }
 
 fn short_hash(hash: &str) -> String {

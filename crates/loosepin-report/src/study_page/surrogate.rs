@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use crate::chart::{Chart, Entry, Role};
+use crate::figure::name_of;
 use crate::number::NumberWriter;
 use crate::page::cards;
 use crate::surrogate_figure::surrogate_figure;
@@ -105,7 +106,7 @@ fn along_chart(
             " Root mean square at each angle."
         },
         alternative: format!("Held-out error of the surrogate of {name} over the cycle."),
-        ..Chart::over_angle(format!("held-out-{index}"), &result.cycle.drive, &along.pose_rad, writer)
+        ..Chart::over_angle(name_of("held-out", &format!("{} {}", output.output, index + 1)), &result.cycle.drive, &along.pose_rad, writer)
     }
     .figure()
 }

@@ -1,0 +1,123 @@
+// Moves the mechanism through the poses beside its picture: play, pause, choose a pose, magnify the deviation. Follows the cursor of the
+// page, and moves it.
+(() => {
+  const secondsPerTurn = 4;
+
+  interface BodyMotion {
+    x: number[];
+    y: number[];
+    a: number[];
+    dx: number[];
+    dy: number[];
+    da: number[];
+  }
+
+  interface Motion {
+    angle_deg: number[];
+    magnification: number;
+    start: number;
+    bodies: BodyMotion[];
+  }
+
+  function between(list: number[], index: number, share: number): number {
+    if (list.length === 0) return 0;
+    const first = list[index] ?? 0;
+    const second = list[Math.min(index + 1, list.length - 1)] ?? first;
+    return first + share * (second - first);
+  }
+
+  function build(figure: HTMLElement): void {
+    const data = JSON.parse(figure.querySelector('script[type="application/json"]')?.textContent ?? '') as Motion;
+    const bodies = [...figure.querySelectorAll<SVGElement>('[data-body]')];
+    const ghosts = [...figure.querySelectorAll<SVGElement>('[data-ghost]')];
+    const rings = [...figure.querySelectorAll<SVGElement>('.bearing')];
+    const play = figure.querySelector<HTMLButtonElement>('.play');
+    const slider = figure.querySelector<HTMLInputElement>('.pose');
+    const output = figure.querySelector<HTMLElement>('.angle');
+    const choice = figure.querySelector<HTMLSelectElement>('.magnification');
+    const count = data.angle_deg.length;
+    const angles = data.angle_deg;
+    let magnification = data.magnification;
+    let pose = data.start;
+    let isRunning = false;
+    let lastTime = 0;
+
+    function transform(body: BodyMotion | undefined, index: number, share: number, factor: number): string {
+      if (!body) return '';
+      const at = (list: number[], difference: number[]): number => between(list, index, share) + factor * between(difference, index, share);
+      return 'translate(' + at(body.x, body.dx).toFixed(4) + ' ' + at(body.y, body.dy).toFixed(4) + ') rotate(' + at(body.a, body.da).toFixed(5) + ')';
+    }
+
+    function draw(): number {
+      const index = Math.min(Math.floor(pose), count - 1);
+      const share = pose - index;
+      bodies.forEach((body) => body.setAttribute('transform', transform(data.bodies[Number(body.dataset.body)], index, share, magnification)));
+      ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
+      const angle = between(angles, index, share);
+      if (output) output.textContent = (((angle % 360) + 360) % 360).toFixed(0) + '°';
+      if (slider) slider.value = String(Math.round(pose));
+      return angle;
+    }
+
+    function frame(time: number): void {
+      if (!isRunning) return;
+      if (lastTime) {
+        const turns = Math.max(Math.abs((angles[count - 1] ?? 0) - (angles[0] ?? 0)) / 360, 0.05);
+        pose = (pose + (time - lastTime) / 1000 / secondsPerTurn / turns * (count - 1)) % (count - 1);
+        pageCursor.set(draw(), figure, false);
+      }
+      lastTime = time;
+      requestAnimationFrame(frame);
+    }
+
+    function run(isStarted: boolean): void {
+      isRunning = isStarted && count > 1;
+      if (play) {
+        play.textContent = isRunning ? 'Pause' : 'Play';
+        play.setAttribute('aria-pressed', String(isRunning));
+      }
+      lastTime = 0;
+      if (isRunning) requestAnimationFrame(frame);
+    }
+
+    play?.addEventListener('click', () => run(!isRunning));
+    slider?.addEventListener('input', () => {
+      run(false);
+      pose = Number(slider.value);
+      pageCursor.set(draw(), figure, true);
+    });
+    choice?.addEventListener('change', () => {
+      magnification = Number(choice.value);
+      rings.forEach((ring) => ring.setAttribute('r', (Number(ring.dataset.pin) + magnification * Number(ring.dataset.clearance)).toFixed(4)));
+      draw();
+    });
+    pageCursor.listen((angleDeg, from) => {
+      if (from === figure) return;
+      run(false);
+      // The angle within the turn that is drawn, between its two poses.
+      const [first = 0, last = 0] = [angles[0], angles[count - 1]];
+      const sign = last < first ? -1 : 1;
+      const inTurn = first + sign * ((((angleDeg - first) * sign) % 360) + 360) % 360;
+      const above = angles.findIndex((angle) => sign * (angle - inTurn) >= 0);
+      if (above <= 0) pose = above < 0 ? count - 1 : 0;
+      else {
+        const [low = 0, high = 1] = [angles[above - 1], angles[above]];
+        pose = above - 1 + (high === low ? 0 : (inTurn - low) / (high - low));
+      }
+      draw();
+    });
+    draw();
+    figure.dataset.drawn = 'true';
+    // Begin by itself when first seen, unless the reader asked for less motion or for an angle.
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches && pageCursor.inAddress() === null) {
+      const observer = new IntersectionObserver((seen) => {
+        if (!seen.some((entry) => entry.isIntersecting)) return;
+        observer.disconnect();
+        run(true);
+      }, { threshold: 0.6 });
+      observer.observe(figure);
+    }
+  }
+
+  document.querySelectorAll<HTMLElement>('[data-mechanism]').forEach(build);
+})();

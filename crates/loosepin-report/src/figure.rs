@@ -1,0 +1,191 @@
+//! Figures: pictures with a name, in the page and as files of their own.
+//!
+//! A page is the one place where its figures are made. [`figures`] takes them from it, so that what is saved is what is seen.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::page::{COLOURS, FIGURE_STYLE};
+
+/// Width of a figure that is saved, unless another one is asked for.
+const WIDTH_MM: f64 = 160.0;
+
+/// A picture with the name by which it is saved.
+pub(super) struct Picture {
+    /// Stable, unique in its page, and the id of its element: `deviation.slider`.
+    pub name: String,
+    /// Of the style: `chart`, `zone`, ...
+    pub class: &'static str,
+    /// Left, top, width and height in units of the picture.
+    pub view: [f64; 4],
+    /// What is to be seen, for those who cannot see it; the title of the saved picture.
+    pub alternative: String,
+    pub drawn: Markup,
+}
+
+impl Picture {
+    /// The picture alone.
+    pub fn svg(&self) -> Markup {
+        let view =
+            self.view.map(|number| format!("{:.6}", number).trim_end_matches('0').trim_end_matches('.').to_owned());
+        html! {
+            svg class={ "figure " (self.class) } viewBox=(view.join(" ")) role="img" aria-label=(self.alternative) { (self.drawn) }
+        }
+    }
+
+    /// The picture with its caption and the numbers behind it as a table of comma-separated values, where it has any.
+    pub fn figure(&self, caption: Markup, csv: Option<&str>) -> Markup {
+        html! {
+            figure class=(self.class) id=(self.name) data-figure=(self.name) {
+                (self.svg())
+                figcaption { (caption) }
+                (csv_element(csv))
+            }
+        }
+    }
+}
+
+/// The name of a figure of `kind` about `subject`: letters, digits, points and hyphens.
+pub(super) fn name_of(kind: &str, subject: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '-' };
+    let words: String = subject.chars().map(plain).collect();
+    let parts: Vec<&str> = words.split('-').filter(|part| !part.is_empty()).collect();
+    format!("{kind}.{}", parts.join("-"))
+}
+
+/// Numbers behind a figure, for the script and for who saves them.
+pub(super) fn csv_element(csv: Option<&str>) -> Markup {
+    html! {
+        // Nothing in a table may end the element.
+        @if let Some(csv) = csv { script type="text/csv" { (PreEscaped(csv.replace('<', "‹"))) } }
+    }
+}
+
+/// A figure of a page as it is saved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Figure {
+    /// Its name: `deviation.slider`.
+    pub name: String,
+    /// What is to be seen in it.
+    pub title: String,
+    view: String,
+    class: String,
+    drawn: String,
+    csv: Option<String>,
+    /// What was computed, by whom: the first line of its numbers.
+    origin: String,
+}
+
+/// The figures of a page in their order. What is not a page of ours has none.
+pub fn figures(page: &str) -> Vec<Figure> {
+    let origin = attribute(page, "<html ", "data-origin").unwrap_or_default();
+    let mut figures = Vec::new();
+    for part in page.split("<figure ").skip(1) {
+        let part = part.split("</figure>").next().unwrap_or(part);
+        let parsed = || {
+            let name = attribute(part, "", "data-figure")?;
+            let (_, svg) = part.split_once("<svg class=\"figure ")?;
+            let (head, rest) = svg.split_once('>')?;
+            let (drawn, _) = rest.split_once("</svg>")?;
+            let (class, _) = head.split_once('"')?;
+            let csv = part.split_once("<script type=\"text/csv\">").and_then(|(_, csv)| csv.split_once("</script>"));
+            Some(Figure {
+                name,
+                title: attribute(head, "", "aria-label")?,
+                view: attribute(head, "", "viewBox")?,
+                class: class.to_owned(),
+                drawn: drawn.to_owned(),
+                csv: csv.map(|(csv, _)| csv.to_owned()),
+                origin: origin.clone(),
+            })
+        };
+        figures.extend(parsed());
+    }
+    figures
+}
+
+/// The text of an attribute after `after`, as it is written in the page.
+fn attribute(text: &str, after: &str, name: &str) -> Option<String> {
+    let (_, rest) = text.split_once(after)?;
+    let (_, rest) = rest.split_once(&format!("{name}=\""))?;
+    rest.split_once('"').map(|(value, _)| value.to_owned())
+}
+
+impl Figure {
+    /// The figure as an SVG document, in the light colours of the page, `width_mm` wide or 160 mm.
+    pub fn to_svg(&self, width_mm: Option<f64>) -> String {
+        let sides: Vec<f64> = self.view.split(' ').filter_map(|number| number.parse().ok()).collect();
+        let ratio = match sides[..] {
+            [_, _, width, height] if width > 0.0 => height / width,
+            _ => 1.0,
+        };
+        let width = width_mm.unwrap_or(WIDTH_MM);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"figure {}\" width=\"{width:.1}mm\" height=\"{:.1}mm\" viewBox=\"{}\" \
+             role=\"img\"><title>{}</title><style>{}</style>{}</svg>\n",
+            self.class,
+            width * ratio,
+            self.view,
+            self.title,
+            saved_style(),
+            self.drawn
+        )
+    }
+
+    /// The numbers behind the figure as comma-separated values, after a line on where they are from; nothing for a picture that
+    /// stands for no numbers.
+    pub fn to_csv(&self) -> Option<String> {
+        let csv = self.csv.as_ref()?;
+        Some(format!("# figure {} of {}\n{csv}", self.name, self.origin))
+    }
+}
+
+/// The style of figures with the light colours put in: programs that draw know no variables.
+pub(super) fn saved_style() -> String {
+    let light = COLOURS.split_once("@media").map_or(COLOURS, |(light, _)| light);
+    let colours =
+        light.lines().filter_map(|line| line.trim().strip_prefix("--")?.trim_end_matches(';').split_once(": "));
+    // Longer names first: `--random` is the beginning of `--random-fill`.
+    let mut style = FIGURE_STYLE.to_owned();
+    for (name, colour) in colours {
+        style = style.replace(&format!("var(--{name})"), colour);
+    }
+    let kept = style.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("/*"));
+    kept.collect::<Vec<&str>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> Picture {
+        Picture {
+            name: "deviation.slider".to_owned(),
+            class: "zone",
+            view: [0.0, 0.0, 200.0, 50.0],
+            alternative: "A line & more".to_owned(),
+            drawn: html! { path.ideal d="M0 0L1 1" {} },
+        }
+    }
+
+    #[test]
+    fn identity_a_figure_is_taken_from_its_page() {
+        let figure = picture().figure(html! { "Caption" }, Some("angle [deg],deviation [mm]\n0,1\n"));
+        let page = format!(
+            "<html data-origin=\"study 1f3a (loosepin 1.0)\">{}{}</html>",
+            figure.into_string(),
+            "<figure id=\"a\">"
+        );
+        let found = figures(&page);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].name, "deviation.slider");
+        let svg = found[0].to_svg(Some(100.0));
+        assert!(
+            svg.contains("width=\"100.0mm\" height=\"25.0mm\"") && svg.contains("<title>A line &amp; more</title>"),
+            "{svg}"
+        );
+        assert!(svg.contains("<path class=\"ideal\" d=\"M0 0L1 1\"></path></svg>"), "{svg}");
+        assert!(!svg.contains("var(--"), "{svg}");
+        let csv = found[0].to_csv().unwrap();
+        assert_eq!(csv, "# figure deviation.slider of study 1f3a (loosepin 1.0)\nangle [deg],deviation [mm]\n0,1\n");
+    }
+}
