@@ -328,13 +328,34 @@ pub struct CasesFolder {
     pub path: PathBuf,
 }
 
-/// Write the report of stored results again
+/// Write the report of stored results again, or save a figure of it
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  loosepin report results/worn-pin/1a2b3c4d")]
+#[command(
+    group = clap::ArgGroup::new("saved").multiple(true),
+    after_help = "Without options the page is written again. --figure saves one picture as SVG, in the colours of the page on white, and \
+    the numbers behind it as CSV, with units in the header.\n\nExamples:\n  loosepin report results/worn-pin/1a2b3c4d\n  \
+    loosepin report results/worn-pin/1a2b3c4d --list\n  \
+    loosepin report results/worn-pin/1a2b3c4d --figure deviation.slider --svg band.svg --csv band.csv --width 84mm"
+)]
 pub struct ReportArguments {
     /// Folder of results
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// List the figures
+    #[arg(long, conflicts_with_all = ["figure", "svg", "csv", "width"])]
+    pub list: bool,
+    /// Figure to save, by its name in --list
+    #[arg(long, value_name = "NAME", requires = "saved")]
+    pub figure: Option<String>,
+    /// Save the picture in this file
+    #[arg(long, value_name = "FILE", requires = "figure", group = "saved")]
+    pub svg: Option<PathBuf>,
+    /// Save its numbers in this file
+    #[arg(long, value_name = "FILE", requires = "figure", group = "saved")]
+    pub csv: Option<PathBuf>,
+    /// Width of the picture, with its unit
+    #[arg(long, value_name = "LENGTH", requires = "svg", default_value = "160 mm")]
+    pub width: String,
 }
 
 /// Export the neural networks of a study as ONNX files

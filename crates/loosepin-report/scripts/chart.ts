@@ -232,6 +232,32 @@
         show(nearest(isThere ? angleDeg : first + (((angleDeg - first) % 360) + 360) % 360));
       });
     }
+    /** A path in the units of the picture as the library drew it. */
+    const path = (places: number[], ys: number[], isMoved: boolean): string => {
+      let isDown = isMoved;
+      return places.map((place) => {
+        const [x, y] = [xs[place] ?? NaN, ys[place] ?? NaN];
+        if (!isFinite(x) || !isFinite(y)) {
+          isDown = false;
+          return '';
+        }
+        const command = isDown ? 'L' : 'M';
+        isDown = true;
+        return command + (left + (x - x0) / (x1 - x0) * width).toFixed(1) + ' ' + (top + (y1 - y) / (y1 - y0) * height).toFixed(1);
+      }).join('');
+    };
+    // Another band in the place of one that is there.
+    holder.addEventListener('band', (event) => {
+      const { entry, lower, upper } = (event as CustomEvent<{ entry: number; lower: number[]; upper: number[] }>).detail;
+      const places = xs.map((_, place) => place);
+      columnsOfEntry[entry] = [lower, upper];
+      const lines = svg.querySelectorAll('.line[data-of="' + entry + '"]');
+      [lower, upper].forEach((ys, side) => lines[side]?.setAttribute('d', path(places, ys, false)));
+      const isWhole = [...lower, ...upper].every(isFinite);
+      const filled = isWhole ? path(places, upper, false) + path([...places].reverse(), lower, true) + 'Z' : '';
+      svg.querySelector('.fill[data-of="' + entry + '"]')?.setAttribute('d', filled);
+      show(index);
+    });
     let known = holder.clientWidth;
     new ResizeObserver(() => {
       if (holder.clientWidth === known) return;

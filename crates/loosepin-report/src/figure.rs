@@ -60,13 +60,12 @@ pub(super) fn csv_element(csv: Option<&str>) -> Markup {
     }
 }
 
-/// A figure of a page as it is saved.
+/// A figure of a page as it is saved; its texts are those of the page, with the entities of HTML.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Figure {
     /// Its name: `deviation.slider`.
     pub name: String,
-    /// What is to be seen in it.
-    pub title: String,
+    title: String,
     view: String,
     class: String,
     drawn: String,
@@ -111,6 +110,12 @@ fn attribute(text: &str, after: &str, name: &str) -> Option<String> {
 }
 
 impl Figure {
+    /// What is to be seen in it.
+    pub fn title(&self) -> String {
+        let entities = [("&nbsp;", "\u{a0}"), ("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
+        entities.into_iter().fold(self.title.clone(), |text, (entity, character)| text.replace(entity, character))
+    }
+
     /// The figure as an SVG document, in the light colours of the page, `width_mm` wide or 160 mm.
     pub fn to_svg(&self, width_mm: Option<f64>) -> String {
         let sides: Vec<f64> = self.view.split(' ').filter_map(|number| number.parse().ok()).collect();

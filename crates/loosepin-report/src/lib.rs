@@ -41,6 +41,7 @@ mod number;
 mod page;
 mod percentile_words;
 mod promise_text;
+mod repeat_section;
 mod script_data;
 mod section_figure;
 mod simulation_page;

@@ -8,6 +8,7 @@ use super::figure::name_of;
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
+use super::repeat_section::repeat_section;
 use super::still_figures::percent_of;
 use super::wording::named_words;
 use loosepin_result::motion::{EffortMotion, MotionRecord, OutputMotion};
@@ -42,6 +43,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
         sections.push(Section::new("efforts", "What the drives must do", efforts(record, &writer)));
     }
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
+    sections.extend(repeat_section(&record.repeat));
     Page {
         title: record.model.clone(),
         kicker: "Ideal motion and quasi-static accuracy",

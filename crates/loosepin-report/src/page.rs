@@ -11,13 +11,14 @@ pub(super) const FIGURE_STYLE: &str =
     concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
 const STYLE: &str = include_str!("../assets/report.css");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
-const SCRIPTS: [&str; 5] = [
+const SCRIPTS: [&str; 6] = [
     include_str!("../assets/ticks.js"),
     include_str!("../assets/cursor.js"),
     // Takes the figures as they are before the next ones make them live.
     include_str!("../assets/save.js"),
     include_str!("../assets/chart.js"),
     include_str!("../assets/mechanism.js"),
+    include_str!("../assets/what-if.js"),
 ];
 /// A browser must not fetch anything for these pages, even if text in them asked for it.
 const CONTENT_POLICY: &str =

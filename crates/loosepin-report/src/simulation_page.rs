@@ -11,6 +11,7 @@ use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
+use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
 use super::wording::{count, counted, listed, named_words, without_round_off};
@@ -68,6 +69,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     sections.push(Section::new("energy", "Energy balance", energy(record, &writer)));
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
+    sections.extend(repeat_section(&record.repeat));
     Page {
         title: record.model.clone(),
         kicker: "Simulation",

@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::chart::{Chart, Entry, Role};
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, facts, sentences};
+use super::repeat_section::repeat_section;
 use super::section_figure::section_figure;
 use super::wording::{capitalised, counted};
 use loosepin_result::simulation::REPEAT_SHARE;
@@ -21,6 +22,7 @@ pub fn sweep_page(record: &SweepRecord) -> String {
         sections.push(Section::new("joints", "Impacts and forces in the joints", joints(record, &writer)));
     }
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
+    sections.extend(repeat_section(&record.repeat));
     Page {
         title: record.model.clone(),
         kicker: "Sweep",

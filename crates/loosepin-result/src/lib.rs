@@ -3,6 +3,7 @@
 
 pub mod cases;
 pub mod motion;
+pub mod repeat;
 pub mod simulation;
 pub mod study;
 pub mod sweep;

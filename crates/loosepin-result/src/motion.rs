@@ -1,5 +1,6 @@
 //! What the ideal motion and the quasi-static answer leave behind for pages, tables and files: plain data in SI.
 
+use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
 use crate::simulation::{Drawing, Override};
@@ -16,6 +17,9 @@ pub struct MotionRecord {
     pub version: String,
     /// Quantities that were set on the command line, in that order.
     pub overrides: Vec<Override>,
+    /// How it is made again; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Repeat::is_empty")]
+    pub repeat: Repeat,
     /// Name of the drive whose angle is the input.
     pub drive: String,
     /// Speed of the drive, to which velocities and accelerations belong, where it is constant.

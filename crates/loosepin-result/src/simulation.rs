@@ -6,6 +6,7 @@ mod measured;
 mod motion_kind;
 mod spectrum;
 
+use crate::repeat::Repeat;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
     Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, JournalOrbit, PointReference, PoseTable,
@@ -32,6 +33,9 @@ pub struct SimulationRecord {
     pub settings: SimulationSettings,
     /// Why the run ended.
     pub stop: StopReason,
+    /// How it is made again; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Repeat::is_empty")]
+    pub repeat: Repeat,
     /// Counters of the integration.
     pub counters: RunCounters,
     /// Smallest and largest value of each output and of each deviation.

@@ -1,5 +1,6 @@
 //! What a sweep found, as pages and files read it. SI.
 
+use crate::repeat::Repeat;
 use crate::simulation::Override;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
@@ -13,6 +14,9 @@ pub struct SweepRecord {
     pub version: String,
     /// What was set on the command line.
     pub overrides: Vec<Override>,
+    /// How it is made again; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Repeat::is_empty")]
+    pub repeat: Repeat,
     /// Path of the quantity that was varied.
     pub path: String,
     /// Its unit.

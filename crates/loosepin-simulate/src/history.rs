@@ -10,6 +10,7 @@ use super::lyapunov::{ExponentPlan, largest_exponent};
 use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::reference::IdealReference;
+use super::repeat::repeat;
 use super::report::RunReport;
 use super::search::{Peak, maximum_within};
 use super::sections::SectionRecorder;
@@ -454,6 +455,7 @@ impl<'a> Recorder<'a> {
                 method: plan.settings.method.name.to_owned(),
             },
             stop: StopReason::Finished,
+            repeat: repeat(&self.mechanism.model, plan),
             counters: RunCounters {
                 steps: report.counters.steps,
                 rejections: report.counters.rejections,

@@ -2,6 +2,7 @@
 
 use super::Study;
 use loosepin_mechanics::model::Model;
+use loosepin_result::repeat::Repeat;
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
 
 /// Adds a model file, and the tables that it names, to what a result is computed from.
@@ -18,6 +19,13 @@ pub fn add_study(hasher: &mut InputsHasher, study: &Study) {
     for table in study.tables() {
         hasher.add("table", table.text());
     }
+}
+
+/// How the result of `study` is made again.
+pub(super) fn repeat(study: &Study) -> Repeat {
+    let of_study = std::iter::once(study.source()).chain(study.tables());
+    let of_model = std::iter::once(study.model.source()).chain(study.model.tables());
+    Repeat::new("study", study.stated(), of_study.chain(of_model).map(|source| &**source))
 }
 
 /// The hash of everything that the result of `study` is computed from: its files, those of its model, and what is stated beside them.

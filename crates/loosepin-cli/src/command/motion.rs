@@ -5,6 +5,7 @@ use loosepin::accuracy::{MotionPlan, Scatter, motion};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
+use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
 use loosepin::simulate::record::Override;
 use loosepin::study::InputFile;
@@ -38,7 +39,8 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         },
         overrides: Override::of_settings(&settings),
     };
-    let record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
+    let mut record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
+    record.repeat = repeat(&file, &arguments.set);
     let claim = claim(ResultKind::Motion, &model.name, inputs(model, &file, arguments), &arguments.output);
     let folder = claim.take()?;
     if folder.is_finished() {
@@ -73,6 +75,18 @@ fn scatter(file: &InputFile) -> Vec<Scatter> {
             })
             .collect(),
     }
+}
+
+/// How the result is made again.
+fn repeat(file: &InputFile, set: &[String]) -> Repeat {
+    let model = file.model();
+    let of_model = std::iter::once(model.source()).chain(model.tables());
+    let of_study = match file {
+        InputFile::Model(_) => Vec::new(),
+        InputFile::Study(study) => std::iter::once(study.source()).chain(study.tables()).collect(),
+    };
+    let arguments: Vec<String> = set.iter().flat_map(|set| ["--set".to_owned(), set.clone()]).collect();
+    Repeat::new("motion", &arguments, of_study.into_iter().chain(of_model).map(|source| &**source))
 }
 
 fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> InputsHash {

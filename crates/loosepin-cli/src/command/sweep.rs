@@ -3,6 +3,7 @@
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, SettingError, measured_argument};
 use loosepin::report::{sweep_page, sweep_text};
+use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
 use loosepin::simulate::Settings;
 use loosepin::simulate::record::Override;
@@ -46,7 +47,8 @@ pub fn run(arguments: &SweepArguments) -> Ending {
         return Ok(Done::Interrupted);
     }
     run_and_write(folder, |folder| {
-        let record = outcome.map_err(|error| Failure::of(&error))?;
+        let mut record = outcome.map_err(|error| Failure::of(&error))?;
+        record.repeat = repeat(&model, arguments);
         folder.write(SWEEP_FILE, sweep_csv(&record).as_bytes())?;
         folder.write(SECTIONS_FILE, sections_csv(&record).as_bytes())?;
         write_and_tell(&record, folder)
@@ -81,6 +83,20 @@ fn middle_values(model: &Model, set: &SetValues, plan: &SweepPlan) -> Result<Set
     settings.push((plan.range.id, 0.5 * (plan.range.from_si + plan.range.to_si)));
     let values = model.quantities.evaluate(&settings).map_err(|error| Failure::of(&error))?;
     Ok(SetValues { model: set.model.clone(), settings: set.settings.clone(), values })
+}
+
+/// How the sweep is made again.
+fn repeat(model: &Model, arguments: &SweepArguments) -> Repeat {
+    let mut stated: Vec<String> = Vec::new();
+    for [name, value] in arguments.set.iter().map(|set| ["--set", set]).chain([["--over", &arguments.over]]) {
+        stated.extend([name.to_owned(), value.to_owned()]);
+    }
+    stated.extend(["--points".to_owned(), arguments.points.to_string()]);
+    stated.extend(["--transient".to_owned(), arguments.transient.to_string()]);
+    stated.extend(["--turns".to_owned(), arguments.turns.to_string()]);
+    stated.extend(["--tolerance".to_owned(), arguments.tolerance.clone()]);
+    let sources = std::iter::once(model.source()).chain(model.tables());
+    Repeat::new("sweep", &stated, sources.map(|source| &**source))
 }
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {

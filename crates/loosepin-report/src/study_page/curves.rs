@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::what_if::what_if;
 use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::figure::name_of;
@@ -25,7 +26,10 @@ pub(super) struct FirstChart {
 /// The band of the curve that a requirement is about, else of the first one; where no curve was asked for, the first distribution.
 pub(super) fn first_chart(result: &StudyResult, writer: &NumberWriter) -> FirstChart {
     if let Some(curve) = first_curve(result).and_then(|index| result.curves.get(index)) {
-        return FirstChart { markup: deviation_chart(result, curve, writer).figure(), boxes: 0 };
+        let chart = deviation_chart(result, curve, writer);
+        let inner = chart.entries.iter().position(|entry| entry.role == Role::Random);
+        let known = what_if(result, curve, &chart.id, inner, writer);
+        return FirstChart { markup: html! { (chart.figure()) (known) }, boxes: 0 };
     }
     let first = result.boxes.first().map(|pbox| box_chart(result, pbox, 0, writer).figure());
     FirstChart { boxes: usize::from(first.is_some()), markup: first.unwrap_or_default() }

@@ -7,6 +7,7 @@ mod cuts;
 mod provenance;
 mod surrogate;
 mod treatments;
+mod what_if;
 
 use maud::{Markup, html};
 
@@ -19,6 +20,7 @@ use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
 use super::promise_text::{promise_sentences, promise_title};
+use super::repeat_section::study_repeat_section;
 use super::still_figures::orbit_figure;
 use super::together::frontier;
 use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
@@ -78,6 +80,7 @@ pub fn study_page(result: &StudyResult) -> String {
         add("energy", "Energy check", true, &|| provenance::energy(energy, &writer));
     }
     add("method", "How this was computed", true, &|| provenance::method(result, &writer));
+    sections.extend(study_repeat_section(result, &writer));
     Page {
         title: result.name.clone(),
         kicker: "Accuracy study",

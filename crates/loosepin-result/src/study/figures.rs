@@ -41,9 +41,23 @@ pub struct DeviationCurve {
     /// Bands in which a share of mechanisms stays for the whole cycle, where they were asked for.
     #[serde(default)]
     pub simultaneous: Vec<SimultaneousCurve>,
+    /// Bands at single values of the epistemic inputs that were run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub at_values: Vec<ValueBand>,
     /// The ideal path, where the deviation is the distance of a point from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub path: Option<PathCurve>,
+}
+
+/// The band at one value of the epistemic inputs, counted from the runs at this value, without an error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ValueBand {
+    /// The value.
+    pub at: Witness,
+    /// Runs at this value.
+    pub runs: u64,
+    /// The ends, with the probabilities of the curve.
+    pub band: CurveRange,
 }
 
 /// The ideal path of a point over the cycle. All lists have one entry per pose.

@@ -16,6 +16,7 @@ mod requirement;
 mod surrogate;
 mod verdict;
 
+use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, Budget};
@@ -29,7 +30,7 @@ pub use deviation::Deviation;
 pub use draft::Draft;
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
-    SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd,
+    SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd, ValueBand,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
@@ -136,6 +137,9 @@ pub struct StudyResult {
     pub energy: Option<EnergyResiduals>,
     /// Impacts in each clearance joint.
     pub impacts: Vec<JointImpacts>,
+    /// How it is made again; empty in records of older versions.
+    #[serde(default, skip_serializing_if = "Repeat::is_empty")]
+    pub repeat: Repeat,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Deviation curves over the cycle.

@@ -15,6 +15,7 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
 use loosepin_mechanics::model::{CycleSpan, Position, QuantityId, Values};
 use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, OutputMotion};
+use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_text::units::DisplayUnits;
 
@@ -106,6 +107,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
         drive: input.name,
+        repeat: Repeat::default(),
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,

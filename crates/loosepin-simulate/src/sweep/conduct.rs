@@ -7,6 +7,7 @@ use crate::{
 };
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{QuantityError, QuantityId, SetValues, SettingRange, Values};
+use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_result::sweep::{SweepPoint, SweepRecord, SweptJoint, SweptOutput};
 use loosepin_text::diagnostics::{Code, problems};
@@ -116,6 +117,7 @@ pub fn sweep(
         model: model.name.clone(),
         version: loosepin_text::VERSION.to_owned(),
         overrides: plan.overrides.clone(),
+        repeat: Repeat::default(),
         path: quantity.path.clone(),
         unit: SiUnit::of_dimension(quantity.dimension),
         drive: cycle.name,

@@ -2,6 +2,7 @@
 
 use super::drawing::Pictures;
 use super::material::{Material, unknown_ends};
+use super::value_bands::value_bands;
 use crate::columns::{BAND, PlannedAsk, Spot};
 use crate::file::{Deviation, Where};
 use crate::outputs::Seen;
@@ -34,6 +35,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         random: CurveRange::default(),
         mixed: CurveRange::default(),
         simultaneous: simultaneous(material, bands, planned),
+        at_values: Vec::new(),
         path: path(material, planned),
     };
     for &column in &planned.columns {
@@ -57,6 +59,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         curve.mixed.upper_si.push(high.widened_si);
         curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }
+    curve.at_values = value_bands(material, planned, &curve.mixed);
     curve
 }
 

@@ -14,6 +14,7 @@ mod requirements;
 mod summary;
 mod surrogate;
 mod treatments;
+mod value_bands;
 
 pub(super) use bounds::asked_bounds;
 pub(super) use material::Material;
@@ -23,6 +24,7 @@ pub(super) use surrogate::saved_surrogates;
 use super::contributors::ContributorPlan;
 use super::failures::failures;
 use super::goals::Ended;
+use super::inputs::repeat;
 use super::learned::LearnedBounds;
 use super::promise::Promised;
 use super::simultaneous::CurveBand;
@@ -100,6 +102,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         treatments,
         energy: summary::energy(material),
         impacts: summary::impacts(material),
+        repeat: repeat(material.study),
         display_units: material.study.model.shown_in(DisplayUnits::default()),
         curves: curves::curves(material, &pictures, &curve_bands),
         boxes: boxes::boxes(material),

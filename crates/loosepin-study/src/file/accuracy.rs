@@ -127,6 +127,7 @@ impl Study {
         let source = Source::new("--accuracy", text);
         let target = self.parse_accuracy(text).map_err(|(problem, span)| complaint(&problem, &source, span))?;
         self.accuracy.push(target);
+        self.stated.extend(["--accuracy".to_owned(), text.to_owned()]);
         Ok(())
     }
 
@@ -138,6 +139,7 @@ impl Study {
         let source = Source::new("--budget", text);
         let budget = parse_budget(text).map_err(|problem| complaint(&problem, &source, 0..text.len()))?;
         self.budget = Some(budget);
+        self.stated.extend(["--budget".to_owned(), text.to_owned()]);
         self.budget_place = Some(Place::new(&source, 0..text.len()));
         Ok(())
     }

@@ -59,6 +59,8 @@ pub struct Study {
     pub accuracy: Vec<AccuracyTarget>,
     /// Where the study ends although its bounds are not yet as near.
     pub budget: Option<Budget>,
+    /// What the command line states beside the file.
+    pub(super) stated: Vec<String>,
     /// Where the budget is written.
     pub(super) budget_place: Option<Place>,
     /// What is allowed in model and study and yet looks like an oversight.

@@ -129,6 +129,11 @@ impl Study {
         &self.source
     }
 
+    /// Arguments of the command line that state accuracy and budget beside the file.
+    pub fn stated(&self) -> &[String] {
+        &self.stated
+    }
+
     /// Where the budget is written: in the file or on the command line.
     pub fn budget_place(&self) -> Option<&Place> {
         self.budget_place.as_ref()
@@ -244,6 +249,7 @@ fn read(
         together,
         accuracy,
         budget,
+        stated: Vec::new(),
         budget_place,
         warnings,
         source: file.reader.source,

@@ -1,5 +1,6 @@
 //! Pages, tables and files of results.
 
+mod figures;
 mod measured;
 mod report_answer;
 mod report_fixture;

@@ -149,6 +149,15 @@ fn text_from_files_is_escaped_everywhere() {
         input.path = format!("a.{HOSTILE}{}", input.path);
         input.words = hostile();
     }
+    for value in &mut study.curves[0].at_values {
+        let renamed = value.at.iter().map(|(path, at)| (format!("a.{HOSTILE}{path}"), at.clone()));
+        value.at = renamed.collect();
+    }
+    study.repeat.command = hostile();
+    for file in &mut study.repeat.files {
+        file.name = format!("{HOSTILE}.toml");
+        file.text = hostile();
+    }
     for bound in &mut study.bounds {
         bound.output = hostile();
         bound.unit = SiUnit::from_symbol(HOSTILE);

@@ -36,6 +36,7 @@ pub fn worn_pin() -> MotionRecord {
     MotionRecord {
         model: "slider-crank with a worn pin".to_owned(),
         version: loosepin::VERSION.to_owned(),
+        repeat: Default::default(),
         overrides: Vec::new(),
         drive: "crank".to_owned(),
         drive_speed_rad_s: Some(SPEED_RAD_S),

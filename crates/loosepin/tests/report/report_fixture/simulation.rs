@@ -49,6 +49,7 @@ pub fn worn_pin() -> SimulationRecord {
     SimulationRecord {
         model: "slider-crank with a worn pin".to_owned(),
         version: loosepin::VERSION.to_owned(),
+        repeat: Default::default(),
         overrides: vec![Override { path: "joint.gudgeon.radial_clearance".to_owned(), written: "0.5 mm".to_owned() }],
         settings: SimulationSettings {
             drive: "crank".to_owned(),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use loosepin::result::repeat::{InputText, Repeat};
 use loosepin::study::result::*;
 use loosepin::study::runs::{RunColumn, RunData, RunsTable};
 use loosepin::units::{DisplayUnits, SiUnit};
@@ -153,6 +154,12 @@ pub fn worn_pin() -> StudyResult {
         contributors: contributors(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),
+        repeat: Repeat {
+            command: "loosepin study study.toml".to_owned(),
+            files: [("study.toml", "name = \"worn pin\"\n"), ("model.toml", "name = \"slider-crank\"\n")]
+                .map(|(name, text)| InputText { name: name.to_owned(), text: text.to_owned() })
+                .to_vec(),
+        },
         impacts: vec![JointImpacts {
             joint: "gudgeon".to_owned(),
             impacts_per_turn: [9.0, 13.0, 21.0],
@@ -333,6 +340,17 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         random: CurveRange { lower_si: at_centre(&low), upper_si: at_centre(&high) },
         mixed: CurveRange { lower_si: over(&low, true), upper_si: over(&high, false) },
         simultaneous: Vec::new(),
+        at_values: outers
+            .iter()
+            .map(|outer| ValueBand {
+                at: outer.at.clone(),
+                runs: INNER as u64,
+                band: CurveRange {
+                    lower_si: outer.curves.iter().map(|values| low(values)).collect(),
+                    upper_si: outer.curves.iter().map(|values| high(values)).collect(),
+                },
+            })
+            .collect(),
         path: None,
     }
 }

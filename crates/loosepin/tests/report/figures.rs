@@ -1,0 +1,68 @@
+//! Figures of pages as files of their own: every one of every page, by its name.
+
+use std::collections::BTreeSet;
+
+use loosepin::report::{figures, motion_page, simulation_page, study_page};
+
+use crate::report_fixture;
+
+/// Names that must not change: scripts and papers call figures by them.
+const NAMES: [(&str, &[&str]); 4] = [
+    ("study", &["mechanism", "deviation.slider", "orbit.gudgeon", "distribution.slider"]),
+    ("simulation", &["mechanism", "deviation.slider", "output.slider", "orbit.gudgeon"]),
+    ("motion", &["mechanism", "clearance.slider", "scatter.slider", "position.slider", "velocity.slider"]),
+    ("four_bar", &["mechanism"]),
+];
+
+fn pages() -> [(&'static str, String); 4] {
+    [
+        ("study", study_page(&report_fixture::study::worn_pin())),
+        ("simulation", simulation_page(&report_fixture::simulation::worn_pin())),
+        ("motion", motion_page(&report_fixture::motion::worn_pin())),
+        ("four_bar", motion_page(&report_fixture::motion::four_bar())),
+    ]
+}
+
+#[test]
+fn every_figure_is_a_picture_with_a_stable_name() {
+    for ((page, text), (_, known)) in pages().into_iter().zip(NAMES) {
+        let found = figures(&text);
+        assert_eq!(found.len(), text.matches("data-figure=").count(), "{page}: every figure is found");
+        let names: BTreeSet<&str> = found.iter().map(|figure| figure.name.as_str()).collect();
+        assert_eq!(names.len(), found.len(), "{page}: names are different: {names:?}");
+        for name in known {
+            assert!(names.iter().any(|found| found.starts_with(name)), "{page} has no '{name}': {names:?}");
+        }
+        for figure in &found {
+            assert!(figure.title().len() > 10, "{page}: {}", figure.name);
+            let svg = figure.to_svg(Some(84.0));
+            let root = roxmltree::Document::parse(&svg).unwrap_or_else(|error| panic!("{page} {}: {error}", figure.name));
+            let root = root.root_element();
+            assert_eq!((root.tag_name().name(), root.attribute("width")), ("svg", Some("84.0mm")), "{}", figure.name);
+            // Programs that draw know no variables of a page.
+            assert!(!svg.contains("var(--"), "{page} {}", figure.name);
+        }
+    }
+}
+
+#[test]
+fn identity_the_table_of_a_band_has_all_its_numbers() {
+    let result = report_fixture::study::worn_pin();
+    let figures = figures(&study_page(&result));
+    let band = figures.iter().find(|figure| figure.name == "deviation.slider").expect("the band");
+    let csv = band.to_csv().expect("a chart has numbers");
+    let mut rows = csv.lines();
+    assert!(rows.next().is_some_and(|line| line.starts_with("# figure deviation.slider of study ")), "{csv}");
+    let heads = rows.next().expect("a header");
+    assert!(heads.starts_with("angle of crank [°],") && heads.contains("lower [mm]"), "{heads}");
+    let curve = &result.curves[0];
+    assert_eq!(rows.clone().count(), curve.pose_rad.len());
+    for (row, line) in rows.enumerate() {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        let due = [curve.pose_rad[row].to_degrees(), 1e3 * curve.mixed.lower_si[row], 1e3 * curve.mixed.upper_si[row]];
+        // Six digits.
+        for (cell, due) in cells.iter().zip(due) {
+            assert!((cell - due).abs() <= 1e-5 * due.abs(), "row {row}: {cell} and {due}");
+        }
+    }
+}
