@@ -16,8 +16,10 @@ const savedFigures = (() => {
 
   /** The document that `loosepin report --svg` writes, byte for byte. */
   function svgText(svg: SVGElement, drawn: string): string {
-    const view = svg.getAttribute('viewBox') ?? '';
-    const [, , width = 1, height = 1] = view.split(' ').map(Number);
+    // The saved picture has a key below, which the page has as buttons.
+    const [left = 0, top = 0, width = 1, shown = 1] = (svg.getAttribute('viewBox') ?? '').split(' ').map(Number);
+    const height = shown + Number(svg.dataset.below ?? 0);
+    const view = [left, top, width, height].join(' ');
     const title = document.createElement('span');
     title.textContent = svg.getAttribute('aria-label');
     const style = document.getElementById('saved-style')?.textContent ?? '';

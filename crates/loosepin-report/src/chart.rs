@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::chart_drawing::drawing;
+use super::chart_drawing::{Drawn, drawing};
 use super::figure::{Picture, csv_element};
 use super::number::{NumberWriter, PLAIN_DIGITS};
 use super::script_data::rounded;
@@ -199,9 +199,9 @@ impl Chart {
         self.thin_out(MOST_ROWS);
         let mut drawn = self.clone();
         drawn.thin_out(MOST_POINTS);
-        let (view, plot, drawn) = drawing(&drawn);
+        let Drawn { view, below, plot, drawn } = drawing(&drawn);
         let name = self.id.clone();
-        let picture = Picture { name, class: "chart", view, alternative: self.alternative.clone(), drawn };
+        let picture = Picture { name, class: "chart", view, below, alternative: self.alternative.clone(), drawn };
         let is_angle = self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°";
         html! {
             figure.chart id=(self.id) data-figure=(self.id) {

@@ -17,6 +17,10 @@ const CHARACTER: f64 = 7.2;
 /// Least distances between ticks.
 const LEAST_ACROSS: f64 = 58.0;
 const LEAST_UP: f64 = 38.0;
+/// Rows and columns of the key, and the room below it.
+const KEY_ROW: f64 = 19.0;
+const KEY_COLUMNS: usize = 2;
+const KEY_MARGIN: f64 = 6.0;
 /// Share of the range that is left free above and below.
 const FREE_SHARE: f64 = 0.06;
 
@@ -46,8 +50,17 @@ impl Plot {
     }
 }
 
-/// The view of the picture, where its curves stand, and the picture.
-pub(super) fn drawing(chart: &Chart) -> ([f64; 4], Plot, Markup) {
+/// A chart as it is drawn.
+pub(super) struct Drawn {
+    pub view: [f64; 4],
+    /// Room of the key below the view.
+    pub below: f64,
+    pub plot: Plot,
+    pub drawn: Markup,
+}
+
+/// The picture, and where its curves stand in it.
+pub(super) fn drawing(chart: &Chart) -> Drawn {
     let height = f64::from(chart.height);
     let y = chart.y_range.unwrap_or_else(|| y_range(chart));
     let plot_height = height - ABOVE - BELOW;
@@ -66,7 +79,7 @@ pub(super) fn drawing(chart: &Chart) -> ([f64; 4], Plot, Markup) {
     };
     let clip = format!("clip-{}", chart.id);
     let at = |number: f64| format!("{number:.1}");
-    let markup = html! {
+    let drawn = html! {
         clipPath id=(clip) {
             rect x=(at(plot.left)) y=(at(plot.top)) width=(at(plot.width)) height=(at(plot.height)) {}
         }
@@ -117,8 +130,28 @@ pub(super) fn drawing(chart: &Chart) -> ([f64; 4], Plot, Markup) {
         text.name.of-y transform=(format!("translate(13 {}) rotate(-90)", at(plot.top + 0.5 * plot.height))) text-anchor="middle" {
             (label(&chart.y_label, &chart.y_symbol))
         }
+        (key(chart, &plot, height))
     };
-    ([0.0, 0.0, WIDTH, height], plot, markup)
+    let below = KEY_ROW * chart.entries.len().div_ceil(KEY_COLUMNS) as f64 + KEY_MARGIN;
+    Drawn { view: [0.0, 0.0, WIDTH, height], below, plot, drawn }
+}
+
+/// What the curves are, below the view: seen in saved pictures alone.
+fn key(chart: &Chart, plot: &Plot, top: f64) -> Markup {
+    let column = plot.width / KEY_COLUMNS as f64;
+    html! {
+        g.key {
+            @for (index, entry) in chart.entries.iter().enumerate() {
+                @let x = plot.left + column * (index % KEY_COLUMNS) as f64;
+                @let y = top + KEY_ROW * (0.5 + (index / KEY_COLUMNS) as f64);
+                @if matches!(entry.values, EntryValues::Band { .. }) {
+                    rect class={ "fill " (entry.role.class()) } x=(format!("{x:.1}")) y=(format!("{:.1}", y - 5.0)) width="24" height="10" {}
+                }
+                path class=(line_class(entry)) d=(format!("M{x:.1} {y:.1}h24")) {}
+                text x=(format!("{:.1}", x + 31.0)) y=(format!("{:.1}", y + 4.0)) { (entry.label) }
+            }
+        }
+    }
 }
 
 fn line_class(entry: &Entry) -> String {
@@ -205,7 +238,7 @@ mod tests {
     use super::*;
     use crate::chart::Role;
     use crate::number::NumberWriter;
-    use loosepin_text::units::{DisplayUnits, SiUnit};
+    use loosepin_text::units::DisplayUnits;
 
     fn chart(x_deg: &[f64], values: &[f64]) -> Chart {
         let angles: Vec<f64> = x_deg.iter().map(|angle| angle.to_radians()).collect();
@@ -218,17 +251,17 @@ mod tests {
     #[test]
     fn analytic_a_turn_is_shown_to_its_end() {
         let angles: Vec<f64> = (0..180).map(|k| 34.0 + 2.0 * f64::from(k)).collect();
-        let (_, plot, markup) = drawing(&chart(&angles, &vec![1.0; 180]));
+        let Drawn { plot, drawn, .. } = drawing(&chart(&angles, &vec![1.0; 180]));
         assert!((plot.x[0] - 34.0).abs() < 1e-4 && (plot.x[1] - 394.0).abs() < 1e-4, "{:?}", plot.x);
         // 360° is told as 0°.
-        let text = markup.into_string();
+        let text = drawn.into_string();
         assert!(text.contains(">90</text>") && text.contains(">0</text>") && !text.contains(">360</text>"), "{text}");
     }
 
     #[test]
     fn analytic_points_stand_where_their_values_are_and_gaps_break_the_line() {
         let chart = chart(&[0.0, 90.0, 180.0, 250.0], &[0.0, 2.0, f64::NAN, 1.0]);
-        let (view, plot, _) = drawing(&chart);
+        let Drawn { view, plot, .. } = drawing(&chart);
         let path = line(&chart, &plot, chart.entries[0].values.lists()[0]);
         let right = view[2] - RIGHT;
         // 6 % of 2 are free on either side.

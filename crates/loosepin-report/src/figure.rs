@@ -17,6 +17,8 @@ pub(super) struct Picture {
     pub class: &'static str,
     /// Left, top, width and height in units of the picture.
     pub view: [f64; 4],
+    /// Room below the view for what only the saved picture shows: the key of a chart, which the page has as buttons.
+    pub below: f64,
     /// What is to be seen, for those who cannot see it; the title of the saved picture.
     pub alternative: String,
     pub drawn: Markup,
@@ -28,7 +30,8 @@ impl Picture {
         let view =
             self.view.map(|number| format!("{:.6}", number).trim_end_matches('0').trim_end_matches('.').to_owned());
         html! {
-            svg class={ "figure " (self.class) } viewBox=(view.join(" ")) role="img" aria-label=(self.alternative) { (self.drawn) }
+            svg class={ "figure " (self.class) } viewBox=(view.join(" ")) data-below=(self.below) role="img"
+                aria-label=(self.alternative) { (self.drawn) }
         }
     }
 
@@ -67,6 +70,7 @@ pub struct Figure {
     pub name: String,
     title: String,
     view: String,
+    below: String,
     class: String,
     drawn: String,
     csv: Option<String>,
@@ -91,6 +95,7 @@ pub fn figures(page: &str) -> Vec<Figure> {
                 name,
                 title: attribute(head, "", "aria-label")?,
                 view: attribute(head, "", "viewBox")?,
+                below: attribute(head, "", "data-below")?,
                 class: class.to_owned(),
                 drawn: drawn.to_owned(),
                 csv: csv.map(|(csv, _)| csv.to_owned()),
@@ -119,17 +124,18 @@ impl Figure {
     /// The figure as an SVG document, in the light colours of the page, `width_mm` wide or 160 mm.
     pub fn to_svg(&self, width_mm: Option<f64>) -> String {
         let sides: Vec<f64> = self.view.split(' ').filter_map(|number| number.parse().ok()).collect();
-        let ratio = match sides[..] {
-            [_, _, width, height] if width > 0.0 => height / width,
-            _ => 1.0,
-        };
+        let below: f64 = self.below.parse().unwrap_or(0.0);
+        let [left, top, across, down] = <[f64; 4]>::try_from(sides).unwrap_or([0.0, 0.0, 1.0, 1.0]);
+        let down = down + below;
+        let ratio = if across > 0.0 { down / across } else { 1.0 };
+        let view = format!("{left} {top} {across} {down}");
         let width = width_mm.unwrap_or(WIDTH_MM);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"figure {}\" width=\"{width:.1}mm\" height=\"{:.1}mm\" viewBox=\"{}\" \
              role=\"img\"><title>{}</title><style>{}</style>{}</svg>\n",
             self.class,
             width * ratio,
-            self.view,
+            view,
             self.title,
             saved_style(),
             self.drawn
@@ -166,7 +172,8 @@ mod tests {
         Picture {
             name: "deviation.slider".to_owned(),
             class: "zone",
-            view: [0.0, 0.0, 200.0, 50.0],
+            view: [0.0, 0.0, 200.0, 40.0],
+            below: 10.0,
             alternative: "A line & more".to_owned(),
             drawn: html! { path.ideal d="M0 0L1 1" {} },
         }

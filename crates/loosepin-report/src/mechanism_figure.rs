@@ -66,6 +66,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
         name: NAME.to_owned(),
         class: "mechanism",
         view: [frame.left, frame.top, frame.width, frame.height],
+        below: 0.0,
         alternative,
         drawn: shapes(drawing, reference, &motion, &frame, magnification, has_ideal),
     };

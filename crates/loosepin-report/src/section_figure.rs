@@ -52,5 +52,6 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
                 span.irregular { "orange" } " if not."
     };
     let name = name_of("bifurcation", &swept.name);
-    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], alternative, drawn }.figure(caption, None)
+    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], below: 0.0, alternative, drawn }
+        .figure(caption, None)
 }

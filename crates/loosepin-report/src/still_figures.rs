@@ -72,7 +72,7 @@ fn in_circle(alternative: &str, name: &str, drawn: Markup, caption: Markup) -> M
             (drawn)
         }
     };
-    Picture { name: name.to_owned(), class: "orbit", view, alternative: alternative.to_owned(), drawn }
+    Picture { name: name.to_owned(), class: "orbit", view, below: 0.0, alternative: alternative.to_owned(), drawn }
         .figure(caption, None)
 }
 

@@ -67,5 +67,6 @@ pub(super) fn surrogate_figure(
                 span.regular { "Lines" } ": the surrogate there, with its error."
     };
     let name = name_of("surrogate", &format!("{} {}", output.output, output.of.word()));
-    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], alternative, drawn }.figure(caption, None)
+    Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], below: 0.0, alternative, drawn }
+        .figure(caption, None)
 }

@@ -221,6 +221,7 @@ mod tests {
             joints: Vec::new(),
         };
         let record = SweepRecord {
+            repeat: Default::default(),
             model: "slider-crank".to_owned(),
             version: "0.1.0".to_owned(),
             overrides: Vec::new(),

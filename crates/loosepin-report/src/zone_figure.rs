@@ -134,7 +134,7 @@ pub(super) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
                 }
     };
     let csv = zone_csv(curve, path, band, writer);
-    Picture { name, class: "zone", view: [0.0, 0.0, view.width, view.height], alternative, drawn }
+    Picture { name, class: "zone", view: [0.0, 0.0, view.width, view.height], below: 0.0, alternative, drawn }
         .figure(caption, Some(&csv))
 }
 

@@ -5,6 +5,7 @@ mod cases;
 mod cluster_page;
 mod command_line;
 mod failed_runs;
+mod figures;
 mod import;
 mod pages;
 mod paths;

@@ -36,7 +36,8 @@ fn every_figure_is_a_picture_with_a_stable_name() {
         for figure in &found {
             assert!(figure.title().len() > 10, "{page}: {}", figure.name);
             let svg = figure.to_svg(Some(84.0));
-            let root = roxmltree::Document::parse(&svg).unwrap_or_else(|error| panic!("{page} {}: {error}", figure.name));
+            let root =
+                roxmltree::Document::parse(&svg).unwrap_or_else(|error| panic!("{page} {}: {error}", figure.name));
             let root = root.root_element();
             assert_eq!((root.tag_name().name(), root.attribute("width")), ("svg", Some("84.0mm")), "{}", figure.name);
             // Programs that draw know no variables of a page.
