@@ -131,6 +131,13 @@ impl Entry {
     }
 }
 
+/// Single points in the units of the chart, such as peaks between samples.
+#[derive(Debug, Clone)]
+pub(super) struct Dots {
+    pub role: Role,
+    pub points: Vec<[f64; 2]>,
+}
+
 /// An upright line with a name.
 #[derive(Debug, Clone)]
 pub(super) struct Mark {
@@ -152,6 +159,8 @@ pub(super) struct Chart {
     /// Fixed ends of the vertical axis, where it has any.
     pub y_range: Option<[f64; 2]>,
     pub entries: Vec<Entry>,
+    /// Single points beside the curves.
+    pub dots: Vec<Dots>,
     /// Upright lines.
     pub marks: Vec<Mark>,
     pub height: u32,
@@ -180,6 +189,7 @@ impl Chart {
             y_symbol: String::new(),
             y_range: None,
             entries: Vec::new(),
+            dots: Vec::new(),
             marks: Vec::new(),
             height: 300,
             caption: html! {},

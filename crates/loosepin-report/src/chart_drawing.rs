@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis};
+use super::chart::{Chart, Dots, Entry, EntryValues, HorizontalAxis};
 use super::ticks::{tick_text, ticks};
 
 /// Width of a picture; a unit is about a pixel. The script fits it to the width of the page.
@@ -115,6 +115,11 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
                 }
             }
         }
+        @if !chart.dots.is_empty() {
+            g.curves clip-path=(format!("url(#{clip})")) {
+                g { @for dots in &chart.dots { path class={ "dots " (dots.role.class()) } d=(points(dots, &plot)) {} } }
+            }
+        }
         g.marks {
             @for mark in &chart.marks {
                 @if let Some(value) = mark.at {
@@ -176,7 +181,9 @@ fn x_range(chart: &Chart) -> [f64; 2] {
 
 fn y_range(chart: &Chart) -> [f64; 2] {
     let lists = chart.entries.iter().flat_map(|entry| entry.values.lists());
-    let [from, to] = range(lists.flatten().copied().flatten());
+    let dots = chart.dots.iter().flat_map(|dots| dots.points.iter().map(|point| point[1]));
+    let finite = lists.flatten().copied().flatten().chain(dots).filter(|value| value.is_finite());
+    let [from, to] = range(finite);
     let free = if to > from { FREE_SHARE * (to - from) } else { (0.1 * from.abs()).max(f64::MIN_POSITIVE) };
     if from == to && from == 0.0 { [-1.0, 1.0] } else { [from - free, to + free] }
 }
@@ -213,6 +220,12 @@ fn line(chart: &Chart, plot: &Plot, values: &[Option<f64>]) -> String {
         is_down = true;
     }
     path
+}
+
+/// A line of no length at each point, which round ends make a dot.
+fn points(dots: &Dots, plot: &Plot) -> String {
+    let finite = dots.points.iter().filter(|point| point.iter().all(|value| value.is_finite()));
+    finite.map(|[x, y]| format!("M{:.1} {:.1}h0", plot.across(*x), plot.up(*y))).collect()
 }
 
 /// The area between two curves: one piece for each stretch in which both have values.

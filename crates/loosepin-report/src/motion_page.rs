@@ -310,12 +310,14 @@ fn share_bar(part_si: f64, whole_si: f64, writer: &NumberWriter) -> Markup {
 
 fn motion(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     html! {
-        @for output in &record.outputs {
-            (motion_chart(record, output, "position", &output.value_si, Some(output.unit.clone()), writer))
-            @let rate = output.unit.per_second();
-            (motion_chart(record, output, "velocity", &output.velocity_si, rate.clone(), writer))
-            @let second = rate.and_then(|rate| rate.per_second());
-            (motion_chart(record, output, "acceleration", &output.acceleration_si, second, writer))
+        div.charts {
+            @for output in &record.outputs {
+                (motion_chart(record, output, "position", &output.value_si, Some(output.unit.clone()), writer))
+                @let rate = output.unit.per_second();
+                (motion_chart(record, output, "velocity", &output.velocity_si, rate.clone(), writer))
+                @let second = rate.and_then(|rate| rate.per_second());
+                (motion_chart(record, output, "acceleration", &output.acceleration_si, second, writer))
+            }
         }
     }
 }
@@ -359,7 +361,7 @@ fn efforts(record: &MotionRecord, writer: &NumberWriter) -> Markup {
             "What inertia, weight, springs, loads and friction in joints without play need to make the ideal motion. Play and impacts \
              are not included: use " code { "simulate" } " for them."
         }
-        @for effort in &record.efforts { (effort_chart(record, effort, writer)) }
+        div.charts { @for effort in &record.efforts { (effort_chart(record, effort, writer)) } }
     }
 }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use std::f64::consts::TAU;
 
 use super::answer::{turn_word, turns};
-use super::chart::{Chart, Entry, Role};
+use super::chart::{Chart, Dots, Entry, Role};
 use super::figure::name_of;
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
@@ -238,13 +238,26 @@ fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<Str
 
 /// A chart over the angle of the drive, from 0° on, where it turns forwards at constant speed; else over time.
 fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
-    let first_rad = record.drive_angle_rad.first().copied().unwrap_or_default();
     if !record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0) {
         return Chart::over(id, "time", &record.time_s, &SiUnit::TIME, writer);
     }
-    let before_rad = (first_rad / TAU + SHARE_OF_TURN).floor() * TAU;
+    let before_rad = before_rad(record);
     let angles_rad: Vec<f64> = record.drive_angle_rad.iter().map(|angle_rad| angle_rad - before_rad).collect();
     Chart::over_angle(id, &record.settings.drive, &angles_rad, writer)
+}
+
+/// Where an impact stands in the charts of a run.
+fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, writer: &NumberWriter) -> f64 {
+    if !record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0) {
+        return writer.scaled(impact.time_s, &SiUnit::TIME);
+    }
+    writer.scaled(impact.drive_angle_rad - before_rad(record), &SiUnit::ANGLE)
+}
+
+/// Whole turns before the recorded part, rad.
+fn before_rad(record: &SimulationRecord) -> f64 {
+    let first_rad = record.drive_angle_rad.first().copied().unwrap_or_default();
+    (first_rad / TAU + SHARE_OF_TURN).floor() * TAU
 }
 
 /// What the charts of a run are over, in words.
@@ -257,8 +270,10 @@ fn abscissa_words(record: &SimulationRecord) -> String {
 
 fn outputs(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
-        @for output in &record.outputs {
-            (output_chart(record, output, writer).figure())
+        div.charts {
+            @for output in &record.outputs {
+                (output_chart(record, output, writer).figure())
+            }
         }
     }
 }
@@ -279,8 +294,10 @@ fn output_chart(record: &SimulationRecord, output: &OutputHistory, writer: &Numb
 
 fn deviations(record: &SimulationRecord, shown: Option<usize>, writer: &NumberWriter) -> Markup {
     html! {
-        @for (index, output) in record.outputs.iter().enumerate() {
-            @if !output.deviation_si.is_empty() && Some(index) != shown { (deviation_chart(record, output, writer).figure()) }
+        div.charts {
+            @for (index, output) in record.outputs.iter().enumerate() {
+                @if !output.deviation_si.is_empty() && Some(index) != shown { (deviation_chart(record, output, writer).figure()) }
+            }
         }
     }
 }
@@ -394,10 +411,15 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
     chart.y_symbol = writer.symbol(&SiUnit::FORCE);
     for (index, history) in record.contact_forces.iter().enumerate() {
         let role = Role::of_index(index);
+        let own = record.impacts.iter().filter(|impact| impact.joint == history.joint);
+        let point = |impact: &ImpactRecord| {
+            [impact_place(record, impact, writer), writer.scaled(impact.peak_force_n, &SiUnit::FORCE)]
+        };
+        chart.dots.push(Dots { role, points: own.map(point).collect() });
         chart.entries.push(Entry::line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
     }
     chart.caption = html! {
-        strong { "Normal contact force" } " at the sample times. The table of impacts holds the peaks between samples."
+        strong { "Normal contact force" } " at the sample times. Dots: the largest force of each impact, which lies between samples."
     };
     chart.alternative =
         format!("Chart of the normal contact force of each joint with play {}.", abscissa_words(record));
@@ -406,12 +428,12 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
 
 fn controls(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     html! {
-        @for (index, control) in record.controls.iter().enumerate() {
+        @for control in &record.controls {
             h3 { (control.name) }
             @let about = html! { strong { "Error." } " Reference minus " (control.measured) "." };
-            (control_chart(record, format!("control-error-{index}"), "error", (&control.error_si, &control.unit), about, writer))
+            (control_chart(record, name_of("control-error", &control.name), "error", (&control.error_si, &control.unit), about, writer))
             @let about = html! { strong { "Effort." } " Force or torque of the actuator in " (control.joint) "." };
-            (control_chart(record, format!("control-effort-{index}"), "effort", (&control.effort_si, &control.effort_unit), about, writer))
+            (control_chart(record, name_of("control-effort", &control.name), "effort", (&control.effort_si, &control.effort_unit), about, writer))
         }
     }
 }

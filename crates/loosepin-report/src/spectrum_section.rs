@@ -90,9 +90,7 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
             html! { (writer.value(own.peak_si, &own.unit)) },
             html! { (dominant_words(record, own, writer)) },
         ])))
-        @for own in &drawn {
-            (spectrum_chart(own, drive, writer).figure())
-        }
+        div.charts { @for own in &drawn { (spectrum_chart(own, drive, writer).figure()) } }
     })
 }
 
