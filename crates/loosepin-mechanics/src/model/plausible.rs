@@ -23,6 +23,8 @@ const MOST_CENTRE_PER_EXTENT: f64 = 10.0;
 const MOST_CLEARANCE_PER_RADIUS: f64 = 0.1;
 /// Difference of delivered and nominal restitution, at most: what laws for nearly elastic impacts have at a quarter.
 const MOST_RESTITUTION_GAINED: f64 = 0.45;
+/// From the temperature of drawings, 20 °C (ISO 1), down to absolute zero, K.
+const LEAST_RISE_K: f64 = -293.15;
 const MM_PER_M: f64 = 1e3;
 /// Words in the names of parameters that are never below zero.
 const POSITIVE_NAMES: [&str; 5] = ["length", "radius", "diameter", "thickness", "width"];
@@ -37,6 +39,9 @@ problems! {
         Upwards { found: String, turned: String } => Code::HardlyPossible,
             says("gravity {found} acts upwards: it is the acceleration along -y"),
             hint("did you mean \"{turned}\"?");
+        BelowAbsoluteZero { entry: String, found: String } => Code::HardlyPossible,
+            says("{entry} {found}; from 20 °C that is below absolute zero"),
+            hint("it is the difference from the temperature of the drawing, in K");
         NegativeLength { entry: String, found: String, turned: String } => Code::HardlyPossible,
             says("{entry} is {found}; a length is usually above 0"),
             hint("did you mean \"{turned}\"?");
@@ -109,6 +114,8 @@ impl Model {
             if quantity.path == "gravity" && value < 0.0 {
                 let problem = HardlyPossible::Upwards { found: shown(value), turned: shown(-value) };
                 found.push((quantity.path.clone(), problem));
+            } else if quantity.path.ends_with("temperature_rise") && value < LEAST_RISE_K {
+                found.push((quantity.path.clone(), HardlyPossible::BelowAbsoluteZero { entry, found: shown(value) }));
             } else if let Some(name) = quantity.path.strip_prefix("parameter.") {
                 let is_length = quantity.dimension == Dimension::LENGTH;
                 if is_length && value < 0.0 && POSITIVE_NAMES.iter().any(|word| name.contains(word)) {

@@ -171,3 +171,15 @@ fn no_case_and_no_template_has_such_a_number() {
         assert!(study.warnings.iter().all(|warning| warning.code.as_str() != "E0823"), "{:?}", study.warnings);
     }
 }
+
+#[test]
+fn a_temperature_below_absolute_zero_is_named() {
+    let colder = |rise: &str| {
+        let keys = format!("thermal_expansion = \"12e-6 1/K\"\ntemperature_rise = \"{rise}\"\nmass = ");
+        warnings(&template().replacen("mass = ", &keys, 1))
+    };
+    let said = colder("-300 K");
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(said[0].contains("temperature rise -300 K; from 20 °C that is below absolute zero"), "{said:?}");
+    assert!(colder("-200 K").is_empty());
+}
