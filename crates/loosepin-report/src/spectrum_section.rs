@@ -4,7 +4,7 @@ use super::chart::{Chart, Entry, Role};
 use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::page::cards;
-use super::wording::{named_words, without_round_off};
+use super::wording::{listed, named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
@@ -78,6 +78,9 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
     if all.is_empty() {
         return None;
     }
+    let has_none = |name: &&str| !all.iter().any(|own| own.name == **name);
+    let outputs = record.outputs.iter().map(|output| output.name.as_str());
+    let without: Vec<String> = outputs.filter(|name| has_none(name)).map(str::to_owned).collect();
     Some(html! {
         p {
             "The order of an oscillation is its number of waves in a turn of " (drive) ". "
@@ -90,6 +93,12 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
             html! { (writer.value(own.peak_si, &own.unit)) },
             html! { (dominant_words(record, own, writer)) },
         ])))
+        @if !without.is_empty() {
+            p.quiet {
+                "Without a spectrum: " (listed(&without))
+                ". Such a history does not come back, as the angle of a shaft, or has values that do not exist."
+            }
+        }
         div.charts { @for own in &drawn { (spectrum_chart(own, drive, writer).figure()) } }
     })
 }
