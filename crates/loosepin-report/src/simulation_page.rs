@@ -199,7 +199,7 @@ fn quasi_static_sentence(checks: &[&QuasiStaticShare], writer: &NumberWriter) ->
     };
     if skipped > 0 {
         sentence.push_str(&format!(
-            " {} could not be checked: a dead point lies within the clearances.",
+            " {} could not be checked: a dead point lies within the clearances, or a slider overhangs its guide.",
             counted(skipped as u64, "sample", writer)
         ));
     }

@@ -102,7 +102,7 @@ pub struct QuasiStaticShare {
     pub worst_case_si: f64,
     /// Whether a sample lies beyond its worst case by more than tolerance and round-off: then the run is wrong.
     pub is_exceeded: bool,
-    /// Samples at which a dead point lies within the clearances, so that there is no worst case.
+    /// Samples without a worst case: a dead point lies within the clearances, or a slider overhangs an end of its guide.
     pub samples_without_worst_case: usize,
 }
 

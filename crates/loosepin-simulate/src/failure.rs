@@ -57,7 +57,7 @@ problems! {
                 length(*half_height_m)
             ),
             hint("the contact is too soft, or the drive too fast, for these masses");
-        /// A corner leaves the faces of its guide.
+        /// The slider is out of its guide: its rear corner is beyond the end of a face, or its front corner before the start.
         BeyondGuide {
             /// The corner, with the name of its joint.
             contact: String,
@@ -69,13 +69,13 @@ problems! {
             time_s: f64,
         } => Code::SliderBeyondGuide,
             says(
-                "at {} the corner {contact} of the slider is at {} of its guide, whose faces reach from {} to {}",
+                "at {} the slider is out of its guide: its corner {contact} is at {}, and the faces reach from {} to {}",
                 time(*time_s),
                 length(*along_m),
                 length(ends_m[0]),
                 length(ends_m[1])
             ),
-            hint("give the guide other ends, or none: what overhangs is not computed");
+            hint("give the guide other ends, or none: nothing holds a slider that has left its faces");
         /// The penetration is deeper than the contact law can tell a force for.
         BeyondLaw { joint: String, law: &'static str, penetration_m: f64, limit_m: f64, time_s: f64 } =>
             Code::BeyondContactLaw,

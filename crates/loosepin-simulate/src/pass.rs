@@ -11,8 +11,10 @@ use loosepin_math::Real;
 use loosepin_math::integrate::{StepRows, Stepper, System};
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SliderBlock, is_front_corner};
 
+/// The force at the edge of a guide over that of its law, 1/cos θ, up to a tilt of 33°.
+const LARGEST_STRETCH: f64 = 1.2;
 /// Rates of a contact are taken to be no faster than this, m/s: infinite ones times a law's number that is zero are none.
 const FASTEST_M_S: f64 = 1e100;
 
@@ -178,7 +180,13 @@ impl Pass {
             if let (PlayShape::Slider(block), Some(place)) = (&sample.play_of(contact).shape, self.reads.along(contact))
                 && let Some([first, last]) = block.ends_m
             {
-                good = unless(first.less_than(ends[place]), unless(ends[place].less_than(last), good));
+                // The block is out of the guide where its rear is beyond the end, or its front before the start.
+                let holds = if is_front_corner(sample.contacts[contact].place) {
+                    first.less_than(ends[place])
+                } else {
+                    ends[place].less_than(last)
+                };
+                good = unless(holds, good);
             }
         }
         let residual = T::from_f64(LARGEST_RESIDUAL);
@@ -342,6 +350,9 @@ impl Pass {
             let mut force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, &state);
             if let PlayShape::Slot(slot) = &numbers.shape {
                 force_n *= slot.end_stiffening + one;
+            }
+            if let PlayShape::Slider(SliderBlock { ends_m: Some(_), .. }) = &numbers.shape {
+                force_n *= T::from_f64(LARGEST_STRETCH);
             }
             let is_deepest = of_lane[LaneLayout::DEEPEST].less_than(depth_m);
             let is_strongest = of_lane[LaneLayout::STRONGEST].less_than(force_n);

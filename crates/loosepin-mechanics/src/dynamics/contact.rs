@@ -59,7 +59,7 @@ impl<T: Real> PlayMotion<T> {
         unknowns: &ContactUnknowns<T>,
     ) -> ContactForce<T> {
         let contact = self.contact(play, place);
-        let tangent = contact.normal.turned(); // eq. (3)
+        let mut tangent = contact.normal.turned(); // eq. (3)
         let penetration_m = contact.penetration_m * state.contact; // eq. (4)
         let rate_m_s = contact.penetration_rate_m_s; // eq. (6)
         let mut force = match &unknowns.root {
@@ -71,6 +71,15 @@ impl<T: Real> PlayMotion<T> {
                 play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
             }
         };
+        let mut normal_n = force.total_n;
+        if let PlayShape::Slider(block) = &play.shape
+            && block.ends_m.is_some()
+        {
+            // Beyond an end of the guide the normal is not a unit vector.
+            let stretch = corner::stretch(self, block, place);
+            normal_n *= stretch;
+            tangent = tangent * (T::one() / stretch);
+        }
         let mut push_n = Vec2::zero();
         let mut stiffness_share = T::one();
         if let PlayShape::Slot(shape) = &play.shape {
@@ -78,6 +87,7 @@ impl<T: Real> PlayMotion<T> {
             stiffness_share = stiffening.share;
             force.total_n *= stiffness_share;
             force.elastic_n *= stiffness_share;
+            normal_n = force.total_n;
             push_n = tangent * (stiffening.pull_1_m * play.normal.stored_energy_j(penetration_m));
         }
         let contact_loss_w = (force.total_n - force.elastic_n) * rate_m_s;
@@ -88,7 +98,7 @@ impl<T: Real> PlayMotion<T> {
             contact_loss_w,
             friction_loss_w: T::zero(),
             film_loss_w: T::zero(),
-            normal_n: force.total_n,
+            normal_n,
             penetration_rate_m_s: rate_m_s,
             bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
@@ -112,9 +122,9 @@ impl<T: Real> PlayMotion<T> {
                 }
             };
             let friction_n = match unknowns.bristle_m {
-                None => play.friction.force_n(sliding_m_s, force.total_n),
+                None => play.friction.force_n(sliding_m_s, normal_n),
                 Some(bristle_m) => {
-                    let friction = play.friction.force_with_bristle(sliding_m_s, force.total_n, bristle_m);
+                    let friction = play.friction.force_with_bristle(sliding_m_s, normal_n, bristle_m);
                     result.bristle_rate_m_s = friction.rate_m_s;
                     friction.force_n
                 }
@@ -131,9 +141,13 @@ impl<T: Real> PlayMotion<T> {
         if let Some(film) = &play.film {
             film::add(self, film, play.clearance_m, &mut result);
         }
-        if let PlayShape::Slider(_) = play.shape {
-            result.along_m = self.directions[0].dot(contact.reaches_m[0]);
-            // Both forces act at the corner.
+        if let PlayShape::Slider(block) = &play.shape {
+            result.along_m = match block.ends_m {
+                // The corner's own, wherever they touch.
+                Some(_) => corner::along_m(self, block, place),
+                None => self.directions[0].dot(contact.reaches_m[0]),
+            };
+            // Both forces act at the corner, or at the end of the guide.
             result.moment_on_journal_n_m = contact.reaches_m[1].cross(result.on_journal_n);
             result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);
         }

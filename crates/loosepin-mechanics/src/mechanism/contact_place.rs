@@ -57,7 +57,8 @@ pub struct SliderBlock<T> {
     pub line: Vec2<T>,
     /// Direction of the block's axis in the slider body's frame.
     pub axis: Vec2<T>,
-    /// Where the faces begin and end along the line, m; none where they have no ends. A run in which a corner leaves them fails.
+    /// Where the faces begin and end along the line, m; none where they have no ends. The block may overhang an end; a run in which it
+    /// leaves the faces altogether fails.
     pub ends_m: Option<[T; 2]>,
 }
 
@@ -65,6 +66,16 @@ numbers!(struct SliderBlock { half_length_m, half_height_m, line, axis, ends_m }
 
 /// Names of the places of a slider: where along the guide's direction, at which face.
 const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];
+
+/// Whether the corner at `place` of a slider is at its front, where the guide's line points to; it is at its rear otherwise.
+pub fn is_front_corner(place: usize) -> bool {
+    place % 2 == 1
+}
+
+/// Whether the corner at `place` of a slider is at the upper face, to the left of the guide's line; it is at the lower face otherwise.
+pub fn is_upper_corner(place: usize) -> bool {
+    place < 2
+}
 
 /// The places of the joints with play, joint by joint.
 pub(super) fn contact_places(model: &Model, plays: &[PlayId]) -> Vec<ContactPlace> {

@@ -41,7 +41,7 @@ mod ways_on;
 
 pub use compile::Mechanism;
 pub use constraints::RowOwner;
-pub use contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
+pub use contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape, is_front_corner, is_upper_corner};
 pub use control::{ControlGeometry, KnownChain};
 pub use coupling_geometry::{CouplingGeometry, CouplingNumbers};
 pub use drive::{DriveMotion, Drives, TimeDual, room};

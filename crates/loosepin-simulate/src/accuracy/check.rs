@@ -6,8 +6,9 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayGeometry, PlayShape, Sample};
-use loosepin_mechanics::model::Values;
+use loosepin_mechanics::dynamics::PlayMotion;
+use loosepin_mechanics::mechanism::{IdealMotion, Kinematics, Mechanism, PlayGeometry, PlayShape, Sample, SliderBlock};
+use loosepin_mechanics::model::{PlayId, Values};
 use loosepin_result::simulation::{QuasiStaticShare, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
@@ -19,7 +20,8 @@ const RELATIVE_TOLERANCE: f64 = 1e-9;
 ///
 /// `values` are those that the run was made with. A position counts as exceeded where it lies beyond by more than the
 /// tolerance of the run and round-off. Where the loops cannot be closed everywhere within the clearances (a dead point lies
-/// among them), there is no worst case: such samples are counted. With a slider that can turn over in its
+/// among them), or a slider overhangs an end of its guide, which lets it tilt further, there is no worst case: such samples are
+/// counted. With a slider that can turn over in its
 /// guide, or a follower that may lift off its cam, there is none at all, and no output is compared.
 ///
 /// # Errors
@@ -54,6 +56,10 @@ pub fn quasi_static_check(
     for (row, time_s) in record.time_s.iter().enumerate() {
         ideal.move_to(*time_s)?;
         loops.set_position(ideal.coordinates());
+        if overhangs(mechanism, &sample, ideal.kinematics()) {
+            compared.iter_mut().for_each(Compared::leave_out);
+            continue;
+        }
         for output in &mut compared {
             // An angle errs by what its length errs over the size of the mechanism.
             let scale_m = if output.output.unit == SiUnit::ANGLE { mechanism.size_m } else { 1.0 };
@@ -74,6 +80,22 @@ pub fn check_quasi_static(
 ) -> Result<(), AccuracyError> {
     record.quasi_static_check = quasi_static_check(mechanism, values, record)?;
     Ok(())
+}
+
+/// Whether the block of a slider with play reaches over an end of its guide in the ideal position, or as near to it as its play.
+fn overhangs(mechanism: &Mechanism, sample: &Sample<f64>, kinematics: &Kinematics<f64>) -> bool {
+    mechanism.plays.iter().zip(&sample.plays).any(|(play, numbers)| {
+        let PlayShape::Slider(SliderBlock { ends_m: Some([first_m, last_m]), half_length_m, .. }) = numbers.shape
+        else {
+            return false;
+        };
+        let PlayId::Joint(joint) = *play else { return false };
+        let slots = mechanism.model.joints[joint.0].kind.bodies().map(|body| mechanism.ideal.slot_of_body[body.0]);
+        let motion = PlayMotion::between(kinematics, slots, numbers);
+        let along_m = motion.directions[0].dot(motion.eccentricity_m);
+        let reach_m = half_length_m + numbers.clearance_m;
+        along_m - reach_m < first_m || last_m < along_m + reach_m
+    })
 }
 
 /// One output on its way through the samples.
@@ -100,6 +122,12 @@ impl<'r> Compared<'r> {
         Self { output, deviation_si, starts: Vec::new(), share }
     }
 
+    /// Passes over a sample without a worst case.
+    fn leave_out(&mut self) {
+        self.share.samples_without_worst_case += 1;
+        self.starts.clear();
+    }
+
     fn compare(
         &mut self,
         loops: &mut DisplacedLoops<'_>,
@@ -112,8 +140,7 @@ impl<'r> Compared<'r> {
         let Ok(ExactWorstCase { lowest, highest }) =
             exact_worst_case(loops, self.output.reading, reaches, &self.starts)
         else {
-            self.share.samples_without_worst_case += 1;
-            self.starts.clear();
+            self.leave_out();
             return;
         };
         let worst_case_si = if deviation_si < 0.0 { lowest.deviation_si } else { highest.deviation_si };

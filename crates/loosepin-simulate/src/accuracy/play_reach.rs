@@ -16,7 +16,8 @@ pub enum PlayReach {
         /// Radius r, m.
         radius_m: f64,
     },
-    /// A slider in its guide: |y| + a |sin θ| <= c + b (1 - cos θ), |θ| <= θ_max.
+    /// A slider in its guide: |y| + a |sin θ| <= c + b (1 - cos θ), |θ| <= θ_max. The guide is taken to hold it over its whole length:
+    /// where it overhangs an end it can tilt further.
     Guide {
         /// Gap c on each side, m.
         clearance_m: f64,

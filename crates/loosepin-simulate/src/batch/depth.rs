@@ -7,7 +7,7 @@ use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::pass::{LARGEST_RESIDUAL, step_in_time};
 use crate::reads::ReadLayout;
-use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape};
+use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape, is_front_corner};
 
 impl Batch<'_> {
     /// The drive, load or control whose expression has no value where the step at hand of a lane begins, or where it would end if all
@@ -50,7 +50,9 @@ impl Batch<'_> {
                 (&play.shape, self.core.pass.reads.along(contact))
             {
                 let along_m = self.core.end_read(lane, place);
-                if !(ends_m[0] <= along_m && along_m <= ends_m[1]) {
+                let is_front = is_front_corner(run.sample.contacts[contact].place);
+                let holds = if is_front { ends_m[0] <= along_m } else { along_m <= ends_m[1] };
+                if !holds {
                     return Err(RunFailure::BeyondGuide {
                         contact: self.mechanism.contact_name(contact),
                         joint: self.joint_name(contact).to_owned(),

@@ -278,10 +278,20 @@ fn analytic_slider_jams_on_two_opposite_corners() {
 }
 
 #[test]
-fn identity_derivatives_of_gaps_and_powers_of_corners() {
+fn identity_derivatives_of_gaps_and_powers_of_corners_and_of_edges() {
+    let text = file("slider_on_a_turning_guide.toml");
+    derivatives_and_powers(&text);
+    // The corners are at 34 and at 76 mm: both ends of the block overhang, one of them, none.
+    for ends in [["40 mm", "71 mm"], ["41 mm", "300 mm"], ["-200 mm", "72 mm"], ["-200 mm", "300 mm"]] {
+        let ends = format!("angle = \"17 deg\", start = \"{}\", end = \"{}\"", ends[0], ends[1]);
+        derivatives_and_powers(&text.replace("angle = \"17 deg\"", &ends));
+    }
+}
+
+fn derivatives_and_powers(text: &str) {
     /// Round-off over the largest term.
     const ROUND_OFF: f64 = 1e-11;
-    let Case { mechanism, sample } = case(&file("slider_on_a_turning_guide.toml"));
+    let Case { mechanism, sample } = case(text);
     let n = mechanism.real.free;
     assert_eq!(n, 3, "place and angle of the block");
     let (start, start_rates) = mechanism.start(&sample).expect("it closes");
@@ -435,17 +445,18 @@ fn text_of_a_slider_that_leaves_its_guide_and_identity_of_one_that_does_not() {
     let (held, seen_held) = observed(&with_ends("start = \"-300 mm\", end = \"300 mm\""), 0.02);
     assert_eq!((free, seen_free.onsets), (held, seen_held.onsets), "the same bits");
 
-    let Case { mechanism, sample } = with_ends("start = \"20 mm\", end = \"300 mm\"");
+    // The rear overhangs the start from the beginning; then the front passes it too.
+    let Case { mechanism, sample } = with_ends("start = \"60 mm\", end = \"300 mm\"");
     let window = Window { start_s: 0.0, end_s: 0.07 };
     let failure = run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut Seen::default());
     let Err(RunFailure::BeyondGuide { contact, joint, along_m, ends_m, time_s }) = failure else {
         panic!("{failure:?}")
     };
-    assert_eq!((joint.as_str(), ends_m), ("guide", [0.02, 0.3]));
-    assert!(contact.ends_with(" rear)") && along_m < 0.02 && along_m > 0.019, "{contact} {along_m}");
-    let failure = RunFailure::BeyondGuide { contact, joint, along_m: 0.0195, ends_m, time_s: 0.5 * (time_s / time_s) };
-    let expected = "at 500 ms the corner guide (upper rear) of the slider is at 19.5 mm of its guide, whose faces reach from \
-                    20 mm to 300 mm";
+    assert_eq!((joint.as_str(), ends_m), ("guide", [0.06, 0.3]));
+    assert!(contact.ends_with(" front)") && along_m < 0.06 && along_m > 0.059, "{contact} {along_m}");
+    let failure = RunFailure::BeyondGuide { contact, joint, along_m: 0.0595, ends_m, time_s: 0.5 * (time_s / time_s) };
+    let expected = "at 500 ms the slider is out of its guide: its corner guide (upper front) is at 59.5 mm, and the faces reach \
+                    from 60 mm to 300 mm";
     assert_eq!(failure.to_string().replace("lower", "upper"), expected);
 }
 

@@ -184,7 +184,7 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
 /// friction in ideal joints, sliders with play in their guides, pins in slots, gears and racks with
 /// backlash, a cam from which its follower lifts off.
-const CASES: [(&str, f64); 23] = [
+const CASES: [(&str, f64); 24] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -203,6 +203,7 @@ const CASES: [(&str, f64); 23] = [
     ("slider_crank_joint_friction.toml", 0.1),
     ("slider_crank_guide", 0.05),
     ("slider_with_play_in_its_guide.toml", 0.1),
+    ("block_over_the_end.toml", 0.6),
     ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
     ("disc_in_a_turning_slot.toml", 0.12),
     ("geared_four_bar_backlash", 0.5),

@@ -6,6 +6,7 @@ mod balance;
 mod contact_laws;
 mod elements;
 mod films;
+mod guide_ends;
 mod guide_play;
 mod lanes;
 mod outputs;

@@ -424,8 +424,9 @@ friction, a long arm or a short guide no friction force fits any more (jamming, 
 then."
 
     SliderBeyondGuide "E0814" "a slider leaves its guide"
-"The faces of a guide with `start` and `end` hold a slider between them only: a corner that goes beyond has nothing to touch, and \
-the edge of the guide on the slider's side is not computed. Give the guide other ends, or leave them out: then the faces have none."
+"A slider may overhang the faces of a guide with `start` and `end`: the edge of the guide then holds the side of the slider. Once the \
+rear of the slider is beyond the end, or its front before the start, nothing holds it any more, and the run ends. Give the guide other \
+ends, or leave them out: then the faces have none."
 
     TooManyFailed "E0815" "too many runs of a study failed"
 "Bounds allow for every outcome of a failed run, so many failed runs make them wide. Most often the model or the uncertain inputs are \

@@ -56,7 +56,7 @@ fn text_of_the_check() {
     assert!(
         words(&record).contains(
             "This run is wrong: the slider deviates by -0.5500 mm, but clearances and penetrations allow only -0.5329 mm. 3 samples \
-             could not be checked: a dead point lies within the clearances."
+             could not be checked: a dead point lies within the clearances, or a slider overhangs its guide."
         ),
         "{}",
         words(&record)

@@ -188,6 +188,46 @@ fn identity_a_run_stays_within_the_quasi_static_worst_case_of_the_guide() {
 }
 
 #[test]
+fn identity_samples_in_which_the_slider_overhangs_have_no_worst_case() {
+    /// Half-length of the block and play, m.
+    const REACH_M: f64 = 0.028 + CLEARANCE_M;
+    const END_M: f64 = 0.09;
+    let ends = format!("angle = \"12 deg\", start = \"-90 mm\", end = \"{} mm\" }}", 1e3 * END_M);
+    let built = build_text(&text().replace("angle = \"12 deg\" }", &ends));
+    let model = &built.mechanism.model;
+    let cycle = loosepin_mechanics::model::Cycle { recorded_turns: 0.7, samples_per_turn: 150, ..model.cycle.clone() };
+    let plan = Plan {
+        cycle,
+        settings: Settings::for_study(),
+        with_states: false,
+        lyapunov_turns: None,
+        overrides: Vec::new(),
+    };
+    let simulation = simulate(&built.mechanism, &built.values, &plan).expect("it is not out of its guide");
+    let sample = built.sample();
+    let guide = model.joints.iter().find(|joint| joint.name == "guide").expect("there is one");
+    let [rail, middle] = guide.kind.points();
+    let line = Vec2::new(12f64.to_radians().cos(), 12f64.to_radians().sin());
+    let along_m = |time_s: f64| {
+        let state = ideal_at(&built, &sample, time_s);
+        let at = |point: loosepin_mechanics::model::PointId| {
+            let slot = built.mechanism.ideal.slot_of_body[point.body.0];
+            let arm = loosepin_mechanics::mechanism::point_m(model, &built.values, point);
+            state.kinematics().poses[slot].point_m(arm)
+        };
+        line.dot(at(middle) - at(rail))
+    };
+    let over = simulation.record.time_s.iter().filter(|&&time_s| along_m(time_s) > END_M - REACH_M).count();
+    let all = simulation.record.time_s.len();
+    assert!(over > 5 && over < all - 5, "{over} of {all} overhang");
+    let shares = quasi_static_check(&built.mechanism, &built.values, &simulation.record).expect("it is ideal");
+    for share in shares {
+        assert_eq!(share.samples_without_worst_case, over, "{share:?}");
+        assert!(!share.is_exceeded, "{share:?}");
+    }
+}
+
+#[test]
 fn text_of_a_slider_that_can_turn_over() {
     let built = build_text(&text().replace("clearance = \"0.2 mm\"", "clearance = \"18 mm\""));
     let error = super::motion::try_motion_of(&built, 36).expect_err("it can turn over");
