@@ -3,7 +3,7 @@
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
 use super::flanks;
-use crate::mechanism::{CutKind, PlayShape, acceleration_at};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, CutKind, PlayShape, acceleration_at};
 use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -60,7 +60,15 @@ impl<T: Real> Dynamics<'_, T> {
     ///
     /// With play: the sum of the contact forces. Closing a loop: the constraint force. In the tree: what the bodies beyond the joint
     /// need, Σ (m a - m g) minus the other forces on them (Newton and Euler).
+    ///
+    /// Teeth whose force the joints of their wheels feel add it there.
     pub fn joint_force_n(&self, joint: JointId) -> Vec2<T> {
+        let force_n = self.force_without_teeth_n(joint);
+        self.tooth_force_n(joint).map_or(force_n, |added_n| force_n + added_n)
+    }
+
+    /// That force where couplings act with torques alone, and along guides.
+    fn force_without_teeth_n(&self, joint: JointId) -> Vec2<T> {
         if let Some(index) = self.mechanism.plays.iter().position(|&play| play == PlayId::Joint(joint)) {
             return self.play_force_n(index) + self.actuator_force_n(joint);
         }
@@ -156,6 +164,33 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         forces
+    }
+
+    /// What teeth add to the force of `joint` on its second body, N.
+    fn tooth_force_n(&self, joint: JointId) -> Option<Vec2<T>> {
+        let (tree, model) = (&self.mechanism.real, &self.mechanism.model);
+        let side_of = |index: usize| {
+            let coupling = &model.couplings[index];
+            [coupling.first, coupling.second].iter().position(|own| *own == joint)
+        };
+        let mut sum: Option<Vec2<T>> = None;
+        let mut add = |index: usize, numbers: &CouplingGeometry<T>, places: &CouplingPlace, effort: T| {
+            let Some((teeth, side)) = numbers.teeth.zip(side_of(index)) else { return };
+            let force_n = teeth.on_second_body_n(&numbers.joints, places, &self.kinematics, effort, side);
+            sum = Some(sum.map_or(force_n, |sum| sum + force_n));
+        };
+        let multipliers = &self.multipliers[tree.cut_rows()..];
+        let ideal = tree.couplings.iter().zip(&self.sample.real.couplings).zip(multipliers);
+        for (index, ((places, numbers), multiplier)) in tree.coupling_indices.iter().zip(ideal) {
+            add(*index, numbers, places, *multiplier);
+        }
+        for (play, numbers) in self.sample.plays.iter().enumerate() {
+            if let (PlayShape::Flanks(flanks), PlayId::Coupling(id)) = (&numbers.shape, &self.mechanism.plays[play]) {
+                let [_, share] = flanks::shares(&self.kinematics, flanks);
+                add(*id, &flanks.coupling, &flanks.places, share * self.play_force_n(play).x);
+            }
+        }
+        sum
     }
 
     /// Force of the actuator in `joint` on its second body, N; zero where there is none.

@@ -7,6 +7,7 @@ use super::geometry::Geometry;
 use super::initial::{StartEquations, initial_numbers};
 use super::kinematics::Kinematics;
 use super::mobility::{self, Mobility};
+use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
 use super::{assembly, constraints::RowOwner};
 use crate::model::{BodyId, Model, PlayId, Values};
@@ -79,6 +80,7 @@ impl Mechanism {
         };
         let mut kinematics = Kinematics::new(&mechanism.ideal);
         kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
+        demand_fit(model, values, &mechanism.ideal, &kinematics)?;
         let real_geometry = Geometry::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
         mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start, size_m);

@@ -27,7 +27,9 @@ impl MechanismError {
                 "this is not determined either",
             ),
             Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
-            Self::StartContradicts { path, .. } => Complaint::error(self, model.place(path)),
+            Self::StartContradicts { path, .. } | Self::PitchCirclesApart { path, .. } => {
+                Complaint::error(self, model.place(path))
+            }
             Self::NothingToControl { control } | Self::NoInverseDynamics { control, .. } => {
                 Complaint::error(self, model.place(&format!("control.{control}")))
             }

@@ -2,6 +2,7 @@
 
 use super::cam::CamProfile;
 use super::joint_geometry::JointGeometry;
+use super::tooth_force::ToothForce;
 use crate::model::{Coupling, CouplingLaw, Model, QuantityId, Ratio};
 use loosepin_math::{Real, numbers};
 
@@ -14,9 +15,11 @@ pub struct CouplingGeometry<T> {
     pub law: CouplingNumbers<T>,
     /// r: the radius on which the angle of the second joint counts as a length where the coupling has play, m; else one.
     pub lever: T,
+    /// Numbers of teeth whose force the joints feel.
+    pub teeth: Option<ToothForce<T>>,
 }
 
-numbers!(struct CouplingGeometry { joints, law, lever });
+numbers!(struct CouplingGeometry { joints, law, lever, teeth });
 
 /// Numbers of the coordinate of the second joint over that of the first.
 #[derive(Debug, Clone)]
@@ -85,6 +88,7 @@ impl<T: Real> CouplingGeometry<T> {
             joints: [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, number)),
             law: CouplingNumbers::new(&coupling.law, number),
             lever: coupling.play.and_then(|play| play.second_radius_m).map_or(T::one(), number),
+            teeth: ToothForce::new(coupling, number),
         }
     }
 

@@ -68,6 +68,20 @@ problems! {
         StartNotNeeded => Code::StartNotPossible,
             says("the drives determine the motion; the initial state under [initial] has nothing to say"),
             hint("remove [initial], or a drive");
+        PitchCirclesApart {
+            path: String,
+            /// Between the centres.
+            distance: String,
+            /// What the pitch radii give.
+            due: String,
+        } => Code::TeethNotPossible,
+            says(
+                "{}: the centres of the gears are {distance} apart; with 'pressure_angle' must be {due}, which the pitch radii give, \
+                 to 1 %",
+                describe_path(path)
+            ),
+            hint("radii are those of the pitch circles in mesh: their sum is the distance, of an internal mesh their \
+                  difference");
         NothingToControl { control: String } => Code::ControlNotPossible,
             says("control '{control}' has nothing to move: the drives determine the motion"),
             hint("remove the drive of what the control is to move, or the control");

@@ -36,6 +36,7 @@ mod sample;
 mod spring;
 mod start;
 mod table;
+mod tooth_force;
 mod tree;
 mod ways_on;
 
@@ -58,5 +59,6 @@ pub use load_table::TableNumbers;
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};
-pub use tree::{Attachment, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree};
+pub use tooth_force::ToothForce;
+pub use tree::{Attachment, CouplingPlace, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree};
 pub use ways_on::WaysOn;

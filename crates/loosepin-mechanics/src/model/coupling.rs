@@ -17,6 +17,33 @@ pub struct Coupling {
     pub law: CouplingLaw,
     /// Absent for a coupling that is always ideal.
     pub play: Option<CouplingPlay>,
+    /// There where the joints feel the force of the teeth; else they act with torques alone.
+    pub teeth: Option<Teeth>,
+}
+
+/// The teeth of gears, or of a rack and its pinion, whose force the two joints feel.
+#[derive(Debug, Clone, Copy)]
+pub struct Teeth {
+    /// Pressure angle α at the pitch circles, rad, in [0, 45 deg).
+    pub pressure_angle_rad: QuantityId,
+    /// How they mesh.
+    pub mesh: Mesh,
+    /// Whether the body with the teeth is the second of its joint (journal, slider), not the first; of both joints.
+    pub is_second: [bool; 2],
+}
+
+/// How teeth mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mesh {
+    /// Two gears beside each other.
+    External,
+    /// A gear in a ring.
+    Internal,
+    /// A pinion on a rack.
+    Rack {
+        /// Whether the rack goes against the line of its guide when the pinion turns from x towards y.
+        is_backward: bool,
+    },
 }
 
 /// The play of a coupling: contact in place of the relation of both coordinates.

@@ -31,7 +31,7 @@ mod table_curve;
 mod topology;
 
 pub use control::{Control, FeedForward};
-pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Ratio};
+pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
 pub use cycle::{Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
 pub use drive::{Drive, DriveLaw};

@@ -197,6 +197,17 @@ problems! {
         BacklashNeedsRadii { entry: String } => Code::PlayOfCoupling,
             says("{entry}: 'backlash' cannot be used with 'teeth'; it is a length on the pitch circles"),
             hint("give the pitch radii as radii in place of teeth");
+        ForceNeedsRadii { entry: String } => Code::TeethNotPossible,
+            says("{entry}: 'pressure_angle' cannot be used with 'teeth'; the force of teeth is a torque over a pitch radius"),
+            hint("give the pitch radii as radii in place of teeth");
+        ForceOnPlay { entry: String, joint: String } => Code::TeethNotPossible,
+            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' has play; how the force of teeth presses \
+                  its pin aside is not computed"),
+            hint("leave pressure_angle out, or the clearance of that joint");
+        ForceOnFriction { entry: String, joint: String } => Code::TeethNotPossible,
+            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' has friction; how that grows with the \
+                  force of teeth is not computed"),
+            hint("leave pressure_angle out, or the friction of that joint");
         NotForFlanks {
             entry: String,
             contact: String,

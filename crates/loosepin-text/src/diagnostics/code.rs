@@ -318,6 +318,11 @@ joint with play needs a clearance above 0 for all sizes within the limits, which
 the radii of their surfaces and how they slide: their contact has a stiffness that is given, no friction and no film. A follower \
 that may lift off its cam slides in a prismatic joint."
 
+    TeethNotPossible "E0641" "forces of teeth are not possible"
+"With `pressure_angle` the two joints of gears, or of a rack and its pinion, carry the force of the teeth: the torque over the pitch \
+radius along the pitch circles, and tan(pressure angle) of that apart. So it needs pitch radii, which must fit the distance of the \
+centres, and joints whose motion does not depend on what they carry: without play and without friction."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \
 that can still move while all drives stand still. Add a drive or a joint. Often a joint names the wrong point, and a loop is open."

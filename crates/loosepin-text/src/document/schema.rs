@@ -105,6 +105,7 @@ fn number(rule: Rule) -> Value {
         Rule::SomeTurns => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1e6 }),
         Rule::Probability => json!({ "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }),
         Rule::RequiredProbability => json!({ "type": "number", "exclusiveMinimum": 0, "maximum": 1 }),
+        Rule::PressureAngle => json!({ "type": "number", "minimum": 0 }),
         Rule::AtLeastOne => json!({ "type": "number", "minimum": 1 }),
     }
 }

@@ -78,8 +78,8 @@ pub fn format_apart<const N: usize>(values_si: [f64; N], dimension: Dimension) -
 
 /// A value that broke a [`Rule`], with as many digits as tell it from the numbers of the rule.
 pub fn format_refused(value_si: f64, dimension: Dimension) -> String {
-    let [zero, half, one, turns] = Rule::LIMITS;
-    let [found, ..] = format_apart([value_si, zero, half, one, turns], dimension);
+    let [zero, half, one, turns, angle] = Rule::LIMITS;
+    let [found, ..] = format_apart([value_si, zero, half, one, turns, angle], dimension);
     found
 }
 
@@ -105,7 +105,8 @@ mod tests {
     fn every_number_that_a_rule_names_is_one_of_its_limits() {
         for rule in Rule::ALL {
             let words = rule.words().split(|c: char| !(c.is_ascii_digit() || c == '.' || c == 'e'));
-            for number in words.filter_map(|word| word.parse::<f64>().ok()) {
+            let to_si = |number: f64| if rule.words().contains("deg") { number.to_radians() } else { number };
+            for number in words.filter_map(|word| word.parse::<f64>().ok()).map(to_si) {
                 assert!(Rule::LIMITS.contains(&number), "{number} of {}", rule.words());
             }
         }

@@ -2,6 +2,8 @@
 
 /// Turns in one run, at most: far more than anybody waits for, and few enough that counters hold them.
 const MOST_TURNS: f64 = 1e6;
+/// Pressure angles of teeth lie below 45 deg; usual ones are 14.5 to 30 deg.
+const PRESSURE_ANGLE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 macro_rules! rules {
     ($x:ident: $($rule:ident $words:literal $holds:expr;)+) => {
@@ -30,8 +32,8 @@ macro_rules! rules {
 }
 
 impl Rule {
-    /// The numbers that rules name.
-    pub(super) const LIMITS: [f64; 4] = [0.0, 0.5, 1.0, MOST_TURNS];
+    /// The numbers that rules name, SI.
+    pub(super) const LIMITS: [f64; 5] = [0.0, 0.5, 1.0, MOST_TURNS, PRESSURE_ANGLE_RAD];
 }
 
 rules! {
@@ -45,5 +47,6 @@ rules! {
     Turns "in [0, 1e6]" (0.0..=MOST_TURNS).contains(&x);
     SomeTurns "in (0, 1e6]" x > 0.0 && x <= MOST_TURNS;
     Probability "in (0, 1)" x > 0.0 && x < 1.0;
+    PressureAngle ">= 0 deg and < 45 deg" (0.0..PRESSURE_ANGLE_RAD).contains(&x);
     RequiredProbability "in (0, 1]" x > 0.0 && x <= 1.0;
 }

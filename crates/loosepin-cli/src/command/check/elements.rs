@@ -206,5 +206,12 @@ fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String
     if values[*offset] != 0.0 {
         let _ = write!(words, ", plus {}", value(*offset));
     }
+    if let Some(teeth) = &coupling.teeth {
+        let _ = write!(
+            words,
+            "; their joints feel the teeth, with a pressure angle of {}",
+            value(teeth.pressure_angle_rad)
+        );
+    }
     words
 }

@@ -36,6 +36,13 @@ const CONTACT: Key = optional(
     "contact between the flanks; with a backlash above zero",
 );
 
+const PRESSURE_ANGLE: Key = optional(
+    "pressure_angle",
+    quantity(D::ANGLE, Rule::PressureAngle),
+    "\"20 deg\"",
+    "pressure angle at the pitch circles: both joints feel the force of the teeth; torques alone act if left out",
+);
+
 const fn first(doc: &'static str) -> Key {
     required("first", Kind::Reference("joint"), "\"input\"", doc)
 }
@@ -58,6 +65,7 @@ static GEARS_KEYS: Keys = Keys::new(
         ),
         RADII,
         TEETH,
+        PRESSURE_ANGLE,
         OFFSET,
         BACKLASH,
         CONTACT,
@@ -97,6 +105,7 @@ static RACK_KEYS: Keys = Keys::new(
             "\"forward\"",
             "how the rack goes along the line of its guide when the pinion turns from x towards y",
         ),
+        PRESSURE_ANGLE,
         OFFSET,
         BACKLASH,
         CONTACT,

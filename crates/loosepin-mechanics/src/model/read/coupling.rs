@@ -3,7 +3,7 @@
 use super::guide::PlayKeys;
 use super::reader::ModelReader;
 use crate::contact::NormalDescription;
-use crate::model::coupling::{Coupling, CouplingLaw, CouplingPlay, Ratio};
+use crate::model::coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
 use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::keys::coupling::{CAM_KEYS, COUPLING_KINDS};
 use crate::model::problem::ModelProblem;
@@ -29,6 +29,7 @@ impl ModelReader {
         let backlash = if has_backlash { self.backlash(&table, kind) } else { Some(None) };
         let [first, second] = self.two_joints(&table, ["first", "second"], kind)?;
         let (from, to) = (self.coordinate_of(first), self.coordinate_of(second));
+        let mut mesh = Mesh::External;
         let ratio = match kind {
             "gears" | "belt" => {
                 let way = if kind == "gears" {
@@ -39,6 +40,7 @@ impl ModelReader {
                 };
                 let sizes = self.sizes(&table);
                 let is_turned = self.is_turned(entry, first, second);
+                mesh = if way == Some(false) { Mesh::Internal } else { Mesh::External };
                 Ratio::Wheels { sizes: sizes?, is_reversed: way? != is_turned? }
             }
             "rack" => {
@@ -46,6 +48,7 @@ impl ModelReader {
                 let way = way.and_then(|entry| self.reader.choice(&entry, &[("forward", false), ("backward", true)]));
                 let radius_m = self.quantity(&table, "radius");
                 let is_turned = self.is_turned(entry, first, second);
+                mesh = Mesh::Rack { is_backward: way == Some(true) };
                 Ratio::Rack { radius_m: radius_m?, is_reversed: way? != is_turned? }
             }
             _ => {
@@ -69,7 +72,34 @@ impl ModelReader {
                 Some(CouplingPlay { backlash_m, second_radius_m, contact })
             }
         };
-        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Ratio { ratio, offset }, play })
+        let teeth = if has_backlash { self.teeth(&table, [first, second], mesh)? } else { None };
+        let law = CouplingLaw::Ratio { ratio, offset };
+        Some(Coupling { path: entry.path.dotted(), first, second, law, play, teeth })
+    }
+
+    /// The teeth whose force the joints feel; the outer option is absent after a complaint, the inner where torques alone act.
+    fn teeth(&mut self, table: &Table<'_>, joints: [JointId; 2], mesh: Mesh) -> Option<Option<Teeth>> {
+        let Some(entry) = table.get("pressure_angle") else { return Some(None) };
+        let pressure_angle_rad = self.quantity(table, "pressure_angle");
+        let described = || table.path.describe();
+        if !matches!(mesh, Mesh::Rack { .. }) && table.has("teeth") {
+            return self.reader.refuse(&ModelProblem::ForceNeedsRadii { entry: described() }, entry.key_span);
+        }
+        for joint in joints.map(|joint| &self.joints[joint.0]) {
+            let name = || joint.name.clone();
+            let problem = if joint.kind.play().is_some() {
+                ModelProblem::ForceOnPlay { entry: described(), joint: name() }
+            } else if joint.friction.is_some() {
+                ModelProblem::ForceOnFriction { entry: described(), joint: name() }
+            } else {
+                continue;
+            };
+            return self.reader.refuse(&problem, entry.key_span);
+        }
+        let [a, b] = joints.map(|joint| self.joints[joint.0].kind.bodies());
+        // The common body carries both; a wheel is the other one.
+        let is_second = [b.contains(&a[0]), a.contains(&b[0])];
+        Some(Some(Teeth { pressure_angle_rad: pressure_angle_rad?, mesh, is_second }))
     }
 
     /// The backlash of gears or a rack; the outer option is absent after a complaint, the inner for an ideal coupling.
@@ -130,7 +160,7 @@ impl ModelReader {
         } else {
             None
         };
-        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points }, play })
+        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points }, play, teeth: None })
     }
 
     /// Dimension of the coordinate of a joint.

@@ -15,6 +15,7 @@ mod loads;
 mod neighbours;
 mod power_balance;
 mod springs;
+mod tooth_forces;
 mod warm;
 
 use loosepin_mechanics::mechanism::{Mechanism, Sample};

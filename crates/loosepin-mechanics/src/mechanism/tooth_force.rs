@@ -1,0 +1,126 @@
+//! The force of teeth on the joints of two gears, or of a rack and its pinion.
+//!
+//! At the pitch point P, where the pitch circles touch, the second wheel gets the force G and the first one -G. Along the common
+//! tangent of the circles G is the torque τ on the second wheel over its pitch radius (of a rack: the force along its guide). Across
+//! it G has |G_t| tan α, with the pressure angle α, whichever flank carries: two gears are pushed apart, and in an internal mesh the
+//! pinion is pushed from the rim towards the middle of the ring.
+//!
+//! Torques alone move the mechanism in the same way: at the centres of ideal joints a force does no work. It adds to what these two
+//! joints carry, and to nothing else, since torque and force on the body that carries both wheels are the same.
+
+use super::error::MechanismError;
+use super::joint_geometry::JointGeometry;
+use super::kinematics::Kinematics;
+use super::tree::{CouplingPlace, Tree};
+use crate::model::{Coupling, CouplingLaw, Mesh, Model, QuantityId, Ratio, Values};
+use loosepin_math::{Real, Vec2, numbers};
+use loosepin_text::units::{Dimension, format_apart};
+
+/// By what share the distance of two gears may differ from what their pitch radii give: rounded numbers of a drawing.
+const LARGEST_MISFIT: f64 = 0.01;
+
+/// Numbers of teeth whose force the joints feel.
+#[derive(Debug, Clone, Copy)]
+pub struct ToothForce<T> {
+    /// tan α.
+    pub slope: T,
+    /// Pitch radii on the first and on the second joint, m; one for a rack.
+    pub radii_m: [T; 2],
+    /// How they mesh.
+    pub mesh: Mesh,
+    /// Whether the body with the teeth is the second of its joint; of both joints.
+    pub is_second: [bool; 2],
+}
+
+numbers!(struct ToothForce { slope, radii_m; mesh, is_second });
+
+impl<T: Real> ToothForce<T> {
+    /// Those of a coupling, where its joints feel the force.
+    pub fn new(coupling: &Coupling, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
+        let teeth = coupling.teeth?;
+        let radii_m = match coupling.law {
+            CouplingLaw::Ratio { ratio: Ratio::Wheels { sizes, .. }, .. } => sizes.map(number),
+            CouplingLaw::Ratio { ratio: Ratio::Rack { radius_m, .. }, .. } => [number(radius_m), T::one()],
+            CouplingLaw::Ratio { ratio: Ratio::Given(_), .. } | CouplingLaw::Cam { .. } => return None,
+        };
+        let (sine, cosine) = number(teeth.pressure_angle_rad).sin_cos();
+        Some(Self { slope: sine / cosine, radii_m, mesh: teeth.mesh, is_second: teeth.is_second })
+    }
+
+    /// What the force of the teeth adds to the force of the first or second joint (`side`) on its second body, N, in the ground's
+    /// frame, where the coupling acts with `effort` along the coordinate of the second joint, N m or N. Of the joint of a rack
+    /// only what acts across the guide: along it the coupling acts already.
+    pub fn on_second_body_n(
+        &self,
+        joints: &[JointGeometry<T>; 2],
+        places: &CouplingPlace,
+        kinematics: &Kinematics<T>,
+        effort: T,
+        side: usize,
+    ) -> Vec2<T> {
+        let signed = |value: T, is_positive: bool| if is_positive { value } else { -value };
+        let on_wheel = signed(effort, self.is_second[1]);
+        let [along_n, across_n] = match self.mesh {
+            Mesh::Rack { is_backward } => {
+                // From the pinion to the pitch point: on the right of the line where the rack goes along it.
+                let (_, line) = joints[1].line_of_action(&places[1], kinematics);
+                let outwards = if is_backward { line.turned() } else { -line.turned() };
+                [line * on_wheel, outwards * (on_wheel.abs() * self.slope)]
+            }
+            Mesh::External | Mesh::Internal => {
+                let [first_m, second_m] = centres_m(joints, places, kinematics);
+                let gap_m = second_m - first_m;
+                let direction = gap_m * (T::one() / gap_m.length());
+                // The pitch point lies behind the second centre, seen from the first, where the first wheel is the ring.
+                let is_external = self.mesh == Mesh::External;
+                let is_in_first = self.radii_m[1].less_than(self.radii_m[0]);
+                let tangential_n = on_wheel / self.radii_m[1];
+                let behind_n =
+                    if is_external { -tangential_n } else { T::select(is_in_first, tangential_n, -tangential_n) };
+                let apart_n = signed(tangential_n.abs() * self.slope, is_external);
+                [direction.turned() * behind_n, direction * apart_n]
+            }
+        };
+        let is_rack = matches!(self.mesh, Mesh::Rack { .. }) && side == 1;
+        let on_second_wheel_n = if is_rack { across_n } else { along_n + across_n };
+        // The joint holds its wheel against the teeth; the body that carries it gets the force itself.
+        if (side == 1) == self.is_second[side] { -on_second_wheel_n } else { on_second_wheel_n }
+    }
+}
+
+/// Where the second bodies of both joints are held, m.
+fn centres_m<T: Real>(
+    joints: &[JointGeometry<T>; 2],
+    places: &CouplingPlace,
+    kinematics: &Kinematics<T>,
+) -> [Vec2<T>; 2] {
+    [0, 1].map(|side| kinematics.poses[places[side].slots[1]].point_m(joints[side].arms_m[1]))
+}
+
+/// Pitch circles must touch where the joints feel the force of the teeth.
+pub(super) fn demand_fit(
+    model: &Model,
+    values: &Values,
+    tree: &Tree,
+    kinematics: &Kinematics<f64>,
+) -> Result<(), MechanismError> {
+    let number = |id: QuantityId| values[id];
+    for (index, coupling) in model.couplings.iter().enumerate() {
+        let Some(teeth) = ToothForce::new(coupling, &number) else { continue };
+        let [first_m, second_m] = teeth.radii_m;
+        let due_m = match teeth.mesh {
+            Mesh::External => first_m + second_m,
+            Mesh::Internal => (first_m - second_m).abs(),
+            // Where the rack has its teeth the model does not say.
+            Mesh::Rack { .. } => continue,
+        };
+        let joints = [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, &number));
+        let [first, second] = centres_m(&joints, &tree.coupling_place(model, index), kinematics);
+        let distance_m = (second - first).length();
+        if due_m == 0.0 || (distance_m - due_m).abs() > LARGEST_MISFIT * due_m {
+            let [distance, due] = format_apart([distance_m, due_m], Dimension::LENGTH);
+            return Err(MechanismError::PitchCirclesApart { path: coupling.path.clone(), distance, due });
+        }
+    }
+    Ok(())
+}
