@@ -60,8 +60,8 @@ fn corner<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize)
         // Back along the face by as much as the corner is past the end; not at all before it.
         let cosine = line.dot(axis);
         let back = axis * (past_m / cosine);
-        arm_m = arm_m - back;
-        reach_m = reach_m - back;
+        arm_m -= back;
+        reach_m -= back;
         let slope = T::select(is_past, line.cross(axis) / cosine, T::zero());
         push = normal.plus(line, if is_upper { -slope } else { slope });
         ends = Some(Ends { is_past, slope });

@@ -71,7 +71,7 @@ pub fn study_page(result: &StudyResult) -> String {
     add("rare", "Small probabilities", !rare.is_empty(), &|| list(&rare));
     if let Some(record) = &result.surrogate {
         let title = super::surrogate_text::title(record);
-        add("surrogate", &title, true, &|| surrogate::surrogate(result, record, &writer));
+        add("surrogate", title, true, &|| surrogate::surrogate(result, record, &writer));
     }
     let accuracy = accuracy_sentences(result, &writer);
     add("accuracy", "Accuracy of the bounds", !accuracy.is_empty(), &|| list(&accuracy));

@@ -129,7 +129,7 @@ problems! {
 /// The whole number within the limits that `found` writes in another way, such as `1e3`.
 fn plain_count(found: &str, least: u64, most: u64) -> Option<u64> {
     let value: f64 = found.parse().ok()?;
-    let is_exact = value.fract() == 0.0 && value >= 0.0 && value < 9e15;
+    let is_exact = value.fract() == 0.0 && (0.0..9e15).contains(&value);
     let count = is_exact.then_some(value as u64)?;
     (least..=most).contains(&count).then_some(count)
 }
