@@ -1,15 +1,19 @@
 "use strict";
 // Ticks of axes and numbers in words. `ticks` and `tickText` follow the rules of src/ticks.rs; a test holds both to the same texts.
 const ANGLE_STEPS = [0.5, 1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720];
+const LEAST_OF_ANGLES = 0.2;
 function ticks(from, to, least, areAngles) {
     if (!(isFinite(from) && isFinite(to) && to > from && least > 0))
         return { values: [], step: 1 };
     const power = 10 ** Math.floor(Math.log10(least));
     const plain = [1, 2, 5, 10].map((multiple) => multiple * power).find((step) => step >= least) ?? least;
-    const step = (areAngles ? ANGLE_STEPS.find((angle) => angle >= least) : undefined) ?? plain;
+    const step = (areAngles && least > LEAST_OF_ANGLES ? ANGLE_STEPS.find((angle) => angle >= least) : undefined) ?? plain;
     const slack = 1e-9;
+    const [first, last] = [Math.ceil(from / step - slack), Math.floor(to / step + slack)];
+    if (last <= first)
+        return ticks(from, to, 0.5 * least, areAngles);
     const values = [];
-    for (let k = Math.ceil(from / step - slack); k <= Math.floor(to / step + slack); k += 1)
+    for (let k = first; k <= last; k += 1)
         values.push(k * step);
     return { values, step };
 }
