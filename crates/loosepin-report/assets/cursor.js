@@ -8,9 +8,9 @@ const pageCursor = (() => {
             listeners.push(hear);
         },
         /** Moves all figures but `from`; the address follows where a person chose the angle. */
-        set(angleDeg, from, isChosen) {
-            listeners.forEach((hear) => hear(angleDeg, from));
-            if (!isChosen)
+        set(angleDeg, from, reason) {
+            listeners.forEach((hear) => hear(angleDeg, from, reason));
+            if (reason !== 'chosen')
                 return;
             clearTimeout(timer);
             timer = window.setTimeout(() => {

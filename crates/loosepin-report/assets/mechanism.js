@@ -49,7 +49,7 @@
             if (lastTime) {
                 const turns = Math.max(Math.abs((angles[count - 1] ?? 0) - (angles[0] ?? 0)) / 360, 0.05);
                 pose = (pose + (time - lastTime) / 1000 / secondsPerTurn / turns * (count - 1)) % (count - 1);
-                pageCursor.set(draw(), figure, false);
+                pageCursor.set(draw(), figure, 'played');
             }
             lastTime = time;
             requestAnimationFrame(frame);
@@ -68,7 +68,7 @@
         slider?.addEventListener('input', () => {
             run(false);
             pose = Number(slider.value);
-            pageCursor.set(draw(), figure, true);
+            pageCursor.set(draw(), figure, 'chosen');
         });
         choice?.addEventListener('change', () => {
             magnification = Number(choice.value);

@@ -4,10 +4,12 @@
   const namespace = 'http://www.w3.org/2000/svg';
   const narrowPx = 520;
   const paperPx = 680;
+  const lowPx = 280;
+  const paperHighPx = 225;
   const leastAcross = 58;
   const leastUp = 38;
   const freeShare = 0.06;
-  const fits: Array<(width?: number) => void> = [];
+  const fits: Array<(paper?: number) => void> = [];
 
   /** Columns of numbers; a gap is not a number. */
   function columnsOf(text: string): number[][] {
@@ -42,7 +44,7 @@
     const position = figure.querySelector<HTMLElement>('.position');
     const values = [...figure.querySelectorAll<HTMLElement>('[data-value]')];
     const reset = figure.querySelector<HTMLElement>('.reset');
-    const buttons = [...figure.querySelectorAll<HTMLElement>('[data-entry]')];
+    const buttons = [...figure.querySelectorAll<HTMLButtonElement>('[data-entry]')];
     let next = 1;
     const columnsOfEntry = buttons.map((button) => {
       const count = Number(button.dataset.columns);
@@ -101,17 +103,33 @@
       const nameOfX = svg?.querySelector('.name.of-x');
       nameOfX?.setAttribute('x', String(left + plotWidth / 2));
       nameOfX?.setAttribute('y', String(top + plotHeight + below - 8));
-      svg?.querySelector('.name.of-y')?.setAttribute('transform', 'translate(13 ' + (top + plotHeight / 2) + ') rotate(-90)');
+      placeNameOfY(top + plotHeight + below);
       if (reset) reset.hidden = shown.from <= x0 && shown.to >= x1;
       show(index);
     }
 
-    /** As wide as the page has room; low on narrow screens. */
-    function fit(given?: number): void {
-      const room = given ?? holder.clientWidth;
+    /** The name of the upright axis: beside its middle, but whole within the picture. */
+    function placeNameOfY(height: number): void {
+      const name = svg?.querySelector<SVGTextElement>('.name.of-y');
+      if (!name) return;
+      name.removeAttribute('textLength');
+      const room = height - 4;
+      const length = Math.min(name.getComputedTextLength(), room);
+      if (length === room) {
+        name.setAttribute('textLength', String(room));
+        name.setAttribute('lengthAdjust', 'spacingAndGlyphs');
+      }
+      const middle = Math.max(top + plotHeight / 2, length / 2 + 2);
+      name.setAttribute('transform', 'translate(13 ' + Math.min(middle, height - length / 2 - 2) + ') rotate(-90)');
+    }
+
+    /** As wide as the page has room; low on narrow screens and on paper. */
+    function fit(paper?: number): void {
+      const room = paper ?? holder.clientWidth;
       if (room === 0) return;
       plotWidth = Math.max(room, 220) - left - right;
-      plotHeight = (room < narrowPx ? Math.min(viewHeight, 280) : viewHeight) - top - below;
+      const most = paper === undefined ? (room < narrowPx ? lowPx : viewHeight) : paperHighPx;
+      plotHeight = Math.min(viewHeight, most) - top - below;
       draw();
     }
 
@@ -165,7 +183,7 @@
 
     const choose = (place: number | null): void => {
       show(place);
-      if (isAngle && place !== null) pageCursor.set(xs[place] ?? 0, holder, true);
+      if (isAngle && place !== null) pageCursor.set(xs[place] ?? 0, holder, 'chosen');
     };
     const valueAt = (event: PointerEvent): number => {
       const box = holder.getBoundingClientRect();
@@ -202,6 +220,7 @@
     });
     holder.addEventListener('dblclick', () => zoomTo(x0, x1));
     reset?.addEventListener('click', () => zoomTo(x0, x1));
+    buttons.forEach((button) => { button.disabled = false; });
     buttons.forEach((button) => button.addEventListener('click', () => {
       const isShown = button.getAttribute('aria-pressed') !== 'true';
       button.setAttribute('aria-pressed', String(isShown));
@@ -224,12 +243,25 @@
       event.preventDefault();
     });
     if (isAngle) {
-      pageCursor.listen((angleDeg, from) => {
-        if (from === holder) return;
+      const follow = (angleDeg: number): void => {
         const [first, last] = [Math.min(x0, x1), Math.max(x0, x1)];
         // Of several turns that one which the angle names, else the first one.
         const isThere = angleDeg >= first && angleDeg <= last;
         show(nearest(isThere ? angleDeg : first + (((angleDeg - first) % 360) + 360) % 360));
+      };
+      // While the mechanism plays, charts out of sight wait until they are seen.
+      let isSeen = true;
+      let missed: number | null = null;
+      new IntersectionObserver((changes) => {
+        isSeen = changes[changes.length - 1]?.isIntersecting ?? true;
+        if (isSeen && missed !== null) follow(missed);
+        if (isSeen) missed = null;
+      }).observe(figure);
+      pageCursor.listen((angleDeg, from, reason) => {
+        missed = null;
+        if (from === holder) return;
+        if (reason === 'played' && !isSeen) missed = angleDeg;
+        else follow(angleDeg);
       });
     }
     /** A path in the units of the picture as the library drew it. */
@@ -266,6 +298,7 @@
     }).observe(holder);
     fits.push(fit);
     fit();
+    holder.tabIndex = 0;
     holder.dataset.drawn = 'true';
   }
 
@@ -291,6 +324,10 @@
     closed.forEach((details) => { details.open = false; });
     fits.forEach((fit) => fit());
   });
-  const angle = pageCursor.inAddress();
-  if (angle !== null) addEventListener('load', () => pageCursor.set(angle, null, false));
+  const follow = (): void => {
+    const angle = pageCursor.inAddress();
+    if (angle !== null) pageCursor.set(angle, null, 'opened');
+  };
+  addEventListener('load', follow);
+  addEventListener('hashchange', follow);
 })();

@@ -1,6 +1,8 @@
 // The one cursor of the page: the angle of the drive that mechanism and charts show, kept in the address as #a=93.
 
-type CursorListener = (angleDeg: number, from: unknown) => void;
+/** Why the angle is another one: a person chose it, the mechanism plays, or it stood in the address. */
+type CursorReason = 'chosen' | 'played' | 'opened';
+type CursorListener = (angleDeg: number, from: unknown, reason: CursorReason) => void;
 
 const pageCursor = (() => {
   const listeners: CursorListener[] = [];
@@ -10,9 +12,9 @@ const pageCursor = (() => {
       listeners.push(hear);
     },
     /** Moves all figures but `from`; the address follows where a person chose the angle. */
-    set(angleDeg: number, from: unknown, isChosen: boolean): void {
-      listeners.forEach((hear) => hear(angleDeg, from));
-      if (!isChosen) return;
+    set(angleDeg: number, from: unknown, reason: CursorReason): void {
+      listeners.forEach((hear) => hear(angleDeg, from, reason));
+      if (reason !== 'chosen') return;
       clearTimeout(timer);
       timer = window.setTimeout(() => {
         try {

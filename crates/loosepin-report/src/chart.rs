@@ -216,7 +216,7 @@ impl Chart {
         html! {
             figure.chart id=(self.id) data-figure=(self.id) {
                 div.plot data-chart=(self.id) data-plot=(plot.to_attribute()) data-x-name=(self.x_label) data-x-unit=(self.x_symbol)
-                    data-y-unit=(self.y_symbol) data-angle[is_angle] data-fixed[self.y_range.is_some()] tabindex="0" role="group" aria-label=(self.alternative) {
+                    data-y-unit=(self.y_symbol) data-angle[is_angle] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
                     (picture.svg())
                 }
                 div.readout {
@@ -226,7 +226,8 @@ impl Chart {
                 ul.legend {
                     @for (index, entry) in self.entries.iter().enumerate() {
                         li {
-                            button type="button" aria-pressed="true" data-entry=(index) data-columns=(entry.values.lists().len()) {
+                            // The script enables what it serves.
+                            button type="button" disabled aria-pressed="true" data-entry=(index) data-columns=(entry.values.lists().len()) {
                                 span class={ "swatch " (entry.role.class()) " " (swatch_shape(entry)) } aria-hidden="true" {}
                                 span.label { (entry.label) }
                                 span.value data-value=(index) {}

@@ -10,6 +10,8 @@ pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css")
 pub(super) const FIGURE_STYLE: &str =
     concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
 const STYLE: &str = include_str!("../assets/report.css");
+/// In the head, before anything is shown.
+const FIRST_SCRIPT: &str = include_str!("../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
 const SCRIPTS: [&str; 6] = [
     include_str!("../assets/ticks.js"),
@@ -69,7 +71,11 @@ impl Page {
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(format!("loosepin {}", self.version));
                     title { (self.title) }
-                    style { (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE)) }
+                    style {
+                        (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE))
+                        (PreEscaped(foot_of_sheets(&self.title, &self.identity)))
+                    }
+                    script { (PreEscaped(FIRST_SCRIPT)) }
                 }
                 body {
                     a.skip href="#content" { "Skip to the answer" }
@@ -79,7 +85,7 @@ impl Page {
                         p.subtitle { (self.subtitle) }
                     }
                     main id="content" {
-                        div.first {
+                        div.opening {
                             section.answer id="answer" aria-label="The answer" { (self.answer) }
                             div.beside { (self.beside) }
                             div.below { (self.below) }
@@ -112,6 +118,22 @@ impl Page {
         };
         page.into_string()
     }
+}
+
+/// The foot of every printed sheet: what was computed on the left, the number of the sheet on the right.
+fn foot_of_sheets(title: &str, identity: &str) -> String {
+    let words = in_style(&format!("{title} · {identity}"));
+    format!(
+        "@media print {{ @page {{ @bottom-left {{ content: \"{words}\"; }} \
+         @bottom-right {{ content: \"sheet \" counter(page) \" of \" counter(pages); }} }} }}\n"
+    )
+}
+
+/// A text inside the quotes of a style sheet: what is neither letter nor digit is written as its number.
+fn in_style(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:x} ", u32::from(c)) })
+        .collect()
 }
 
 /// Sentences, the first one as the headline.
@@ -152,5 +174,19 @@ pub(super) fn cards<const N: usize>(heads: [&str; N], rows: impl IntoIterator<It
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_title_ends_the_style_of_its_page() {
+        let foot = foot_of_sheets("</style>\"; } \\ 5 µm\n", "study 1f3a");
+        assert!(
+            foot.contains("content: \"\\3c \\2f style\\3e \\22 \\3b  \\7d  \\5c  5 µm\\a  \\b7  study 1f3a\""),
+            "{foot}"
+        );
     }
 }
