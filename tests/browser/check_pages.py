@@ -5,27 +5,45 @@
     python3 tests/browser/check_pages.py target/report_pages/*.html [--pictures FOLDER]
 
 For each page, wide and narrow, light and dark: no error or warning on the console, nothing asked for from outside, every
-chart and mechanism drawn, read-out, legend, zoom, keyboard and animation at work, no sideways scrolling; on paper, a PDF.
-Needs Python's standard library and Chromium only. Exit status: 0 all well, 1 complaints, 2 no browser or no page.
+chart and mechanism drawn, read-out, legend, zoom, keyboard and animation at work, one cursor for all, no sideways scrolling, no
+complaint of axe-core; on paper, no torn row of a table and no head alone at the foot of a sheet.
+Needs Python's standard library, Chromium, and axe-core where `just page-scripts` puts it. Exit status: 0 all well, 1 complaints,
+2 no browser, no page or no axe-core.
 """
 
 import argparse
 import os
+import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from chromium import BrowserError, Chromium, find_browser  # noqa: E402
+from paper import Paper  # noqa: E402
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+AXE = REPOSITORY / "crates/loosepin-report/scripts/node_modules/axe-core/axe.min.js"
 
 WIDTHS_PX = (1280, 768, 400)
-# Less than this and a printed page is empty.
-SMALLEST_PDF_BYTES = 20_000
+# Where axe-core looks at a page.
+AXE_WIDTHS_PX = (1280, 400)
+# A finger needs this much; links within sentences are as high as their line.
+LEAST_TARGET_PX = 24
+# The angle with which a page is opened.
+OPENED_AT_DEG = 93
 
 CHARTS = """[...document.querySelectorAll('[data-chart]')].map((holder) => {
-    const canvas = holder.querySelector('canvas');
-    const pixels = canvas ? canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data : [];
-    let painted = 0;
-    for (let i = 3; i < pixels.length; i += 4) painted += pixels[i] > 0;
-    return { id: holder.dataset.chart, drawn: holder.dataset.drawn === 'true', painted: painted };
+    const svg = holder.querySelector('svg.chart');
+    const seen = svg ? svg.getBoundingClientRect() : { width: 0, height: 0 };
+    const curves = svg ? [...svg.querySelectorAll('.curves path')] : [];
+    return {
+        id: holder.dataset.chart, drawn: holder.dataset.drawn === 'true', isSeen: seen.width > 100 && seen.height > 100,
+        curves: curves.filter((curve) => curve.getBBox().width > 0).length,
+        cut: svg ? [...svg.querySelectorAll('text')].filter((text) => {
+            const box = text.getBoundingClientRect();
+            return box.left < seen.left - 1 || box.right > seen.right + 1 || box.top < seen.top - 1 || box.bottom > seen.bottom + 1;
+        }).map((text) => text.textContent) : [],
+        ticks: svg ? Math.min(...['g.across text', 'g.up text'].map((texts) => svg.querySelectorAll(texts).length)) : 0,
+    };
 })"""
 
 SIDEWAYS = """(() => {
@@ -49,18 +67,23 @@ CHART_USE = """(async () => {
         await frames();
         if (!/\\d/.test(figure.querySelector('.position').textContent)) problems.push(id + ': no read-out after an arrow key');
         if (![...figure.querySelectorAll('[data-value]')].some((value) => /\\d/.test(value.textContent))) problems.push(id + ': read-out without values');
+        if (holder.querySelector('.cursor').getAttribute('visibility') !== 'visible') problems.push(id + ': no cursor after an arrow key');
+        const axis = () => [...holder.querySelectorAll('g.across text')].map((text) => text.textContent).join(' ');
+        const whole = axis();
         key('+');
         await frames();
         const reset = figure.querySelector('.reset');
-        if (reset.hidden) problems.push(id + ': not enlarged by +');
+        if (reset.hidden || axis() === whole) problems.push(id + ': not enlarged by +');
         reset.click();
         await frames();
-        if (!reset.hidden) problems.push(id + ': not reset');
+        if (!reset.hidden || axis() !== whole) problems.push(id + ': not reset');
         const button = figure.querySelector('[data-entry]');
+        const isShown = () => [...holder.querySelectorAll('[data-of="' + button.dataset.entry + '"]')]
+            .every((curve) => getComputedStyle(curve).display !== 'none');
         button.click();
-        if (button.getAttribute('aria-pressed') !== 'false') problems.push(id + ': a curve cannot be hidden');
+        if (button.getAttribute('aria-pressed') !== 'false' || isShown()) problems.push(id + ': a curve cannot be hidden');
         button.click();
-        if (button.getAttribute('aria-pressed') !== 'true') problems.push(id + ': a curve cannot be shown again');
+        if (button.getAttribute('aria-pressed') !== 'true' || !isShown()) problems.push(id + ': a curve cannot be shown again');
     }
     return problems;
 })()"""
@@ -97,12 +120,90 @@ MECHANISM_USE = """(async () => {
     return problems;
 })()"""
 
+CURSOR = """
+    const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+    const mechanism = document.querySelector('[data-mechanism]');
+    const charts = mechanism ? [...document.querySelectorAll('[data-chart][data-angle]')] : [];
+    const apart = (a, b) => Math.abs(((a - b) % 360 + 540) % 360 - 180);
+    const pose = () => [...mechanism.querySelectorAll('[data-body]')].map((body) => body.getAttribute('transform')).join();
+    const shown = () => parseFloat(mechanism.querySelector('.angle').textContent);
+    const at = (holder) => parseFloat(/: (−?[\\d.]+)°/.exec(holder.closest('figure').querySelector('.position').textContent)?.[1]);
+    // A chart shows its nearest point, and the mechanism whole degrees.
+    const slack = (holder) => {
+        const rows = holder.closest('figure').querySelector('script[type="text/csv"]').textContent.trim().split('\\n').slice(1);
+        const xs = rows.map((row) => parseFloat(row));
+        return 0.51 + Math.max(...xs.slice(1).map((x, k) => x - xs[k])) / 2;
+    };
+    const unlike = (angle, when) => charts.flatMap((holder) => {
+        const isThere = holder.querySelector('.cursor').getAttribute('visibility') === 'visible'
+            && [...holder.closest('figure').querySelectorAll('[data-value]')].some((value) => /\\d/.test(value.textContent));
+        return isThere && apart(at(holder), angle) <= slack(holder) ? [] : [holder.dataset.chart + ': shows ' + at(holder) + '° ' + when + ' ' + angle + '°'];
+    });
+"""
+
+CURSOR_USE = "(async () => {" + CURSOR + """
+    const problems = [];
+    if (!mechanism) return problems;
+    const slider = mechanism.querySelector('.pose');
+    for (const share of [0.25, 0.7]) {
+        slider.value = String(Math.round(Number(slider.max) * share));
+        slider.dispatchEvent(new Event('input', { bubbles: true }));
+        problems.push(...unlike(shown(), 'while the mechanism shows'));
+    }
+    // While it plays, charts out of sight may wait until they are seen.
+    const before = shown();
+    mechanism.scrollIntoView({ behavior: 'instant' });
+    await wait(100);
+    mechanism.querySelector('.play').click();
+    await wait(300);
+    mechanism.querySelector('.play').click();
+    if (shown() === before) problems.push('the mechanism has not played');
+    for (const holder of charts) {
+        holder.scrollIntoView({ behavior: 'instant' });
+        await wait(100);
+        if (apart(at(holder), shown()) > slack(holder)) problems.push(holder.dataset.chart + ': shows ' + at(holder) + '° after play to ' + shown() + '°');
+    }
+    for (const holder of charts) {
+        const before = pose();
+        holder.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true, cancelable: true }));
+        if (pose() === before) problems.push(holder.dataset.chart + ': an arrow key does not move the mechanism');
+        problems.push(...unlike(at(holder), 'while ' + holder.dataset.chart + ' shows'));
+        await wait(250);
+        const address = /^#a=(-?[\d.]+)$/.exec(location.hash);
+        if (!address || apart(Number(address[1]), at(holder)) > 0.06) problems.push(holder.dataset.chart + ': the address has ' + location.hash + ' at ' + at(holder) + '°');
+    }
+    return problems;
+})()"""
+
+CURSOR_OPENED = "(() => {" + CURSOR + f"""
+    if (!mechanism) return [];
+    const problems = unlike({OPENED_AT_DEG}, 'opened at');
+    if (shown() !== {OPENED_AT_DEG}) problems.push('the mechanism shows ' + shown() + '°, opened at {OPENED_AT_DEG}°');
+    return problems;
+}})()"""
+
+SMALL_TARGETS = f"""[...document.querySelectorAll('button, select, input, summary, nav a')].filter((element) => {{
+    const box = element.getBoundingClientRect();
+    return box.width > 0 && (box.width < {LEAST_TARGET_PX} || box.height < {LEAST_TARGET_PX});
+}}).map((element) => element.outerHTML.slice(0, 120))"""
+
+# What can be reached or seen and needs a script.
+DEAD = """[...document.querySelectorAll('button:enabled, select, input, .controls, .readout, .help, [tabindex]:not(.scroll)')]
+    .filter((element) => element.getClientRects().length > 0).map((element) => element.outerHTML.slice(0, 120))"""
+
+# Nothing looked at would be nothing found: the number of rules that held is counted as well.
+AXE_RUN = """axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] })
+    .then((found) => [found.passes.length, found.violations.map((rule) => rule.id + ': ' + rule.help + ': '
+        + rule.nodes.slice(0, 3).map((node) => node.html.slice(0, 120) + ' ' + (node.any[0]?.message ?? '')).join(' | '))])"""
+# Rules that hold on the poorest of our pages, at least.
+AXE_RULES = 20
+
 UNLABELLED = """[...document.querySelectorAll('button, input, select, summary, [tabindex]')]
     .filter((element) => !(element.textContent.trim() || element.getAttribute('aria-label')))
     .map((element) => element.outerHTML.slice(0, 120))"""
 
 
-def check(browser, path, pictures):
+def check(browser, path, axe, pictures):
     """Complaints about one page."""
     name = os.path.splitext(os.path.basename(path))[0]
     found = []
@@ -114,8 +215,13 @@ def check(browser, path, pictures):
             found += [f"{where}: {text}" for text in browser.complaints()]
             found += [f"{where}: asks for {url}" for url in browser.requests()]
             found += [f"{where}: scrolls sideways: {text}" for text in browser.evaluate(SIDEWAYS)]
-            found += [f"{where}: chart {chart['id']} is empty" for chart in browser.evaluate(CHARTS)
-                      if not chart["drawn"] or chart["painted"] == 0]
+            charts = browser.evaluate(CHARTS)
+            found += [f"{where}: chart {chart['id']} is empty" for chart in charts
+                      if not (chart["drawn"] and chart["isSeen"] and chart["curves"] and chart["ticks"] > 1)]
+            found += [f"{where}: chart {chart['id']} cuts off: {text}" for chart in charts for text in chart["cut"]]
+            found += [f"{where}: less than {LEAST_TARGET_PX} px: {text}" for text in browser.evaluate(SMALL_TARGETS)]
+            if width in AXE_WIDTHS_PX:
+                found += [f"{where}: axe: {text}" for text in seen_by_axe(browser, axe)]
             if pictures:
                 scheme = "dark" if dark else "light"
                 browser.screenshot(os.path.join(pictures, f"{name}-{width}-{scheme}.png"))
@@ -123,16 +229,45 @@ def check(browser, path, pictures):
     browser.open(path)
     if browser.evaluate("document.querySelectorAll('[data-chart]').length") == 0:
         found.append(f"{name}: has no chart")
-    for script in (CHART_USE, MECHANISM_USE):
+    for script in (CHART_USE, MECHANISM_USE, CURSOR_USE):
         found += [f"{name}: {text}" for text in browser.evaluate(script)]
     found += [f"{name}: without a name: {text}" for text in browser.evaluate(UNLABELLED)]
     found += [f"{name}: in use: {text}" for text in browser.complaints()]
-    browser.open(path)
-    pdf = os.path.join(pictures or browser.profile, f"{name}.pdf")
-    browser.pdf(pdf)
-    if os.path.getsize(pdf) < SMALLEST_PDF_BYTES:
-        found.append(f"{name}: prints to {os.path.getsize(pdf)} bytes only")
+    browser.open(path, f"#a={OPENED_AT_DEG}")
+    found += [f"{name}: {text}" for text in browser.evaluate(CURSOR_OPENED)]
+    found += [f"{name}: without scripts: {text}" for text in without_scripts(browser, path)]
+    found += [f"{name}: {text}" for text in printed(browser, path, os.path.join(pictures or browser.profile, f"{name}.pdf"))]
     return found
+
+
+def seen_by_axe(browser, axe):
+    """What axe-core finds in the page as it is shown."""
+    browser.evaluate(axe + "; true")
+    held, broken = browser.evaluate(AXE_RUN)
+    return broken if held >= AXE_RULES else [*broken, f"only {held} rules hold"]
+
+
+def without_scripts(browser, path):
+    """What a reader meets whose viewer runs no scripts: every figure, and nothing that does nothing."""
+    browser.run_scripts(False)
+    try:
+        browser.open(path)
+        dead = browser.evaluate(DEAD)
+        empty = [chart["id"] for chart in browser.evaluate(CHARTS) if not (chart["isSeen"] and chart["curves"])]
+    finally:
+        browser.run_scripts(True)
+    return [f"of no use: {text}" for text in dead] + [f"chart {name} is empty" for name in empty]
+
+
+def printed(browser, path, pdf):
+    """Complaints about a page on paper; the number of its sheets is told."""
+    browser.open(path)
+    browser.pdf(pdf)
+    paper = Paper(pathlib.Path(pdf).read_bytes())
+    print(f"{os.path.basename(path)}: {len(paper.sheets)} sheets")
+    found = [] if paper.of_kind(b"Figure") else ["prints no figure"]
+    found += [f"a row of a table is torn between sheets {sheets}" for sheets in paper.torn_rows()]
+    return found + [f"a head stands alone at the foot of sheet {sheet}" for sheet in paper.lonely_heads()]
 
 
 def main():
@@ -147,13 +282,16 @@ def main():
     if find_browser() is None:
         print("check_pages: no Chromium found\nhint: apt-get install chromium, or set CHROMIUM to its path", file=sys.stderr)
         return 2
+    if not AXE.is_file():
+        print(f"check_pages: no {AXE}\nhint: just page-scripts", file=sys.stderr)
+        return 2
     if options.pictures:
         os.makedirs(options.pictures, exist_ok=True)
     found = []
     try:
         with Chromium() as browser:
             for path in options.pages:
-                found += check(browser, path, options.pictures)
+                found += check(browser, path, AXE.read_text(encoding="utf-8"), options.pictures)
     except BrowserError as error:
         print(f"check_pages: {error}", file=sys.stderr)
         return 2

@@ -50,6 +50,7 @@ class Chromium:
         self.buffer = b""
         self.next_id = 1
         self.events = []
+        self.are_scripts_run = True
         target = next(t for t in self._until(self._page_targets))
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -127,12 +128,20 @@ class Chromium:
             {"name": "prefers-reduced-motion", "value": "reduce" if reduced_motion else "no-preference"},
         ])
 
-    def open(self, path):
-        """Loads a page from a file and waits until it has drawn itself."""
+    def open(self, path, fragment=""):
+        """Loads a page from a file, anew if it is there already, and waits until it has drawn itself."""
+        # With another fragment alone the page would stay as it is.
+        self.call("Page.navigate", url="about:blank")
         self.events.clear()
-        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        self.call("Page.navigate", url="file://" + os.path.abspath(path) + fragment)
         self._until(lambda: self.evaluate("document.readyState === 'complete' && location.protocol === 'file:'"))
-        self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+        if self.are_scripts_run:
+            self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
+    def run_scripts(self, are_run):
+        """Whether pages that are opened from now on run their scripts; `evaluate` always does, but for promises."""
+        self.are_scripts_run = are_run
+        self.call("Emulation.setScriptExecutionDisabled", value=not are_run)
 
     def complaints(self):
         """Errors and warnings that the page or the browser reported since it was opened."""
@@ -169,6 +178,6 @@ class Chromium:
         """Prints the page to a file (A4, margins of the page's own style)."""
         self.call("Emulation.setEmulatedMedia", media="print", features=[])
         data = self.call("Page.printToPDF", preferCSSPageSize=False, printBackground=False, paperWidth=8.27,
-                         paperHeight=11.69)["data"]
+                         paperHeight=11.69, generateTaggedPDF=True)["data"]
         with open(path, "wb") as file:
             file.write(base64.b64decode(data))

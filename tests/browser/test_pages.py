@@ -1,5 +1,5 @@
 """Every page that the program writes, loaded in headless Chromium: made-up results for all kinds of page, and the report of a
-real simulation."""
+real simulation, motion and sweep."""
 
 import pathlib
 import subprocess
@@ -32,4 +32,6 @@ def test_pages_of_a_real_run(tmp_path):
     model = REPOSITORY / "cases" / "slider_crank_5000" / "model.toml"
     run("loosepin", "simulate", model, "--turns", "1", "--transient", "0", "--out", tmp_path / "simulation")
     run("loosepin", "motion", model, "--out", tmp_path / "motion")
-    check([tmp_path / "simulation" / "report.html", tmp_path / "motion" / "report.html"])
+    swept = "joint.gudgeon.radial_clearance=0.1mm..0.5mm"
+    run("loosepin", "sweep", model, "--over", swept, "--points", "6", "--transient", "0", "--turns", "4", "--out", tmp_path / "sweep")
+    check([tmp_path / kind / "report.html" for kind in ("simulation", "motion", "sweep")])

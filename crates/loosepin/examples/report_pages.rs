@@ -1,10 +1,10 @@
 //! Writes the three kinds of page, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
-//! `cargo run --example report_pages -- FOLDER`.
+//! `cargo run --example report_pages -- FOLDER`. NAME.figures beside NAME.html holds the figures of the page as they are saved.
 
 #[path = "../tests/report/report_fixture/mod.rs"]
 mod report_fixture;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs, io};
 
@@ -24,13 +24,27 @@ fn main() -> ExitCode {
     }
 }
 
-fn write_pages(folder: &std::path::Path) -> io::Result<()> {
+fn write_pages(folder: &Path) -> io::Result<()> {
     fs::create_dir_all(folder)?;
-    fs::write(folder.join("study.html"), report::study_page(&report_fixture::study::worn_pin()))?;
-    fs::write(folder.join("simulation.html"), report::simulation_page(&report_fixture::simulation::worn_pin()))?;
-    fs::write(folder.join("motion.html"), report::motion_page(&report_fixture::motion::worn_pin()))?;
-    fs::write(folder.join("four_bar.html"), report::motion_page(&report_fixture::motion::four_bar()))?;
+    write_page(folder, "study", &report::study_page(&report_fixture::study::worn_pin()))?;
+    write_page(folder, "simulation", &report::simulation_page(&report_fixture::simulation::worn_pin()))?;
+    write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
+    write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
     fs::write(folder.join("motion.txt"), report::motion_text(&report_fixture::motion::worn_pin()))
+}
+
+/// A page, and beside it a folder with its figures as the library saves them.
+fn write_page(folder: &Path, name: &str, page: &str) -> io::Result<()> {
+    fs::write(folder.join(format!("{name}.html")), page)?;
+    let figures = folder.join(format!("{name}.figures"));
+    fs::create_dir_all(&figures)?;
+    for figure in report::figures(page) {
+        fs::write(figures.join(format!("{}.svg", figure.name)), figure.to_svg(None))?;
+        if let Some(csv) = figure.to_csv() {
+            fs::write(figures.join(format!("{}.csv", figure.name)), csv)?;
+        }
+    }
+    Ok(())
 }
