@@ -23,7 +23,7 @@ from paper import Paper  # noqa: E402
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 AXE = REPOSITORY / "crates/loosepin-report/scripts/node_modules/axe-core/axe.min.js"
 
-WIDTHS_PX = (1280, 768, 400)
+WIDTHS_PX = (1280, 768, 400, 320)
 # Where axe-core looks at a page.
 AXE_WIDTHS_PX = (1280, 400)
 # A finger needs this much; links within sentences are as high as their line.

@@ -5,7 +5,7 @@
     const namespace = 'http://www.w3.org/2000/svg';
     const narrowPx = 520;
     const paperPx = 680;
-    const lowPx = 280;
+    const lowPx = 230;
     const paperHighPx = 225;
     const leastAcross = 58;
     const leastUp = 38;
