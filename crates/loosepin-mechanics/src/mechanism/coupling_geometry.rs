@@ -2,7 +2,7 @@
 
 use super::cam::CamProfile;
 use super::joint_geometry::JointGeometry;
-use super::tooth_force::ToothForce;
+use super::tooth_geometry::ToothForce;
 use crate::model::{Coupling, CouplingLaw, Model, QuantityId, Ratio};
 use loosepin_math::{Real, numbers};
 

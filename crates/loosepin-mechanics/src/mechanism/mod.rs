@@ -37,6 +37,7 @@ mod spring;
 mod start;
 mod table;
 mod tooth_force;
+mod tooth_geometry;
 mod tree;
 mod ways_on;
 
@@ -59,6 +60,6 @@ pub use load_table::TableNumbers;
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};
-pub use tooth_force::ToothForce;
+pub use tooth_geometry::ToothForce;
 pub use tree::{Attachment, CouplingPlace, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree};
 pub use ways_on::WaysOn;

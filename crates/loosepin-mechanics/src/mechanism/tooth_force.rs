@@ -11,42 +11,16 @@
 use super::error::MechanismError;
 use super::joint_geometry::JointGeometry;
 use super::kinematics::Kinematics;
+use super::tooth_geometry::ToothForce;
 use super::tree::{CouplingPlace, Tree};
-use crate::model::{Coupling, CouplingLaw, Mesh, Model, QuantityId, Ratio, Values};
-use loosepin_math::{Real, Vec2, numbers};
+use crate::model::{Mesh, Model, QuantityId, Values};
+use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
 /// By what share the distance of two gears may differ from what their pitch radii give: rounded numbers of a drawing.
 const LARGEST_MISFIT: f64 = 0.01;
 
-/// Numbers of teeth whose force the joints feel.
-#[derive(Debug, Clone, Copy)]
-pub struct ToothForce<T> {
-    /// tan α.
-    pub slope: T,
-    /// Pitch radii on the first and on the second joint, m; one for a rack.
-    pub radii_m: [T; 2],
-    /// How they mesh.
-    pub mesh: Mesh,
-    /// Whether the body with the teeth is the second of its joint; of both joints.
-    pub is_second: [bool; 2],
-}
-
-numbers!(struct ToothForce { slope, radii_m; mesh, is_second });
-
 impl<T: Real> ToothForce<T> {
-    /// Those of a coupling, where its joints feel the force.
-    pub fn new(coupling: &Coupling, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
-        let teeth = coupling.teeth?;
-        let radii_m = match coupling.law {
-            CouplingLaw::Ratio { ratio: Ratio::Wheels { sizes, .. }, .. } => sizes.map(number),
-            CouplingLaw::Ratio { ratio: Ratio::Rack { radius_m, .. }, .. } => [number(radius_m), T::one()],
-            CouplingLaw::Ratio { ratio: Ratio::Given(_), .. } | CouplingLaw::Cam { .. } => return None,
-        };
-        let (sine, cosine) = number(teeth.pressure_angle_rad).sin_cos();
-        Some(Self { slope: sine / cosine, radii_m, mesh: teeth.mesh, is_second: teeth.is_second })
-    }
-
     /// What the force of the teeth adds to the force of the first or second joint (`side`) on its second body, N, in the ground's
     /// frame, where the coupling acts with `effort` along the coordinate of the second joint, N m or N. Of the joint of a rack
     /// only what acts across the guide: along it the coupling acts already.

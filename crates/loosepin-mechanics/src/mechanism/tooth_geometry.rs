@@ -1,0 +1,33 @@
+//! The numbers of teeth whose force the joints of their wheels feel.
+
+use crate::model::{Coupling, CouplingLaw, Mesh, QuantityId, Ratio};
+use loosepin_math::{Real, numbers};
+
+/// Numbers of teeth whose force the joints feel.
+#[derive(Debug, Clone, Copy)]
+pub struct ToothForce<T> {
+    /// tan α.
+    pub slope: T,
+    /// Pitch radii on the first and on the second joint, m; one for a rack.
+    pub radii_m: [T; 2],
+    /// How they mesh.
+    pub mesh: Mesh,
+    /// Whether the body with the teeth is the second of its joint; of both joints.
+    pub is_second: [bool; 2],
+}
+
+numbers!(struct ToothForce { slope, radii_m; mesh, is_second });
+
+impl<T: Real> ToothForce<T> {
+    /// Those of a coupling, where its joints feel the force.
+    pub fn new(coupling: &Coupling, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
+        let teeth = coupling.teeth?;
+        let radii_m = match coupling.law {
+            CouplingLaw::Ratio { ratio: Ratio::Wheels { sizes, .. }, .. } => sizes.map(number),
+            CouplingLaw::Ratio { ratio: Ratio::Rack { radius_m, .. }, .. } => [number(radius_m), T::one()],
+            CouplingLaw::Ratio { ratio: Ratio::Given(_), .. } | CouplingLaw::Cam { .. } => return None,
+        };
+        let (sine, cosine) = number(teeth.pressure_angle_rad).sin_cos();
+        Some(Self { slope: sine / cosine, radii_m, mesh: teeth.mesh, is_second: teeth.is_second })
+    }
+}
