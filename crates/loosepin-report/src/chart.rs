@@ -1,19 +1,10 @@
-//! Charts over one axis: the picture, the legend, the text alternative and the numbers behind it.
+//! Charts over one axis: what is in them.
 
 use maud::{Markup, html};
 
-use super::chart_drawing::{Drawn, drawing};
-use super::figure::{Picture, csv_element};
-use super::number::{NumberWriter, PLAIN_DIGITS};
+use super::number::NumberWriter;
 use super::script_data::rounded;
 use loosepin_text::units::SiUnit;
-
-/// Rows that the numbers behind a chart hold at most; longer histories keep the extremes of each stretch.
-const MOST_ROWS: usize = 20_000;
-/// Points that a picture has at most per curve.
-const MOST_POINTS: usize = 1600;
-/// Rows of the table behind a chart.
-const TABLE_ROWS: usize = 24;
 
 /// Kind of the horizontal axis; decides on the ticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,7 +87,7 @@ impl EntryValues {
         }
     }
 
-    fn lists_mut(&mut self) -> Vec<&mut Vec<Option<f64>>> {
+    pub fn lists_mut(&mut self) -> Vec<&mut Vec<Option<f64>>> {
         match self {
             EntryValues::Band { lower, upper } | EntryValues::Pair { lower, upper } => vec![lower, upper],
             EntryValues::Line { values } => vec![values],
@@ -202,176 +193,5 @@ impl Chart {
         let label = format!("angle of {drive}");
         let chart = Chart::over(id, &label, angles_rad, &SiUnit::ANGLE, writer);
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
-    }
-
-    /// The figure: picture, legend with read-out, caption, numbers.
-    pub fn figure(mut self) -> Markup {
-        self.thin_out(MOST_ROWS);
-        let mut drawn = self.clone();
-        drawn.thin_out(MOST_POINTS);
-        let Drawn { view, below, plot, drawn } = drawing(&drawn);
-        let name = self.id.clone();
-        let picture = Picture { name, class: "chart", view, below, alternative: self.alternative.clone(), drawn };
-        let is_angle = self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°";
-        html! {
-            figure.chart id=(self.id) data-figure=(self.id) {
-                div.plot data-chart=(self.id) data-plot=(plot.to_attribute()) data-x-name=(self.x_label) data-x-unit=(self.x_symbol)
-                    data-y-unit=(self.y_symbol) data-angle[is_angle] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
-                    (picture.svg())
-                }
-                div.readout {
-                    span.position data-position="" { (self.x_label) }
-                    button.reset type="button" hidden { "Show all" }
-                }
-                ul.legend {
-                    @for (index, entry) in self.entries.iter().enumerate() {
-                        li {
-                            // The script enables what it serves.
-                            button type="button" disabled aria-pressed="true" data-entry=(index) data-columns=(entry.values.lists().len()) {
-                                span class={ "swatch " (entry.role.class()) " " (swatch_shape(entry)) } aria-hidden="true" {}
-                                span.label { (entry.label) }
-                                span.value data-value=(index) {}
-                            }
-                        }
-                    }
-                }
-                figcaption { (self.caption) }
-                (self.numbers())
-                (csv_element(Some(&self.csv())))
-            }
-        }
-    }
-
-    /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.
-    fn csv(&self) -> String {
-        let with_unit = |words: &str, symbol: &str| {
-            let name = if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") };
-            if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
-        };
-        let mut heads = vec![with_unit(&self.x_label, &self.x_symbol)];
-        for entry in &self.entries {
-            let parts: &[&str] = if entry.values.lists().len() == 2 { &[", lower", ", upper"] } else { &[""] };
-            heads.extend(parts.iter().map(|part| with_unit(&format!("{}{part}", entry.label), &self.y_symbol)));
-        }
-        let mut text = heads.join(",");
-        text.push('\n');
-        for row in 0..self.x.len() {
-            let cells = self.entries.iter().flat_map(|entry| entry.values.lists());
-            let cells = cells.map(|list| list.get(row).copied().flatten());
-            let cells: Vec<String> = std::iter::once(self.x[row])
-                .chain(cells)
-                .map(|cell| cell.map_or(String::new(), |number| number.to_string()))
-                .collect();
-            text.push_str(&cells.join(","));
-            text.push('\n');
-        }
-        text
-    }
-
-    fn numbers(&self) -> Markup {
-        let step = self.x.len().div_ceil(TABLE_ROWS).max(1);
-        let symbol = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(" ({symbol})") };
-        html! {
-            details.numbers {
-                summary { "Numbers behind this chart" }
-                div.scroll tabindex="0" role="region" aria-label="Table of the chart's numbers" {
-                    table {
-                        thead {
-                            tr {
-                                th scope="col" { (self.x_label) (symbol(&self.x_symbol)) }
-                                @for entry in &self.entries {
-                                    @if entry.values.lists().len() == 2 {
-                                        th scope="col" { (entry.label) ", lower" (symbol(&self.y_symbol)) }
-                                        th scope="col" { (entry.label) ", upper" (symbol(&self.y_symbol)) }
-                                    } @else {
-                                        th scope="col" { (entry.label) (symbol(&self.y_symbol)) }
-                                    }
-                                }
-                            }
-                        }
-                        tbody {
-                            @for row in (0..self.x.len()).step_by(step) {
-                                tr {
-                                    th scope="row" { (cell(self.x[row])) }
-                                    @for entry in &self.entries {
-                                        @for list in entry.values.lists() {
-                                            td { (cell(list.get(row).copied().flatten())) }
-                                        }
-                                    }
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Keeps, of every stretch of points, those where some entry is smallest or largest, so that no peak is lost.
-    fn thin_out(&mut self, most: usize) {
-        let points = self.x.len();
-        if points <= most {
-            return;
-        }
-        let lists: usize = self.entries.iter().map(|entry| entry.values.lists().len()).sum();
-        let stretches = (most / (2 * lists.max(1))).max(1);
-        let mut kept = vec![0, points - 1];
-        for stretch in 0..stretches {
-            let from = stretch * points / stretches;
-            let to = ((stretch + 1) * points / stretches).min(points);
-            for list in self.entries.iter().flat_map(|entry| entry.values.lists()) {
-                let values = || (from..to).filter_map(|row| Some((row, list.get(row).copied().flatten()?)));
-                kept.extend(values().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
-                kept.extend(values().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
-            }
-        }
-        kept.sort_unstable();
-        kept.dedup();
-        let pick = |list: &Vec<Option<f64>>| kept.iter().map(|row| list.get(*row).copied().flatten()).collect();
-        self.x = pick(&self.x);
-        for entry in &mut self.entries {
-            for list in entry.values.lists_mut() {
-                *list = pick(list);
-            }
-        }
-    }
-}
-
-fn swatch_shape(entry: &Entry) -> &'static str {
-    match (&entry.values, entry.dashed) {
-        (EntryValues::Band { .. }, _) => "area",
-        (_, true) => "dashed",
-        (_, false) => "line",
-    }
-}
-
-fn cell(value: Option<f64>) -> String {
-    match value {
-        Some(value) => {
-            super::number::significant(value, PLAIN_DIGITS, super::number::Rounding::Nearest).replace('-', "−")
-        }
-        None => "–".to_owned(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use loosepin_text::units::DisplayUnits;
-
-    #[test]
-    fn analytic_a_long_history_keeps_its_peak() {
-        const POINTS: usize = 100_000;
-        const PEAK_AT: usize = 54_321;
-        let mut values = vec![0.25; POINTS];
-        values[PEAK_AT] = 9.75;
-        let x: Vec<f64> = (0..POINTS).map(|point| point as f64).collect();
-        let units = DisplayUnits::default();
-        let mut chart = Chart::over("a".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
-        chart.entries.push(Entry::new("", Role::First, false, EntryValues::line(&values)));
-        chart.thin_out(MOST_POINTS);
-        assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
-        let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));
-        assert_eq!(peak.map(|row| chart.x[row]), Some(Some(PEAK_AT as f64)));
     }
 }

@@ -4,7 +4,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::page::{COLOURS, FIGURE_STYLE};
+use super::styles::saved_style;
 
 /// Width of a figure that is saved, unless another one is asked for.
 const WIDTH_MM: f64 = 160.0;
@@ -148,20 +148,6 @@ impl Figure {
         let csv = self.csv.as_ref()?;
         Some(format!("# figure {} of {}\n{csv}", self.name, self.origin))
     }
-}
-
-/// The style of figures with the light colours put in: programs that draw know no variables.
-pub(super) fn saved_style() -> String {
-    let light = COLOURS.split_once("@media").map_or(COLOURS, |(light, _)| light);
-    let colours =
-        light.lines().filter_map(|line| line.trim().strip_prefix("--")?.trim_end_matches(';').split_once(": "));
-    // Longer names first: `--random` is the beginning of `--random-fill`.
-    let mut style = FIGURE_STYLE.to_owned();
-    for (name, colour) in colours {
-        style = style.replace(&format!("var(--{name})"), colour);
-    }
-    let kept = style.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("/*"));
-    kept.collect::<Vec<&str>>().join(" ")
 }
 
 #[cfg(test)]

@@ -1,33 +1,18 @@
 //! Loosest values that meet the requirements, and the estimates of small probabilities: sentences for pages and terminals.
 
 use super::number::{NumberWriter, Rounding, plain_name};
-use super::together::together_sentences;
+use super::together::{ALL_ELSE, ALLOWED_DIGITS, subject, together_sentences};
 use super::wording::{counted, counted_as, deviation_words, listed, place_words, statistic_words, verdict_words};
 use loosepin_result::study::{
     AllocationRecord, AllocationStop, AllowanceRecord, Loosened, RareEnd, RareMethodUsed, RareRecord, StudyResult,
     Verdict,
 };
 
-/// Digits of a value that is allowed.
-pub(super) const ALLOWED_DIGITS: usize = 3;
-/// Begin of the last sentence of an allowance.
-pub(super) const ALL_ELSE: &str = "All other inputs as stated";
-
 /// One sentence for each input that may be loosened, then those for several together, then one for the cheapest combination.
 pub(super) fn inverse_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let allowed = result.allowances.iter().map(|one| allowance(result, one, writer));
     let together = result.together.iter().flat_map(|one| together_sentences(result, one, writer));
     allowed.chain(together).chain(result.allocation.iter().map(|one| allocation(result, one, writer))).collect()
-}
-
-/// The loosened number of an input: "upper limit of the gudgeon radial clearance".
-pub(super) fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
-    let name = plain_name(path, &result.inputs);
-    match what {
-        Loosened::UpperEnd => format!("upper limit of the {name}"),
-        Loosened::StandardDeviation => format!("standard deviation of the {name}"),
-        Loosened::Fit => format!("fit of the {name}"),
-    }
 }
 
 /// The loosest fit of a list.

@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use super::figure::Picture;
 use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
-use super::page::{COLOURS, MECHANISM_STYLE};
 use super::script_data::{round_to_digits, script_json};
+use super::styles::{COLOURS, MECHANISM_STYLE};
 use loosepin_result::simulation::{Drawing, PoseTable};
 use loosepin_text::units;
 

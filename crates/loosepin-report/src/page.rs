@@ -2,13 +2,8 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::figure::saved_style;
+use super::styles::{COLOURS, FIGURE_STYLE, saved_style};
 
-/// Our style: colours, shapes of mechanisms, the rest.
-pub(super) const COLOURS: &str = include_str!("../assets/colours.css");
-pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css");
-pub(super) const FIGURE_STYLE: &str =
-    concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
 const STYLE: &str = include_str!("../assets/report.css");
 /// In the head, before anything is shown.
 const FIRST_SCRIPT: &str = include_str!("../assets/live.js");

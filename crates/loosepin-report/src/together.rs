@@ -3,10 +3,24 @@
 use maud::html;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
-use super::inverse::{ALL_ELSE, ALLOWED_DIGITS, subject};
-use super::number::{NumberWriter, Rounding};
+use super::number::{NumberWriter, Rounding, plain_name};
 use super::wording::{counted, counted_as, listed, verdict_words};
-use loosepin_result::study::{StudyResult, Together, TogetherCheck, TogetherRecord};
+use loosepin_result::study::{Loosened, StudyResult, Together, TogetherCheck, TogetherRecord};
+
+/// Digits of a value that is allowed.
+pub(super) const ALLOWED_DIGITS: usize = 3;
+/// Begin of the last sentence of an allowance.
+pub(super) const ALL_ELSE: &str = "All other inputs as stated";
+
+/// The loosened number of an input: "upper limit of the gudgeon radial clearance".
+pub(super) fn subject(result: &StudyResult, path: &str, what: Loosened) -> String {
+    let name = plain_name(path, &result.inputs);
+    match what {
+        Loosened::UpperEnd => format!("upper limit of the {name}"),
+        Loosened::StandardDeviation => format!("standard deviation of the {name}"),
+        Loosened::Fit => format!("fit of the {name}"),
+    }
+}
 
 /// What the studies say, in sentences.
 pub(super) fn together_sentences(result: &StudyResult, one: &TogetherRecord, writer: &NumberWriter) -> Vec<String> {

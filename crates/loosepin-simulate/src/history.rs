@@ -10,7 +10,6 @@ use super::lyapunov::{ExponentPlan, largest_exponent};
 use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::reference::IdealReference;
-use super::repeat::repeat;
 use super::report::RunReport;
 use super::search::{Peak, maximum_within};
 use super::sections::SectionRecorder;
@@ -21,6 +20,7 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
+use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
     OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
@@ -604,4 +604,34 @@ fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f
         accelerations.extend([acceleration.x, acceleration.y, change.angular]);
     }
     positions.into_iter().chain(velocities).chain(accelerations).collect()
+}
+
+/// The command by which the run that `plan` asks of `model` is made again: what differs from the file is in it.
+fn repeat(model: &Model, plan: &Plan) -> Repeat {
+    let mut arguments: Vec<String> = Vec::new();
+    let mut add = |name: &str, value: String| arguments.extend([name.to_owned(), value]);
+    for change in &plan.overrides {
+        add("--set", format!("{}={}", change.path, change.written));
+    }
+    let (cycle, own) = (&model.cycle, &plan.cycle);
+    if own.recorded_turns != cycle.recorded_turns {
+        add("--turns", own.recorded_turns.to_string());
+    }
+    if own.transient_turns != cycle.transient_turns {
+        add("--transient", own.transient_turns.to_string());
+    }
+    if own.samples_per_turn != cycle.samples_per_turn {
+        add("--samples", own.samples_per_turn.to_string());
+    }
+    if plan.settings.tolerance_m != Settings::for_simulation().tolerance_m {
+        add("--tolerance", format!("{:e} m", plan.settings.tolerance_m));
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        add("--lyapunov", turns.to_string());
+    }
+    if plan.with_states {
+        arguments.push("--states".to_owned());
+    }
+    let sources = std::iter::once(model.source()).chain(model.tables());
+    Repeat::new("simulate", &arguments, sources.map(|source| &**source))
 }

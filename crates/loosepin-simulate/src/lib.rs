@@ -36,7 +36,6 @@ mod reads;
 mod recorded;
 pub use loosepin_result::simulation as record;
 mod reference;
-mod repeat;
 mod report;
 mod resolution;
 mod resume;

@@ -1,6 +1,5 @@
 //! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
 
-use super::allow_together::most_tried_together;
 use super::assemble::{Material, requirements};
 use super::double_loop::DirectQuestion;
 use super::error::StudyError;
@@ -29,9 +28,6 @@ const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
 /// Studies that may be run at most, for the plan.
 pub(super) fn most_studies(study: &Study) -> usize {
-    if let Some(how) = study.together {
-        return 2 * most_tried_together(how);
-    }
     let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
     let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());

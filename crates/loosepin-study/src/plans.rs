@@ -1,6 +1,7 @@
 //! Plans of all questions of a study, made once, before anything has run.
 
 use super::allow::{most_studies, runs_of_a_study};
+use super::allow_together::most_tried_together;
 use super::budget::{Limits, budget};
 use super::contributors::ContributorPlan;
 use super::error::StudyError;
@@ -55,7 +56,8 @@ impl Plans {
         let surrogate_runs = surrogate.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
         let rare = most_rare_runs(direct) * requests(&response.shared.plan.asks).count();
-        let allowed = most_studies(study).saturating_mul(runs_of_a_study(study));
+        let of_allowances = study.together.map_or_else(|| most_studies(study), |how| 2 * most_tried_together(how));
+        let allowed = of_allowances.saturating_mul(runs_of_a_study(study));
         let contributing = contributors.as_ref().map_or(0, ContributorPlan::runs);
         let beside = [contributing, rare, allowed, surrogate_runs, promised].into_iter().fold(0, usize::saturating_add);
         let (stated_runs, reserved) = if is_surrogate_alone {

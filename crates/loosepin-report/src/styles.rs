@@ -1,0 +1,23 @@
+//! Style sheets that stand in pages and in pictures of their own.
+
+/// Colours by meaning, light and dark.
+pub(super) const COLOURS: &str = include_str!("../assets/colours.css");
+/// Shapes of mechanisms.
+pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css");
+/// Everything that is drawn in figures.
+pub(super) const FIGURE_STYLE: &str =
+    concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
+
+/// The style of figures with the light colours put in: programs that draw know no variables.
+pub(super) fn saved_style() -> String {
+    let light = COLOURS.split_once("@media").map_or(COLOURS, |(light, _)| light);
+    let colours =
+        light.lines().filter_map(|line| line.trim().strip_prefix("--")?.trim_end_matches(';').split_once(": "));
+    // Longer names first: `--random` is the beginning of `--random-fill`.
+    let mut style = FIGURE_STYLE.to_owned();
+    for (name, colour) in colours {
+        style = style.replace(&format!("var(--{name})"), colour);
+    }
+    let kept = style.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("/*"));
+    kept.collect::<Vec<&str>>().join(" ")
+}
