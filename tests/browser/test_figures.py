@@ -59,7 +59,9 @@ def columns_are_drawn(root, table, figure):
     assert table.startswith(f"# figure {figure} of "), figure
     head, *rows = csv.reader(io.StringIO(table.split("\n", 1)[1]))
     assert len(rows) > 1 and all(len(row) == len(head) for row in rows), figure
-    curves = [path for path in root.iter(f"{SVG}path") if path.get("class", "").startswith("line ")]
+    # The key below the picture has lines of its own.
+    drawn = [group for group in root.iter(f"{SVG}g") if group.get("class") == "curves"]
+    curves = [path for group in drawn for path in group.iter(f"{SVG}path") if path.get("class", "").startswith("line ")]
     assert len(curves) == len(head) - 1, figure
     for column, curve in enumerate(curves, 1):
         points = len(re.findall("[ML]", curve.get("d")))

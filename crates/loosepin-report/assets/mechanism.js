@@ -15,6 +15,8 @@
         const bodies = [...figure.querySelectorAll('[data-body]')];
         const ghosts = [...figure.querySelectorAll('[data-ghost]')];
         const rings = [...figure.querySelectorAll('.bearing')];
+        const riders = [...figure.querySelectorAll('[data-rides]')];
+        const magnified = figure.querySelector('.magnified');
         const play = figure.querySelector('.play');
         const slider = figure.querySelector('.pose');
         const output = figure.querySelector('.angle');
@@ -25,16 +27,29 @@
         let pose = data.start;
         let isRunning = false;
         let lastTime = 0;
-        function transform(body, index, share, factor) {
+        /** x, y in mm and angle in degrees. */
+        function placed(body, index, share, factor) {
             if (!body)
-                return '';
+                return [0, 0, 0];
             const at = (list, difference) => between(list, index, share) + factor * between(difference, index, share);
-            return 'translate(' + at(body.x, body.dx).toFixed(4) + ' ' + at(body.y, body.dy).toFixed(4) + ') rotate(' + at(body.a, body.da).toFixed(5) + ')';
+            return [at(body.x, body.dx), at(body.y, body.dy), at(body.a, body.da)];
+        }
+        function transform(body, index, share, factor) {
+            const [x, y, a] = placed(body, index, share, factor);
+            return 'translate(' + x.toFixed(4) + ' ' + y.toFixed(4) + ') rotate(' + a.toFixed(5) + ')';
+        }
+        /** Moves with a point of a body, and stays upright. */
+        function ride(rider, index, share) {
+            const [x, y, a] = placed(data.bodies[Number(rider.dataset.rides)], index, share, magnification);
+            const [ownX, ownY] = [Number(rider.dataset.x), Number(rider.dataset.y)];
+            const [sine, cosine] = [Math.sin(a * Math.PI / 180), Math.cos(a * Math.PI / 180)];
+            return 'translate(' + (x + cosine * ownX - sine * ownY).toFixed(4) + ' ' + (y + sine * ownX + cosine * ownY).toFixed(4) + ')';
         }
         function draw() {
             const index = Math.min(Math.floor(pose), count - 1);
             const share = pose - index;
             bodies.forEach((body) => body.setAttribute('transform', transform(data.bodies[Number(body.dataset.body)], index, share, magnification)));
+            riders.forEach((rider) => rider.setAttribute('transform', ride(rider, index, share)));
             ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
             const angle = between(angles, index, share);
             if (output)
@@ -73,6 +88,8 @@
         choice?.addEventListener('change', () => {
             magnification = Number(choice.value);
             rings.forEach((ring) => ring.setAttribute('r', (Number(ring.dataset.pin) + magnification * Number(ring.dataset.clearance)).toFixed(4)));
+            if (magnified)
+                magnified.textContent = magnification === 1 ? 'play true to scale' : 'play × ' + magnification;
             draw();
         });
         pageCursor.listen((angleDeg, from) => {

@@ -31,6 +31,8 @@
     const bodies = [...figure.querySelectorAll<SVGElement>('[data-body]')];
     const ghosts = [...figure.querySelectorAll<SVGElement>('[data-ghost]')];
     const rings = [...figure.querySelectorAll<SVGElement>('.bearing')];
+    const riders = [...figure.querySelectorAll<SVGElement>('[data-rides]')];
+    const magnified = figure.querySelector<SVGElement>('.magnified');
     const play = figure.querySelector<HTMLButtonElement>('.play');
     const slider = figure.querySelector<HTMLInputElement>('.pose');
     const output = figure.querySelector<HTMLElement>('.angle');
@@ -42,16 +44,31 @@
     let isRunning = false;
     let lastTime = 0;
 
-    function transform(body: BodyMotion | undefined, index: number, share: number, factor: number): string {
-      if (!body) return '';
+    /** x, y in mm and angle in degrees. */
+    function placed(body: BodyMotion | undefined, index: number, share: number, factor: number): [number, number, number] {
+      if (!body) return [0, 0, 0];
       const at = (list: number[], difference: number[]): number => between(list, index, share) + factor * between(difference, index, share);
-      return 'translate(' + at(body.x, body.dx).toFixed(4) + ' ' + at(body.y, body.dy).toFixed(4) + ') rotate(' + at(body.a, body.da).toFixed(5) + ')';
+      return [at(body.x, body.dx), at(body.y, body.dy), at(body.a, body.da)];
+    }
+
+    function transform(body: BodyMotion | undefined, index: number, share: number, factor: number): string {
+      const [x, y, a] = placed(body, index, share, factor);
+      return 'translate(' + x.toFixed(4) + ' ' + y.toFixed(4) + ') rotate(' + a.toFixed(5) + ')';
+    }
+
+    /** Moves with a point of a body, and stays upright. */
+    function ride(rider: SVGElement, index: number, share: number): string {
+      const [x, y, a] = placed(data.bodies[Number(rider.dataset.rides)], index, share, magnification);
+      const [ownX, ownY] = [Number(rider.dataset.x), Number(rider.dataset.y)];
+      const [sine, cosine] = [Math.sin(a * Math.PI / 180), Math.cos(a * Math.PI / 180)];
+      return 'translate(' + (x + cosine * ownX - sine * ownY).toFixed(4) + ' ' + (y + sine * ownX + cosine * ownY).toFixed(4) + ')';
     }
 
     function draw(): number {
       const index = Math.min(Math.floor(pose), count - 1);
       const share = pose - index;
       bodies.forEach((body) => body.setAttribute('transform', transform(data.bodies[Number(body.dataset.body)], index, share, magnification)));
+      riders.forEach((rider) => rider.setAttribute('transform', ride(rider, index, share)));
       ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
       const angle = between(angles, index, share);
       if (output) output.textContent = (((angle % 360) + 360) % 360).toFixed(0) + '°';
@@ -89,6 +106,7 @@
     choice?.addEventListener('change', () => {
       magnification = Number(choice.value);
       rings.forEach((ring) => ring.setAttribute('r', (Number(ring.dataset.pin) + magnification * Number(ring.dataset.clearance)).toFixed(4)));
+      if (magnified) magnified.textContent = magnification === 1 ? 'play true to scale' : 'play × ' + magnification;
       draw();
     });
     pageCursor.listen((angleDeg, from) => {

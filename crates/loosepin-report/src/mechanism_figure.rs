@@ -4,7 +4,11 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use super::figure::Picture;
-use super::mechanism_shapes::{Frame, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins};
+use super::mechanism_labels::{Sizes, frame_with, labels};
+use super::mechanism_shapes::{
+    BLOCK_PINS, Frame, JOURNAL_PINS, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins,
+};
+use super::mechanism_signs::{DriveSign, drive_sign, scale, scale_width_mm};
 use super::script_data::{round_to_digits, script_json};
 use super::styles::{COLOURS, MECHANISM_STYLE};
 use loosepin_result::simulation::{Drawing, PoseTable};
@@ -16,8 +20,11 @@ const NAME: &str = "mechanism";
 const POSE_DIGITS: usize = 8;
 /// Most poses in a page.
 const MOST_POSES: usize = 361;
-/// A clearance is magnified at first to about this share of the diagonal.
-const VISIBLE_SHARE: f64 = 0.02;
+/// A clearance is magnified at first to about this share of the diagonal: the ring around the journal is then as high as a
+/// slider's block, at most.
+const VISIBLE_SHARE: f64 = (BLOCK_PINS[1] - JOURNAL_PINS) * PIN_SHARE;
+/// Size of the letters, as a share of the diagonal: 12 pixels where the figure is 400 wide.
+const FONT_SHARE: f64 = 0.027;
 /// The still picture shows the pose at this fraction of the cycle (one over it): not a dead centre.
 const FIRST_POSE: usize = 6;
 /// Magnifications on offer.
@@ -62,14 +69,21 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
         if drawing.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", drawing.bodies.len()) },
         units::counted(drawing.joints.len(), "joint")
     );
-    let picture = Picture {
-        name: NAME.to_owned(),
-        class: "mechanism",
-        view: [frame.left, frame.top, frame.width, frame.height],
-        below: 0.0,
-        alternative,
-        drawn: shapes(drawing, reference, &motion, &frame, magnification, has_ideal),
+    let has_play = has_ideal && largest_clearance_mm > 0.0;
+    let sizes = Sizes { pin: PIN_SHARE * frame.diagonal(), font_mm: FONT_SHARE * frame.diagonal() };
+    let labels = labels(drawing, reference, &frame, sizes);
+    let view = with_scale(frame_with(&labels, reference, &frame, sizes), sizes.font_mm);
+    let drawn = html! {
+        (shapes(drawing, reference, &motion, &frame, magnification, has_ideal))
+        g.signs style=(format!("font-size: {:.4}px", sizes.font_mm)) {
+            g transform="scale(1 -1)" {
+                @for label in &labels { (riding(&motion, label.body, label.at_mm, magnification, label.drawn(sizes))) }
+            }
+            (scale(&view, sizes.font_mm, has_play.then_some(magnification)))
+        }
     };
+    let view = [view.left, view.top, view.width, view.height];
+    let picture = Picture { name: NAME.to_owned(), class: "mechanism", view, below: 0.0, alternative, drawn };
     html! {
         figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
             (picture.svg())
@@ -80,7 +94,7 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
                     input.pose type="range" min="0" max=(motion.angle_deg.len().saturating_sub(1)) value=(motion.start)
                         step="1" aria-label=(format!("Angle of {drive}"));
                 }
-                @if has_ideal && largest_clearance_mm > 0.0 {
+                @if has_play {
                     label {
                         span { "Magnification" }
                         select.magnification {
@@ -94,12 +108,14 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
                 }
             }
             figcaption {
-                @if has_ideal && largest_clearance_mm > 0.0 {
+                @if has_play {
                     "The mechanism over one turn. Solid: with play, deviation magnified as chosen above. Dashed: ideal. Orange rings: \
                      bearings with play; the gap to the pin is the clearance, with the same magnification."
                 } @else {
                     "The mechanism over one turn."
                 }
+                @if !drawing.drives.is_empty() { " Arrow: drive." }
+                @if !drawing.output_points.is_empty() { " Flag: output." }
             }
             script type="application/json" data-for=(NAME) { (script_json(&motion)) }
         }
@@ -138,6 +154,14 @@ fn shapes(
                     }
                 }
             }
+            @for sign in drawing.drives.iter().filter_map(|drive| drive_sign(drawing, drive, reference, pin)) {
+                @match &sign {
+                    DriveSign::Curved { body, at_mm, .. } => (riding(motion, *body, *at_mm, magnification, sign.arrow(pin))),
+                    DriveSign::Straight { body, at_mm: (x, y), .. } => g data-body=(body) transform=(transform(motion, *body, magnification)) {
+                        g transform=(format!("translate({x:.4} {y:.4})")) { (sign.arrow(pin)) }
+                    },
+                }
+            }
             // Above all shapes, bearings below journals, so that no body hides a joint of another.
             @for layer in [PinLayer::Bearings, PinLayer::Journals] {
                 @for index in 0..drawing.bodies.len() {
@@ -147,6 +171,27 @@ fn shapes(
                 }
             }
         }
+    }
+}
+
+/// What moves with a point of a body but stays upright; the script moves it.
+fn riding(motion: &Motion, body: usize, (x, y): (f64, f64), magnification: f64, drawn: Markup) -> Markup {
+    let [body_x, body_y, angle_deg] = pose(motion, body, magnification);
+    let (sine, cosine) = angle_deg.to_radians().sin_cos();
+    let place = format!("translate({:.4} {:.4})", body_x + cosine * x - sine * y, body_y + sine * x + cosine * y);
+    html! {
+        g data-rides=(body) data-x=(format!("{x:.4}")) data-y=(format!("{y:.4}")) transform=(place) { (drawn) }
+    }
+}
+
+/// The frame with room for the scale below.
+fn with_scale(frame: Frame, font_mm: f64) -> Frame {
+    let missing = (scale_width_mm(frame.width, font_mm) - frame.width).max(0.0);
+    Frame {
+        left: frame.left - 0.5 * missing,
+        top: frame.top,
+        width: frame.width + missing,
+        height: frame.height + 1.8 * font_mm,
     }
 }
 
@@ -229,15 +274,17 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
     Motion { angle_deg, magnification, start, bodies }
 }
 
-fn transform(motion: &Motion, index: usize, magnification: f64) -> String {
+/// x, y in mm and angle in degrees of a body in the pose that is shown first.
+fn pose(motion: &Motion, index: usize, magnification: f64) -> [f64; 3] {
     let body = &motion.bodies[index];
     let at = |list: &[Option<f64>]| list.get(motion.start).copied().flatten().unwrap_or(0.0);
-    format!(
-        "translate({:.4} {:.4}) rotate({:.5})",
-        at(&body.x) + magnification * at(&body.dx),
-        at(&body.y) + magnification * at(&body.dy),
-        at(&body.a) + magnification * at(&body.da)
-    )
+    [(&body.x, &body.dx), (&body.y, &body.dy), (&body.a, &body.da)]
+        .map(|(ideal, change)| at(ideal) + magnification * at(change))
+}
+
+fn transform(motion: &Motion, index: usize, magnification: f64) -> String {
+    let [x, y, angle_deg] = pose(motion, index, magnification);
+    format!("translate({x:.4} {y:.4}) rotate({angle_deg:.5})")
 }
 
 #[cfg(test)]
@@ -246,8 +293,13 @@ mod tests {
 
     #[test]
     fn analytic_magnification_is_a_round_number_that_shows_the_clearance() {
-        assert_eq!(first_magnification(250.0, 0.5), 10.0);
+        assert_eq!(first_magnification(250.0, 0.5), 5.0);
         assert_eq!(first_magnification(250.0, 0.0), 1.0);
         assert_eq!(first_magnification(1.0, 10.0), 1.0);
+        for diagonal_mm in [1.0, 130.0, 3700.0] {
+            let pin = PIN_SHARE * diagonal_mm;
+            let ring_mm = JOURNAL_PINS * pin + first_magnification(diagonal_mm, 1e-3) * 1e-3;
+            assert!(ring_mm <= BLOCK_PINS[1] * pin, "the ring is higher than the block");
+        }
     }
 }

@@ -2,12 +2,21 @@
 
 use maud::{Markup, html};
 
+use super::mechanism_signs::{carried_mm, hatching};
 use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
 
 /// Millimetres, in which the picture is drawn.
 pub(super) const MM_PER_M: f64 = 1e3;
 /// Radius of a drawn pin, as a share of the picture's diagonal.
 pub(super) const PIN_SHARE: f64 = 0.011;
+/// Radius of a drawn journal, in pins.
+pub(super) const JOURNAL_PINS: f64 = 1.3;
+/// Half the length and half the height of a slider's block, in pins.
+pub(super) const BLOCK_PINS: [f64; 2] = [4.2, 2.8];
+/// A rail lies so far from the middle of its guide, in pins.
+pub(super) const RAIL_PINS: f64 = 3.0;
+/// Half the width and the height of a support, and half its base line, in pins.
+const SUPPORT_PINS: [f64; 3] = [2.2, 3.4, 3.2];
 
 /// The part of the plane that the picture shows, mm; y points down, as in SVG.
 #[derive(Clone, Copy)]
@@ -52,55 +61,55 @@ pub(super) fn frame(drawing: &Drawing, poses: &PoseTable) -> Frame {
 }
 
 fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pose: usize) -> (f64, f64) {
-    let (sine, cosine) = poses.angle_rad[index][pose].sin_cos();
     let point = &body.points[point];
-    (
-        (poses.x_m[index][pose] + cosine * point.x_m - sine * point.y_m) * MM_PER_M,
-        (poses.y_m[index][pose] + sine * point.x_m + cosine * point.y_m) * MM_PER_M,
-    )
+    carried_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
-/// Supports under fixed pins, and fixed guides.
+/// Fixed pins.
+pub(super) fn support_points(drawing: &Drawing) -> impl Iterator<Item = (f64, f64)> {
+    let ends = drawing.joints.iter().filter(|joint| !has_rails(joint)).flat_map(|joint| [joint.first, joint.second]);
+    ends.filter(|end| is_on_ground(drawing, *end)).filter_map(|end| point_mm(drawing, end))
+}
+
+fn is_on_ground(drawing: &Drawing, end: PointReference) -> bool {
+    drawing.bodies.get(end.body).is_some_and(|body| body.is_ground)
+}
+
+/// Supports under fixed pins, and fixed guides, hatched.
 pub(super) fn ground(drawing: &Drawing, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
-    let on_ground = |end: PointReference| drawing.bodies.get(end.body).is_some_and(|body| body.is_ground);
+    let [half_width, height, half_base] = SUPPORT_PINS.map(|pins| pins * pin);
     html! {
         g.ground {
-            @for joint in &drawing.joints {
-                @if has_rails(joint) {
-                    @if on_ground(joint.first) { (guide(drawing, joint, poses, frame, pin)) }
-                } @else {
-                    @for end in [joint.first, joint.second] {
-                        @if let Some((x, y)) = point_mm(drawing, end).filter(|_| on_ground(end)) {
-                            path.support d=(format!(
-                                "M {:.3} {:.3} l {:.3} {:.3} h {:.3} Z",
-                                x, y, -2.2 * pin, -3.4 * pin, 4.4 * pin
-                            )) {}
-                            line.base x1=(format!("{:.3}", x - 3.2 * pin)) x2=(format!("{:.3}", x + 3.2 * pin))
-                                y1=(format!("{:.3}", y - 3.4 * pin)) y2=(format!("{:.3}", y - 3.4 * pin)) {}
-                        }
-                    }
-                }
+            @for joint in drawing.joints.iter().filter(|joint| has_rails(joint) && is_on_ground(drawing, joint.first)) {
+                (guide(drawing, joint, poses, frame, pin))
+                // The second rail runs the other way, so that the right-hand side of both is outside.
+                @for [from, to] in fixed_rails(drawing, joint, poses, frame, RAIL_PINS * pin) { (hatching(from, to, pin)) }
+            }
+            @for (x, y) in support_points(drawing) {
+                path.support d=(format!("M {x:.3} {y:.3} l {:.3} {:.3} h {:.3} Z", -half_width, -height, 2.0 * half_width)) {}
+                line.base x1=(format!("{:.3}", x - half_base)) x2=(format!("{:.3}", x + half_base))
+                    y1=(format!("{:.3}", y - height)) y2=(format!("{:.3}", y - height)) {}
+                (hatching((x - half_base, y - height), (x + half_base, y - height), pin))
             }
         }
     }
 }
 
 /// A point in the frame of its body; none where the record names one that is not there.
-fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
+pub(super) fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f64)> {
     let point = drawing.bodies.get(end.body)?.points.get(end.point)?;
     Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
 /// Whether a joint has a line along which it slides.
-fn has_rails(joint: &DrawnJoint) -> bool {
+pub(super) fn has_rails(joint: &DrawnJoint) -> bool {
     matches!(joint.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
 }
 
-/// Two rails along the way of the slider, in the frame of the body that carries the guide.
-fn guide(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
-    let (Some(origin_mm), Some(_)) = (point_mm(drawing, joint.first), point_mm(drawing, joint.second)) else {
-        return html! {};
-    };
+/// How far a slider moves along its guide, mm from the guide's point, in all poses; none where the record names no such point.
+pub(super) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+    let origin_mm = point_mm(drawing, joint.first)?;
+    point_mm(drawing, joint.second)?;
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
     let carrier = joint.first.body;
     let slider = &drawing.bodies[joint.second.body];
@@ -114,14 +123,35 @@ fn guide(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame
         from = from.min(along);
         to = to.max(along);
     }
-    let (from, to) = (from - 0.06 * frame.diagonal(), to + 0.06 * frame.diagonal());
-    let rail = |side: f64| {
-        let (x, y) = (origin_mm.0 - side * sine, origin_mm.1 + side * cosine);
-        (x + from * cosine, y + from * sine, x + to * cosine, y + to * sine)
+    Some((from, to))
+}
+
+/// Both rails of a guide, `side` from its middle, in the frame of the body that carries it: from end to end along the guide, and back.
+fn rails(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, side: f64) -> Vec<[(f64, f64); 2]> {
+    let (Some((from, to)), Some((x, y))) = (way(drawing, joint, poses), point_mm(drawing, joint.first)) else {
+        return Vec::new();
     };
+    let (sine, cosine) = joint.guide_angle_rad.sin_cos();
+    let (from, to) = (from - 0.06 * frame.diagonal(), to + 0.06 * frame.diagonal());
+    let at = |along: f64, side: f64| (x + along * cosine - side * sine, y + along * sine + side * cosine);
+    vec![[at(from, -side), at(to, -side)], [at(to, side), at(from, side)]]
+}
+
+/// The rails of a guide that the ground carries, where it lies; none for another.
+pub(super) fn fixed_rails(
+    drawing: &Drawing,
+    joint: &DrawnJoint,
+    poses: &PoseTable,
+    frame: &Frame,
+    side: f64,
+) -> Vec<[(f64, f64); 2]> {
+    if is_on_ground(drawing, joint.first) { rails(drawing, joint, poses, frame, side) } else { Vec::new() }
+}
+
+/// Two rails along the way of the slider, in the frame of the body that carries the guide.
+fn guide(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
     html! {
-        @for side in [-2.6 * pin, 2.6 * pin] {
-            @let (x1, y1, x2, y2) = rail(side);
+        @for [(x1, y1), (x2, y2)] in rails(drawing, joint, poses, frame, RAIL_PINS * pin) {
             line.guide x1=(format!("{x1:.3}")) y1=(format!("{y1:.3}")) x2=(format!("{x2:.3}")) y2=(format!("{y2:.3}")) {}
         }
     }
@@ -130,8 +160,7 @@ fn guide(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame
 /// The shape of one body in its own frame: a bar, a plate, or a block where it slides.
 pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame: &Frame, pin: f64) -> Markup {
     let body = &drawing.bodies[index];
-    let points: Vec<(f64, f64)> =
-        body.points.iter().map(|point| (point.x_m * MM_PER_M, point.y_m * MM_PER_M)).collect();
+    let points = points_mm(body);
     let block = drawing
         .joints
         .iter()
@@ -141,8 +170,9 @@ pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame:
         @if let Some(((x, y), joint)) = block {
             @let own = poses.angle_rad[index].first().copied().unwrap_or(0.0);
             @let guide = poses.angle_rad.get(joint.first.body).and_then(|angles| angles.first()).copied().unwrap_or(0.0);
-            rect.block x=(format!("{:.3}", x - 4.0 * pin)) y=(format!("{:.3}", y - 2.4 * pin))
-                width=(format!("{:.3}", 8.0 * pin)) height=(format!("{:.3}", 4.8 * pin)) rx=(format!("{:.3}", 0.6 * pin))
+            @let [half_length, half_height] = BLOCK_PINS.map(|pins| pins * pin);
+            rect.block x=(format!("{:.3}", x - half_length)) y=(format!("{:.3}", y - half_height))
+                width=(format!("{:.3}", 2.0 * half_length)) height=(format!("{:.3}", 2.0 * half_height)) rx=(format!("{:.3}", 0.6 * pin))
                 transform=(format!("rotate({:.4} {x:.3} {y:.3})", (guide + joint.guide_angle_rad - own).to_degrees())) {}
         }
         @for joint in drawing.joints.iter().filter(|joint| {
@@ -155,6 +185,15 @@ pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame:
             path class=(if hull.len() > 2 { "plate" } else { "bar" }) d=(path_through(&hull)) {}
         }
     }
+}
+
+fn points_mm(body: &DrawnBody) -> Vec<(f64, f64)> {
+    body.points.iter().map(|point| (point.x_m * MM_PER_M, point.y_m * MM_PER_M)).collect()
+}
+
+/// Corners of the drawn shape of a body with several points.
+pub(super) fn hull_mm(body: &DrawnBody) -> Vec<(f64, f64)> {
+    convex_hull(&points_mm(body))
 }
 
 fn path_through(points: &[(f64, f64)]) -> String {
@@ -210,15 +249,15 @@ pub(super) fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64
                     @if let Some((x, y)) = at(joint.first.point) {
                         @let clearance_mm = joint.radial_clearance_m * MM_PER_M;
                         circle.bearing cx=(format!("{x:.3}")) cy=(format!("{y:.3}"))
-                            r=(format!("{:.4}", 1.3 * pin + magnification * clearance_mm))
-                            data-pin=(format!("{:.4}", 1.3 * pin)) data-clearance=(format!("{clearance_mm:.6}")) {
+                            r=(format!("{:.4}", JOURNAL_PINS * pin + magnification * clearance_mm))
+                            data-pin=(format!("{:.4}", JOURNAL_PINS * pin)) data-clearance=(format!("{clearance_mm:.6}")) {
                             title { "bearing of " (joint.name) }
                         }
                     }
                 }
                 @if layer == PinLayer::Journals && joint.second.body == index {
                     @if let Some((x, y)) = at(joint.second.point) {
-                        circle.journal cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{:.4}", 1.3 * pin)) {
+                        circle.journal cx=(format!("{x:.3}")) cy=(format!("{y:.3}")) r=(format!("{:.4}", JOURNAL_PINS * pin)) {
                             title { "journal of " (joint.name) }
                         }
                     }

@@ -9,7 +9,8 @@ mod spectrum;
 use crate::repeat::Repeat;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
-    Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, JournalOrbit, PointReference, PoseTable,
+    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
+    PointReference, PoseTable,
 };
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};

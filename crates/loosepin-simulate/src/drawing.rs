@@ -1,10 +1,16 @@
 //! Points, joints and poses of a mechanism, for drawings.
 
-use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Tree};
-use loosepin_mechanics::model::{JointKind, Values};
-use loosepin_result::simulation::{
-    Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable,
+use loosepin_mechanics::mechanism::{Drives, Kinematics, Mechanism, Tree};
+use loosepin_mechanics::model::{
+    Derivative, Drive, DriveId, JointKind, Model, Output, OutputKind, PointId, Position, Values,
 };
+use loosepin_result::simulation::{
+    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, PointReference,
+    PoseTable,
+};
+
+/// Instants of a cycle at which a drive is asked which way it goes.
+const SENSE_LOOKS: u32 = 64;
 
 /// Bodies, points and joints of `mechanism` with the numbers of one sample; the poses are still empty.
 pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
@@ -31,8 +37,7 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
         .joints
         .iter()
         .map(|joint| {
-            let [first, second] =
-                joint.kind.points().map(|point| PointReference { body: point.body.0, point: point.point });
+            let [first, second] = joint.kind.points().map(reference);
             let (kind, guide_angle_rad, radial_clearance_m) = match &joint.kind {
                 JointKind::Revolute { clearance, .. } => {
                     let clearance_m = clearance.as_ref().map_or(0.0, |c| values[c.radial_clearance_m]);
@@ -52,7 +57,62 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
             DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
         })
         .collect();
-    Drawing { bodies, joints, poses: empty_poses(mechanism), ideal_poses: empty_poses(mechanism) }
+    Drawing {
+        bodies,
+        joints,
+        drives: drives(model, values),
+        output_points: output_points(model),
+        poses: empty_poses(mechanism),
+        ideal_poses: empty_poses(mechanism),
+    }
+}
+
+fn reference(point: PointId) -> PointReference {
+    PointReference { body: point.body.0, point: point.point }
+}
+
+fn output_points(model: &Model) -> Vec<DrawnOutput> {
+    let drawn = |output: &Output| {
+        let point = match output.kind {
+            OutputKind::Motion { of: Position::Point(point, _), derivative: Derivative::Position } => point.of,
+            OutputKind::Path(point) => point.of,
+            _ => return None,
+        };
+        Some(DrawnOutput { name: output.name.clone(), point: reference(point) })
+    };
+    model.outputs.iter().filter_map(drawn).collect()
+}
+
+fn drives(model: &Model, values: &Values) -> Vec<DrawnDrive> {
+    let turn_s = model.cycle_input(values).turn_s();
+    // A cycle that stands still has no end: the drives are then asked at its start.
+    let end_s = if turn_s.is_finite() { turn_s } else { 0.0 };
+    let mut motions = Drives::new(model, values);
+    let mut speeds = vec![Vec::new(); model.drives.len()];
+    for look in 0..=SENSE_LOOKS {
+        let time_s = end_s * f64::from(look) / f64::from(SENSE_LOOKS);
+        motions.take_pieces_at(time_s);
+        for (index, speeds) in speeds.iter_mut().enumerate() {
+            speeds.push(motions.at(model, DriveId(index), time_s)[1]);
+        }
+    }
+    let drawn = |(drive, speeds): (&Drive, &Vec<f64>)| DrawnDrive {
+        name: drive.name.clone(),
+        joint: drive.joint.0,
+        sense: sense(speeds),
+    };
+    model.drives.iter().zip(&speeds).map(drawn).collect()
+}
+
+/// Which way a drive with these speeds goes; what is a billionth of the largest is round-off.
+fn sense(speeds: &[f64]) -> DriveSense {
+    let least = 1e-9 * speeds.iter().fold(0.0_f64, |largest, speed| largest.max(speed.abs()));
+    match (speeds.iter().any(|speed| *speed > least), speeds.iter().any(|speed| *speed < -least)) {
+        (true, true) => DriveSense::ToAndFro,
+        (true, false) => DriveSense::Forward,
+        (false, true) => DriveSense::Backward,
+        (false, false) => DriveSense::Still,
+    }
 }
 
 fn empty_poses(mechanism: &Mechanism) -> PoseTable {
@@ -73,5 +133,18 @@ pub fn add_pose(poses: &mut PoseTable, tree: &Tree, kinematics: &Kinematics<f64>
         poses.x_m[body].push(pose.position_m.x);
         poses.y_m[body].push(pose.position_m.y);
         poses.angle_rad[body].push(pose.angle_rad);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_sense_of_a_drive_is_that_of_its_speeds() {
+        assert_eq!(sense(&[0.0, 2.0, 3.0]), DriveSense::Forward);
+        assert_eq!(sense(&[-2.0, 1e-12]), DriveSense::Backward);
+        assert_eq!(sense(&[-2.0, 0.0, 1.0]), DriveSense::ToAndFro);
+        assert_eq!(sense(&[0.0, f64::NAN]), DriveSense::Still);
     }
 }

@@ -441,6 +441,8 @@ impl<'a> Recorder<'a> {
             })
             .collect();
         let kind = self.sections.kind(self.mechanism, sample, &self.columns, self.drive_angle_rad(self.window.start_s));
+        let drive_angle_rad: Vec<f64> =
+            self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect();
         let record = SimulationRecord {
             model: self.mechanism.model.name.clone(),
             version: loosepin_text::VERSION.to_owned(),
@@ -467,7 +469,6 @@ impl<'a> Recorder<'a> {
             kind,
             lyapunov: None,
             display_units: self.mechanism.model.shown_in(DisplayUnits::for_duration_s(self.window.end_s)),
-            drive_angle_rad: self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect(),
             outputs,
             contact_forces: (0..self.contact_forces.len())
                 .map(|contact| ContactForceHistory {
@@ -484,8 +485,16 @@ impl<'a> Recorder<'a> {
                     radial_clearance_m: sample.plays[play].clearance_m,
                     x_m: self.orbits[play].0.clone(),
                     y_m: self.orbits[play].1.clone(),
+                    drive_angle_rad: drive_angle_rad.clone(),
+                    // A pin touches its hole at one place.
+                    force_n: self
+                        .contact_forces
+                        .get(self.mechanism.contacts_of(play).start)
+                        .cloned()
+                        .unwrap_or_default(),
                 })
                 .collect(),
+            drive_angle_rad,
             controls: self.controls.into_histories(&self.sample_times_s),
             time_s: self.sample_times_s,
             energy: self.energy,

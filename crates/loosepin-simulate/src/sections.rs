@@ -86,6 +86,9 @@ impl SectionRecorder {
                     radial_clearance_m: numbers.clearance_m,
                     x_m: x_m.clone(),
                     y_m: y_m.clone(),
+                    // All at the angle of the section.
+                    drive_angle_rad: Vec::new(),
+                    force_n: Vec::new(),
                 })
                 .collect(),
             outputs: outputs

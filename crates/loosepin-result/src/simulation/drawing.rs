@@ -19,6 +19,12 @@ pub struct JournalOrbit {
     /// Eccentricity along y of the bearing frame.
     #[serde(with = "extended")]
     pub y_m: Vec<f64>,
+    /// Angle of the drive at each sample, as of [`Drawing::poses`]; empty where it is not known.
+    #[serde(default, with = "extended")]
+    pub drive_angle_rad: Vec<f64>,
+    /// Normal contact force at each sample, 0 in free flight; empty where it is not known.
+    #[serde(default, with = "extended")]
+    pub force_n: Vec<f64>,
 }
 
 /// The mechanism as a page draws it: shapes in body frames, and poses of one cycle.
@@ -28,6 +34,12 @@ pub struct Drawing {
     pub bodies: Vec<DrawnBody>,
     /// The joints.
     pub joints: Vec<DrawnJoint>,
+    /// The drives; empty in records of older versions.
+    #[serde(default)]
+    pub drives: Vec<DrawnDrive>,
+    /// Points whose position is an output; empty in records of older versions.
+    #[serde(default)]
+    pub output_points: Vec<DrawnOutput>,
     /// Poses of the mechanism with clearance over one cycle.
     pub poses: PoseTable,
     /// Poses of the ideal mechanism at the same inputs; empty where it is not drawn.
@@ -91,6 +103,40 @@ pub struct DrawnJoint {
     /// Radial clearance; 0 for an ideal joint.
     #[serde(with = "extended")]
     pub radial_clearance_m: f64,
+}
+
+/// What a drive prescribes, and which way it goes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DrawnDrive {
+    /// Name of the drive.
+    pub name: String,
+    /// Index of its joint in [`Drawing::joints`].
+    pub joint: usize,
+    /// Sense of the turn of the joint's second body against the first, or of its travel along the guide.
+    pub sense: DriveSense,
+}
+
+/// Sense of a drive over one cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DriveSense {
+    /// Anticlockwise, or along the guide.
+    Forward,
+    /// Clockwise, or against the guide.
+    Backward,
+    /// Both, one after the other.
+    ToAndFro,
+    /// It holds its joint.
+    Still,
+}
+
+/// An output that is the position of a point: its path, or one of its coordinates.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DrawnOutput {
+    /// Name of the output.
+    pub name: String,
+    /// The point that moves.
+    pub point: PointReference,
 }
 
 /// A point by the index of its body in [`Drawing::bodies`] and of itself in [`DrawnBody::points`].

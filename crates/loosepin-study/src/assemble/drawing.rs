@@ -40,17 +40,19 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         let values = response.values(&nominal, epistemic).ok()?;
         simulate(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
     };
+    let offset_rad = recorded_offset_rad(study, response);
     let mut orbits: Vec<JournalOrbit> = Vec::new();
     let mut add = |label: String, mut found: Vec<JournalOrbit>| {
         for orbit in &mut found {
             orbit.label.clone_from(&label);
+            orbit.drive_angle_rad.iter_mut().for_each(|angle| *angle -= offset_rad);
         }
         orbits.append(&mut found);
     };
     let mut drawing = skeleton(response.mechanism(), &response.nominal);
     if let Some(central) = run_at(&middle) {
         drawing = central.record.drawing.clone();
-        thin(&mut drawing, recorded_offset_rad(study, response));
+        thin(&mut drawing, offset_rad);
         let has_lists = study.epistemic.iter().any(|input| input.interval().is_none());
         let label = if has_lists {
             "unknown values in the middle of their intervals, of lists the first"

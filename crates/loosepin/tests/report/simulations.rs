@@ -3,7 +3,7 @@
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Cycle, Model};
 use loosepin::report::{simulation_page, simulation_text};
-use loosepin::simulate::record::{QuasiStaticShare, SimulationRecord};
+use loosepin::simulate::record::{DriveSense, QuasiStaticShare, SimulationRecord};
 use loosepin::simulate::{Plan, Settings, simulate};
 use loosepin::units::SiUnit;
 use std::path::Path;
@@ -77,4 +77,32 @@ fn text_of_a_servo_that_keeps_swinging() {
     );
     let page = simulation_page(&record);
     assert!(page.contains("does not come to rest although its reference does"));
+}
+
+#[test]
+fn identity_a_run_tells_its_drawing_drives_outputs_and_forces_on_the_rim() {
+    let model = model("../../cases/slider_crank_5000/model.toml");
+    let mut cycle = model.cycle.clone();
+    (cycle.transient_turns, cycle.recorded_turns, cycle.samples_per_turn) = (0.0, 0.2, 1000);
+    let record = simulated(&model, cycle);
+    let drive = &record.drawing.drives[0];
+    assert_eq!(record.drawing.drives.len(), 1);
+    assert_eq!((drive.name.as_str(), drive.sense), ("crank", DriveSense::Forward));
+    assert_eq!(record.drawing.joints[drive.joint].name, "main");
+    let output = &record.drawing.output_points[0];
+    let body = &record.drawing.bodies[output.point.body];
+    let names = (output.name.as_str(), body.name.as_str(), body.points[output.point.point].name.as_str());
+    assert_eq!(names, ("slider", "slider", "pin"));
+    assert_eq!(record.drawing.output_points.len(), 1, "velocities and forces have no place");
+    let orbit = &record.orbits[0];
+    assert_eq!(orbit.drive_angle_rad, record.drive_angle_rad);
+    // A force acts on the rim alone: the laws are those of penetration.
+    let mut touching = 0;
+    for (sample, force_n) in orbit.force_n.iter().enumerate().filter(|(_, force_n)| **force_n > 0.0) {
+        touching += 1;
+        let radius_m = orbit.x_m[sample].hypot(orbit.y_m[sample]);
+        assert!(radius_m >= orbit.radial_clearance_m, "{force_n} N at {radius_m} m");
+    }
+    assert!(touching > 3, "{touching} of {} samples", orbit.force_n.len());
+    assert!(orbit.force_n.len() > touching, "it flies as well");
 }

@@ -52,6 +52,27 @@ fn identity_summary_reads_back_to_the_same_result() {
 }
 
 #[test]
+fn a_record_without_what_newer_versions_draw_is_read() {
+    let result = worn_pin();
+    let mut value: serde_json::Value =
+        serde_json::from_str(&to_json(&result).expect("the result has a form in JSON")).expect("it is JSON");
+    let remove = |value: &mut serde_json::Value, key: &str| {
+        assert!(value.as_object_mut().expect("an object").remove(key).is_some(), "{key} is written");
+    };
+    for key in ["drives", "output_points"] {
+        remove(&mut value["drawing"], key);
+    }
+    for orbit in value["orbits"].as_array_mut().expect("a list") {
+        remove(orbit, "drive_angle_rad");
+        remove(orbit, "force_n");
+    }
+    let read: StudyResult = read_json(&value.to_string(), SUMMARY_FILE).expect("an old record can be read");
+    assert!(read.drawing.drives.is_empty() && read.drawing.output_points.is_empty());
+    assert!(read.orbits.iter().all(|orbit| orbit.drive_angle_rad.is_empty() && orbit.force_n.is_empty()));
+    assert!(read.drawing.joints == result.drawing.joints);
+}
+
+#[test]
 fn identity_numbers_that_json_has_not_read_back_everywhere() {
     let mut result = worn_pin();
     result.bounds[0].upper.value_si = f64::NAN;

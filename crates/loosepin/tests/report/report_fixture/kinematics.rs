@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use loosepin::simulate::record::{
-    Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, JournalOrbit, PointReference, PoseTable,
+    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
+    PointReference, PoseTable,
 };
 
 pub const CRANK_M: f64 = 0.05;
@@ -109,6 +110,8 @@ pub fn drawing(sample: &Sample, with_play: bool) -> Drawing {
             joint("gudgeon", gudgeon, (2, 1), (3, 0), if with_play { sample.clearance_m } else { 0.0 }),
             joint("guide", DrawnJointKind::Prismatic, (0, 0), (3, 0), 0.0),
         ],
+        drives: vec![DrawnDrive { name: "crank".to_owned(), joint: 0, sense: DriveSense::Forward }],
+        output_points: vec![DrawnOutput { name: "slider".to_owned(), point: PointReference { body: 3, point: 0 } }],
         poses: poses(sample, POSES, with_play),
         ideal_poses: if with_play { poses(sample, POSES, false) } else { PoseTable::default() },
     }
@@ -143,12 +146,20 @@ fn poses(sample: &Sample, count: usize, with_play: bool) -> PoseTable {
 }
 
 pub fn orbit(sample: &Sample, label: &str, turns: f64) -> JournalOrbit {
-    let path: Vec<(f64, f64)> = angles_rad(turns, 1500).iter().map(|angle| sample.eccentricity_m(*angle)).collect();
+    let drive_angle_rad = angles_rad(turns, 1500);
+    let path: Vec<(f64, f64)> = drive_angle_rad.iter().map(|angle| sample.eccentricity_m(*angle)).collect();
+    // The force that a slider of 0.3 kg would need, where the journal is on the rim.
+    let force_n = |(angle, (x_m, y_m)): (&f64, &(f64, f64))| {
+        let is_on_rim = x_m.hypot(*y_m) >= 0.999 * sample.clearance_m;
+        if is_on_rim { 0.3 * sample.crank_m * SPEED_RAD_S * SPEED_RAD_S * angle.cos().abs() } else { 0.0 }
+    };
     JournalOrbit {
         joint: "gudgeon".to_owned(),
         label: label.to_owned(),
         radial_clearance_m: sample.clearance_m,
         x_m: path.iter().map(|(x_m, _)| *x_m).collect(),
         y_m: path.iter().map(|(_, y_m)| *y_m).collect(),
+        force_n: drive_angle_rad.iter().zip(&path).map(force_n).collect(),
+        drive_angle_rad,
     }
 }

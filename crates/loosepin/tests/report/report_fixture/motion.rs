@@ -88,7 +88,8 @@ pub fn worn_pin() -> MotionRecord {
 /// A four-bar whose rocker has play in its fixed bearing; the coupler carries a tracer.
 pub fn four_bar() -> MotionRecord {
     use loosepin::simulate::record::{
-        Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint, PointReference, PoseTable,
+        Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
+        PointReference, PoseTable,
     };
     const GROUND_M: f64 = 0.16;
     const COUPLER_M: f64 = 0.14;
@@ -157,6 +158,8 @@ pub fn four_bar() -> MotionRecord {
                 joint("c", DrawnJointKind::Revolute, (2, 1), (3, 1), 0.0),
                 joint("d", DrawnJointKind::RevoluteWithClearance, (0, 1), (3, 0), CLEARANCE_M),
             ],
+            drives: vec![DrawnDrive { name: "crank".to_owned(), joint: 0, sense: DriveSense::Backward }],
+            output_points: vec![DrawnOutput { name: "tracer".to_owned(), point: PointReference { body: 2, point: 2 } }],
             poses: poses(CLEARANCE_M),
             ideal_poses: poses(0.0),
         },

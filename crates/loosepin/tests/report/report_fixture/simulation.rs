@@ -96,6 +96,8 @@ pub fn worn_pin() -> SimulationRecord {
                 radial_clearance_m: CLEARANCE_M,
                 x_m: vec![0.31e-3, -0.42e-3],
                 y_m: vec![0.39e-3, 0.11e-3],
+                drive_angle_rad: Vec::new(),
+                force_n: Vec::new(),
             }],
             outputs: vec![SectionedOutput {
                 name: "slider".to_owned(),
