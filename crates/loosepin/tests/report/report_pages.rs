@@ -131,6 +131,101 @@ fn every_joint_is_drawn_whichever_side_is_fixed() {
 }
 
 #[test]
+fn a_drawing_says_what_is_fixed_driven_and_asked_for_and_how_large_it_is() {
+    let study = report_fixture::study::worn_pin();
+    let page = parsed("study", &study_page(&study));
+    let texts = |page: &Html, selector: &str| -> Vec<String> {
+        select(page, selector).iter().map(|element| element.text().collect()).collect()
+    };
+    assert_eq!(select(&page, ".mechanism .ground .hatch").len(), 3, "a support and both rails of a fixed guide");
+    assert_eq!(select(&page, ".mechanism .drive").len(), 1);
+    assert_eq!(texts(&page, ".mechanism .of-drive text"), ["crank"]);
+    assert_eq!(texts(&page, ".mechanism .output text"), ["slider"]);
+    assert_eq!(texts(&page, ".mechanism .play-of text"), ["gudgeon"]);
+    assert_eq!(texts(&page, ".mechanism .scale text"), ["50\u{a0}mm", "play × 5"]);
+    assert_eq!(select(&page, ".magnification option[selected]")[0].attr("value"), Some("5"));
+    // A motion has no mechanism with play beside the ideal one.
+    let motion = parsed("motion", &motion_page(&report_fixture::motion::worn_pin()));
+    assert_eq!(texts(&motion, ".mechanism .scale text"), ["50\u{a0}mm"]);
+    // A record of an older version names neither drives nor outputs.
+    let mut old = study;
+    old.drawing.drives.clear();
+    old.drawing.output_points.clear();
+    let page = parsed("study", &study_page(&old));
+    assert_eq!(select(&page, ".mechanism .drive, .mechanism .output").len(), 0);
+    assert_eq!(select(&page, ".mechanism .ground .hatch").len(), 3);
+}
+
+#[test]
+fn analytic_names_lie_within_the_picture_in_every_pose_and_do_not_hide_one_another() {
+    for text in [study_page(&report_fixture::study::worn_pin()), motion_page(&report_fixture::motion::four_bar())] {
+        let page = Html::parse_document(&text);
+        let figure = select(&page, "figure.mechanism")[0];
+        let inside = |selector: &str| {
+            let selector = Selector::parse(selector).expect("the selector is valid");
+            figure.select(&selector).collect::<Vec<_>>()
+        };
+        let number = |text: Option<&str>| text.and_then(|text| text.parse::<f64>().ok()).expect("it is a number");
+        let view = inside("svg")[0].attr("viewBox").expect("it has a view");
+        let view: Vec<f64> = view.split(' ').map(|side| side.parse().expect("a number")).collect();
+        let style = inside(".signs")[0].attr("style").expect("letters have a size");
+        let font_mm = number(style.trim_start_matches("font-size: ").strip_suffix("px"));
+        assert!((0.015..0.05).contains(&(font_mm / view[2].hypot(view[3]))), "{font_mm} in {view:?}");
+        let motion: serde_json::Value =
+            serde_json::from_str(&inside("script[type='application/json']")[0].inner_html()).expect("poses are JSON");
+        let riders = inside(".signs [data-rides]");
+        assert!(riders.len() >= 3);
+        for pose in 0..motion["angle_deg"].as_array().expect("a list").len() {
+            let areas: Vec<[f64; 4]> = riders
+                .iter()
+                .map(|rider| {
+                    let body = &motion["bodies"][number(rider.attr("data-rides")) as usize];
+                    let at = |key: &str| body[key][pose].as_f64().expect("a number");
+                    let (sine, cosine) = at("a").to_radians().sin_cos();
+                    let (x, y) = (number(rider.attr("data-x")), number(rider.attr("data-y")));
+                    let text = Selector::parse("text").expect("the selector is valid");
+                    let text = rider.select(&text).next().expect("a name");
+                    let width = 0.5 * font_mm * text.text().collect::<String>().chars().count() as f64;
+                    let left = at("x") + cosine * x - sine * y + number(text.attr("x"))
+                        - match text.attr("text-anchor") {
+                            Some("start") => 0.0,
+                            Some("end") => width,
+                            _ => 0.5 * width,
+                        };
+                    let base = -(at("y") + sine * x + cosine * y) + number(text.attr("y"));
+                    [left, left + width, base - 0.7 * font_mm, base]
+                })
+                .collect();
+            for (index, [left, right, top, bottom]) in areas.iter().enumerate() {
+                let is_inside =
+                    *left > view[0] && *right < view[0] + view[2] && *top > view[1] && *bottom < view[1] + view[3];
+                assert!(is_inside, "name {index} at pose {pose}: {:?} in {view:?}", areas[index]);
+                let meets =
+                    |other: &[f64; 4]| *left < other[1] && other[0] < *right && *top < other[3] && other[2] < *bottom;
+                assert!(!areas[..index].iter().any(meets), "names at pose {pose}: {areas:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_orbit_says_its_run_in_words_and_where_the_journal_touches() {
+    let page = parsed("study", &study_page(&report_fixture::study::worn_pin()));
+    let titles: Vec<String> = select(&page, "figure.orbit strong").iter().map(|title| title.text().collect()).collect();
+    assert_eq!(titles, ["gudgeon, at the upper bound", "gudgeon, gudgeon radial clearance 0.1 mm"]);
+    for figure in select(&page, "figure.orbit") {
+        let inside = |selector: &str| {
+            let selector = Selector::parse(selector).expect("the selector is valid");
+            figure.select(&selector).next().map(|element| element.inner_html())
+        };
+        assert!(inside("svg.figure .flight").is_some() && inside("svg.figure .track").is_some());
+        let table = inside("script[type='text/csv']").expect("the script needs it");
+        assert!(table.starts_with("angle [deg],x [mm],y [mm],force [N]\n0,"), "{}", &table[..60]);
+        assert_eq!(table.lines().count(), 1501, "every sample stands in it");
+    }
+}
+
+#[test]
 fn text_from_files_is_escaped_everywhere() {
     let hostile = || HOSTILE.to_owned();
     let mut study = report_fixture::study::worn_pin();
@@ -180,6 +275,9 @@ fn text_from_files_is_escaped_everywhere() {
     for joint in &mut study.drawing.joints {
         joint.name = hostile();
     }
+    study.drawing.drives[0].name = hostile();
+    study.drawing.output_points[0].name = hostile();
+    study.orbits[1].label = format!("joint.{HOSTILE} = 1");
     assert_harmless("study", &study_page(&study), harmless);
 
     let mut run = report_fixture::simulation::worn_pin();
@@ -268,6 +366,10 @@ fn crooked_records_do_not_stop_a_page() {
     study.drawing.joints[3].first.point = 99;
     study.orbits[0].x_m[5] = f64::NAN;
     study.orbits[1].radial_clearance_m = 0.0;
+    study.orbits[1].drive_angle_rad.truncate(3);
+    study.orbits[1].force_n.truncate(3);
+    study.drawing.drives[0].joint = 99;
+    study.drawing.output_points[0].point.body = 99;
     study.bounds[0].upper.value_si = f64::NAN;
     study.bounds[0].upper.widened_si = f64::INFINITY;
     study.treatments[0].bands[0].upper_si = f64::INFINITY;

@@ -175,7 +175,7 @@ pub fn worn_pin() -> StudyResult {
         boxes: vec![probability_box(&outers, &pooled_largest)],
         orbits: vec![
             orbit(&Sample::nominal(CLEARANCE_M[1]), "at the upper bound", 1.0),
-            orbit(&Sample::nominal(CLEARANCE_M[0]), "at the lower bound", 1.0),
+            orbit(&Sample::nominal(CLEARANCE_M[0]), "joint.gudgeon.radial_clearance = 0.1 mm", 1.0),
         ],
         drawing: drawing(&Sample::nominal(CLEARANCE_M[1]), true),
     }
