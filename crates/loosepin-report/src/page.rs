@@ -14,6 +14,7 @@ const SCRIPTS: [&str; 6] = [
     // Takes the figures as they are before the next ones make them live.
     include_str!("../assets/save.js"),
     include_str!("../assets/chart.js"),
+    include_str!("../assets/orbit.js"),
     include_str!("../assets/mechanism.js"),
     include_str!("../assets/what-if.js"),
 ];
