@@ -29,7 +29,7 @@ pub(super) fn hatching(from: (f64, f64), to: (f64, f64), pin: f64) -> Markup {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy);
     let count = (length / (HATCH_PINS[0] * pin)).floor();
-    if !(count >= 1.0 && count < 1e3) {
+    if !(1.0..1e3).contains(&count) {
         return html! {};
     }
     let (ux, uy) = (dx / length, dy / length);

@@ -106,3 +106,17 @@ fn identity_a_run_tells_its_drawing_drives_outputs_and_forces_on_the_rim() {
     assert!(touching > 3, "{touching} of {} samples", orbit.force_n.len());
     assert!(orbit.force_n.len() > touching, "it flies as well");
 }
+
+#[test]
+fn a_motion_tells_its_drawing_what_goes_to_and_fro() {
+    use loosepin::accuracy::{MotionPlan, motion};
+    let model = model("../loosepin-import/templates/double-slider/model.toml");
+    let values = model.quantities.nominal();
+    let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
+    let (span, overrides) = (model.cycle.span, Vec::new());
+    let plan = MotionPlan { span, positions: 12, scatter: Vec::new(), correlations: Vec::new(), overrides };
+    let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(record.drawing.drives[0].sense, DriveSense::ToAndFro);
+    let drawn: Vec<&str> = record.drawing.output_points.iter().map(|output| output.name.as_str()).collect();
+    assert_eq!(drawn, ["pen_x", "pen_y", "drawn"]);
+}
