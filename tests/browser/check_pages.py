@@ -40,6 +40,8 @@ CHARTS = """[...document.querySelectorAll('[data-chart]')].map((holder) => {
         curves: curves.filter((curve) => curve.getBBox().width > 0).length,
         cut: svg ? [...svg.querySelectorAll('text')].filter((text) => {
             const box = text.getBoundingClientRect();
+            // The key of a saved picture is not shown.
+            if (box.width === 0) return false;
             return box.left < seen.left - 1 || box.right > seen.right + 1 || box.top < seen.top - 1 || box.bottom > seen.bottom + 1;
         }).map((text) => text.textContent) : [],
         ticks: svg ? Math.min(...['g.across text', 'g.up text'].map((texts) => svg.querySelectorAll(texts).length)) : 0,

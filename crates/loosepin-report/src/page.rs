@@ -8,7 +8,7 @@ const STYLE: &str = include_str!("../assets/report.css");
 /// In the head, before anything is shown.
 const FIRST_SCRIPT: &str = include_str!("../assets/live.js");
 /// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 7] = [
     include_str!("../assets/ticks.js"),
     include_str!("../assets/cursor.js"),
     // Takes the figures as they are before the next ones make them live.
