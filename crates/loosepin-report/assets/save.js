@@ -67,5 +67,17 @@ const savedFigures = (() => {
             button('CSV', () => download(name + '.csv', new Blob([kept.csv ?? ''], { type: 'text/csv' })));
         figure.append(row);
     });
+    // The files that the result was computed from.
+    document.querySelectorAll('[data-input]').forEach((details) => {
+        const text = details.querySelector('pre')?.textContent ?? '';
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = 'Save ' + (details.dataset.input ?? '');
+        button.addEventListener('click', () => download(details.dataset.input ?? 'input.toml', new Blob([text], { type: 'text/plain' })));
+        const row = document.createElement('div');
+        row.className = 'save plain';
+        row.append(button);
+        details.after(row);
+    });
     return texts;
 })();

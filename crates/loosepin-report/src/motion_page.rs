@@ -55,6 +55,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: sentences(&headline_sentences(record, &writer)),
+        is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.drive),
         below,
         sections,

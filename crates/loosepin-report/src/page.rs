@@ -45,6 +45,8 @@ pub(super) struct Page {
     pub subtitle: Markup,
     /// The answer, before everything else.
     pub answer: Markup,
+    /// Whether the chart has room below the answer, beside the mechanism.
+    pub is_answer_short: bool,
     /// The mechanism, on the right of the answer.
     pub beside: Markup,
     /// The chart that the answer is about, below both.
@@ -81,7 +83,7 @@ impl Page {
                         p.subtitle { (self.subtitle) }
                     }
                     main id="content" {
-                        div.opening {
+                        div class=(if self.is_answer_short { "opening short" } else { "opening" }) {
                             section.answer id="answer" aria-label="The answer" { (self.answer) }
                             div.beside { (self.beside) }
                             div.below { (self.below) }

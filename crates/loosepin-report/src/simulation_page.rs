@@ -81,6 +81,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
+        is_answer_short: true,
         beside: mechanism_figure(&record.drawing, &record.settings.drive),
         below: below.unwrap_or_default(),
         sections,

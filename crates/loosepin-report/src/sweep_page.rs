@@ -31,6 +31,7 @@ pub fn sweep_page(record: &SweepRecord) -> String {
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: sentences(&headline_sentences(record, &writer)),
+        is_answer_short: true,
         beside: html! {},
         below: html! {},
         sections,

@@ -89,6 +89,7 @@ pub fn study_page(result: &StudyResult) -> String {
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
+        is_answer_short: false,
         beside: mechanism_figure(&result.drawing, &result.cycle.drive),
         below: first.markup,
         sections,
