@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use super::figure::Picture;
-use super::mechanism_labels::{Sizes, frame_with, labels};
+use super::mechanism_labels::{Label, Sizes, frame_with, labels};
 use super::mechanism_shapes::{
     BLOCK_PINS, Frame, JOURNAL_PINS, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins,
 };
@@ -72,7 +72,12 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     let has_play = has_ideal && largest_clearance_mm > 0.0;
     let sizes = Sizes { pin: PIN_SHARE * frame.diagonal(), font_mm: FONT_SHARE * frame.diagonal() };
     let labels = labels(drawing, reference, &frame, sizes);
-    let view = with_scale(frame_with(&labels, reference, &frame, sizes), sizes.font_mm);
+    // A magnified deviation takes labels along: there must be room for that, too.
+    let points = |label: &Label| {
+        let places = (0..motion.angle_deg.len()).flat_map(|pose| [0.0, magnification].map(|factor| (pose, factor)));
+        places.map(|(pose, factor)| carried(&motion, label.body, pose, factor, label.at_mm)).collect()
+    };
+    let view = with_scale(frame_with(&labels, points, &frame, sizes), sizes.font_mm);
     let drawn = html! {
         (shapes(drawing, reference, &motion, &frame, magnification, has_ideal))
         g.signs style=(format!("font-size: {:.4}px", sizes.font_mm)) {
@@ -175,13 +180,19 @@ fn shapes(
 }
 
 /// What moves with a point of a body but stays upright; the script moves it.
-fn riding(motion: &Motion, body: usize, (x, y): (f64, f64), magnification: f64, drawn: Markup) -> Markup {
-    let [body_x, body_y, angle_deg] = pose(motion, body, magnification);
-    let (sine, cosine) = angle_deg.to_radians().sin_cos();
-    let place = format!("translate({:.4} {:.4})", body_x + cosine * x - sine * y, body_y + sine * x + cosine * y);
+fn riding(motion: &Motion, body: usize, at_mm: (f64, f64), magnification: f64, drawn: Markup) -> Markup {
+    let (x, y) = carried(motion, body, motion.start, magnification, at_mm);
     html! {
-        g data-rides=(body) data-x=(format!("{x:.4}")) data-y=(format!("{y:.4}")) transform=(place) { (drawn) }
+        g data-rides=(body) data-x=(format!("{:.4}", at_mm.0)) data-y=(format!("{:.4}", at_mm.1))
+            transform=(format!("translate({x:.4} {y:.4})")) { (drawn) }
     }
+}
+
+/// Where a point of a body is at a pose, mm, its deviation magnified.
+fn carried(motion: &Motion, body: usize, pose: usize, magnification: f64, (x, y): (f64, f64)) -> (f64, f64) {
+    let [body_x, body_y, angle_deg] = placed(motion, body, pose, magnification);
+    let (sine, cosine) = angle_deg.to_radians().sin_cos();
+    (body_x + cosine * x - sine * y, body_y + sine * x + cosine * y)
 }
 
 /// The frame with room for the scale below.
@@ -274,16 +285,16 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
     Motion { angle_deg, magnification, start, bodies }
 }
 
-/// x, y in mm and angle in degrees of a body in the pose that is shown first.
-fn pose(motion: &Motion, index: usize, magnification: f64) -> [f64; 3] {
+/// x, y in mm and angle in degrees of a body at a pose.
+fn placed(motion: &Motion, index: usize, pose: usize, magnification: f64) -> [f64; 3] {
     let body = &motion.bodies[index];
-    let at = |list: &[Option<f64>]| list.get(motion.start).copied().flatten().unwrap_or(0.0);
+    let at = |list: &[Option<f64>]| list.get(pose).copied().flatten().unwrap_or(0.0);
     [(&body.x, &body.dx), (&body.y, &body.dy), (&body.a, &body.da)]
         .map(|(ideal, change)| at(ideal) + magnification * at(change))
 }
 
 fn transform(motion: &Motion, index: usize, magnification: f64) -> String {
-    let [x, y, angle_deg] = pose(motion, index, magnification);
+    let [x, y, angle_deg] = placed(motion, index, motion.start, magnification);
     format!("translate({x:.4} {y:.4}) rotate({angle_deg:.5})")
 }
 

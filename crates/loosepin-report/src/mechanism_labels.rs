@@ -143,13 +143,18 @@ pub(super) fn labels(drawing: &Drawing, poses: &PoseTable, frame: &Frame, sizes:
     placed
 }
 
-/// The frame, as large as the labels need it in all poses.
-pub(super) fn frame_with(labels: &[Label], poses: &PoseTable, frame: &Frame, sizes: Sizes) -> Frame {
+/// The frame, as large as the labels need it in all poses; `points` has where the point of a label is at each of them.
+pub(super) fn frame_with(
+    labels: &[Label],
+    points: impl Fn(&Label) -> Vec<(f64, f64)>,
+    frame: &Frame,
+    sizes: Sizes,
+) -> Frame {
     let mut all = Area::of_frame(frame);
     for label in labels {
         let area = label.area(label.place, sizes);
-        for pose in 0..poses.drive_angle_rad.len() {
-            let area = area.moved(carried_mm(poses, label.body, pose, label.at_mm));
+        for point in points(label) {
+            let area = area.moved(point);
             all.left = all.left.min(area.left - 0.5 * sizes.font_mm);
             all.right = all.right.max(area.right + 0.5 * sizes.font_mm);
             all.low = all.low.min(area.low - 0.3 * sizes.font_mm);

@@ -176,30 +176,35 @@ fn analytic_names_lie_within_the_picture_in_every_pose_and_do_not_hide_one_anoth
         let riders = inside(".signs [data-rides]");
         assert!(riders.len() >= 3);
         for pose in 0..motion["angle_deg"].as_array().expect("a list").len() {
-            let areas: Vec<[f64; 4]> = riders
-                .iter()
-                .map(|rider| {
+            let areas = |factor: f64| -> Vec<[f64; 4]> {
+                let area = |rider: &ElementRef| {
                     let body = &motion["bodies"][number(rider.attr("data-rides")) as usize];
-                    let at = |key: &str| body[key][pose].as_f64().expect("a number");
-                    let (sine, cosine) = at("a").to_radians().sin_cos();
+                    let at = |key: &str| body[key][pose].as_f64().unwrap_or(0.0);
+                    let placed = |key: &str| at(key) + factor * at(&format!("d{key}"));
+                    let (sine, cosine) = placed("a").to_radians().sin_cos();
                     let (x, y) = (number(rider.attr("data-x")), number(rider.attr("data-y")));
                     let text = Selector::parse("text").expect("the selector is valid");
                     let text = rider.select(&text).next().expect("a name");
                     let width = 0.5 * font_mm * text.text().collect::<String>().chars().count() as f64;
-                    let left = at("x") + cosine * x - sine * y + number(text.attr("x"))
-                        - match text.attr("text-anchor") {
-                            Some("start") => 0.0,
-                            Some("end") => width,
-                            _ => 0.5 * width,
-                        };
-                    let base = -(at("y") + sine * x + cosine * y) + number(text.attr("y"));
+                    let before = match text.attr("text-anchor") {
+                        Some("start") => 0.0,
+                        Some("end") => width,
+                        _ => 0.5 * width,
+                    };
+                    let left = placed("x") + cosine * x - sine * y + number(text.attr("x")) - before;
+                    let base = -(placed("y") + sine * x + cosine * y) + number(text.attr("y"));
                     [left, left + width, base - 0.7 * font_mm, base]
-                })
-                .collect();
-            for (index, [left, right, top, bottom]) in areas.iter().enumerate() {
+                };
+                riders.iter().map(area).collect()
+            };
+            for area in [areas(0.0), areas(motion["magnification"].as_f64().expect("a number"))].concat() {
+                let [left, right, top, bottom] = area;
                 let is_inside =
-                    *left > view[0] && *right < view[0] + view[2] && *top > view[1] && *bottom < view[1] + view[3];
-                assert!(is_inside, "name {index} at pose {pose}: {:?} in {view:?}", areas[index]);
+                    left > view[0] && right < view[0] + view[2] && top > view[1] && bottom < view[1] + view[3];
+                assert!(is_inside, "a name at pose {pose}: {area:?} in {view:?}");
+            }
+            let areas = areas(0.0);
+            for (index, [left, right, top, bottom]) in areas.iter().enumerate() {
                 let meets =
                     |other: &[f64; 4]| *left < other[1] && other[0] < *right && *top < other[3] && other[2] < *bottom;
                 assert!(!areas[..index].iter().any(meets), "names at pose {pose}: {areas:?}");
