@@ -3,9 +3,10 @@
 use maud::{Markup, html};
 
 use super::mechanism_shapes::{
-    BLOCK_PINS, Frame, RAIL_PINS, fixed_rails, has_rails, hull_mm, point_mm, support_points,
+    BLOCK_PINS, Frame, HATCH_DEPTH_PINS, RAIL_PINS, carried_mm, fixed_rails, has_rails, hull_mm, point_mm,
+    support_points,
 };
-use super::mechanism_signs::{ARROW_PINS, HATCH_DEPTH_PINS, carried_mm, drive_sign};
+use super::mechanism_signs::{ARROW_PINS, drive_sign};
 use loosepin_result::simulation::{Drawing, DrawnJointKind, PoseTable};
 
 /// Poses at which places are compared.

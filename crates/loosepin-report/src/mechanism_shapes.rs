@@ -2,7 +2,6 @@
 
 use maud::{Markup, html};
 
-use super::mechanism_signs::{carried_mm, hatching};
 use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
 
 /// Millimetres, in which the picture is drawn.
@@ -17,6 +16,11 @@ pub(super) const BLOCK_PINS: [f64; 2] = [4.2, 2.8];
 pub(super) const RAIL_PINS: f64 = 3.0;
 /// Half the width and the height of a support, and half its base line, in pins.
 const SUPPORT_PINS: [f64; 3] = [2.2, 3.4, 3.2];
+
+/// Distance between the lines of a hatching and how far they reach, in pins.
+const HATCH_PINS: [f64; 2] = [1.3, 1.1];
+/// Depth of a hatching, in pins.
+pub(super) const HATCH_DEPTH_PINS: f64 = HATCH_PINS[1];
 
 /// The part of the plane that the picture shows, mm; y points down, as in SVG.
 #[derive(Clone, Copy)]
@@ -63,6 +67,36 @@ pub(super) fn frame(drawing: &Drawing, poses: &PoseTable) -> Frame {
 fn place_mm(body: &DrawnBody, index: usize, point: usize, poses: &PoseTable, pose: usize) -> (f64, f64) {
     let point = &body.points[point];
     carried_mm(poses, index, pose, (point.x_m * MM_PER_M, point.y_m * MM_PER_M))
+}
+
+/// Where a point of a body is at a pose, mm.
+pub(super) fn carried_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
+    let (sine, cosine) = poses.angle_rad[body][pose].sin_cos();
+    (poses.x_m[body][pose] * MM_PER_M + cosine * x - sine * y, poses.y_m[body][pose] * MM_PER_M + sine * x + cosine * y)
+}
+
+/// Lines at 45° along the line `from` to `to`, on its right-hand side.
+pub(super) fn hatching(from: (f64, f64), to: (f64, f64), pin: f64) -> Markup {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx.hypot(dy);
+    let count = (length / (HATCH_PINS[0] * pin)).floor();
+    if !(1.0..1e3).contains(&count) {
+        return html! {};
+    }
+    let (ux, uy) = (dx / length, dy / length);
+    let reach = HATCH_PINS[1] * pin;
+    let mut path = String::new();
+    for line in 0..count as usize {
+        let along = (line as f64 + 0.9) * length / count;
+        path.push_str(&format!(
+            "M{:.3} {:.3}l{:.3} {:.3}",
+            from.0 + along * ux,
+            from.1 + along * uy,
+            reach * (uy - ux),
+            -reach * (ux + uy)
+        ));
+    }
+    html! { path.hatch d=(path) {} }
 }
 
 /// Fixed pins.
@@ -284,5 +318,16 @@ mod tests {
     fn analytic_hull_of_a_square_with_a_point_inside() {
         let hull = convex_hull(&[(0.0, 0.0), (2.0, 0.1), (1.0, 1.0), (2.1, 2.0), (-0.1, 1.9)]);
         assert_eq!(hull, vec![(-0.1, 1.9), (0.0, 0.0), (2.0, 0.1), (2.1, 2.0)]);
+    }
+
+    #[test]
+    fn analytic_hatching_lies_on_the_right_at_45_degrees() {
+        // Along +x the right-hand side is below: each line goes left and down by the same length.
+        let markup = hatching((0.0, 0.0), (13.0, 0.0), 1.0).into_string();
+        assert_eq!(markup.matches("l-1.100 -1.100").count(), 10, "{markup}");
+        // Along +y it is on the right.
+        let markup = hatching((0.0, 0.0), (0.0, 13.0), 1.0).into_string();
+        assert_eq!(markup.matches("l1.100 -1.100").count(), 10, "{markup}");
+        assert!(hatching((0.0, 0.0), (0.0, 0.0), 1.0).into_string().is_empty());
     }
 }

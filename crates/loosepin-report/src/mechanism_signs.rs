@@ -1,8 +1,8 @@
-//! Signs beside the shapes of a drawn mechanism: hatching of what is fixed, arrows of drives, and the scale.
+//! Signs beside the shapes of a drawn mechanism: arrows of drives, and the scale.
 
 use maud::{Markup, html};
 
-use super::mechanism_shapes::{Frame, MM_PER_M, RAIL_PINS, point_mm, way};
+use super::mechanism_shapes::{Frame, RAIL_PINS, point_mm, way};
 use super::ticks::{tick_text, ticks};
 use loosepin_result::simulation::{Drawing, DrawnDrive, DrawnJointKind, DriveSense, PoseTable};
 
@@ -16,37 +16,8 @@ const HALF_ARROW_PINS: f64 = 5.0;
 pub(super) const ARROW_OFFSET_PINS: f64 = RAIL_PINS + 2.6;
 /// Length and half the width of an arrow's head, in pins.
 const HEAD_PINS: [f64; 2] = [2.2, 1.1];
-/// Distance between the lines of a hatching and how far they reach, in pins.
-const HATCH_PINS: [f64; 2] = [1.3, 1.1];
 /// The bar of the scale is at least this share of the picture's width.
 const BAR_SHARE: f64 = 0.12;
-
-/// Depth of a hatching, in pins.
-pub(super) const HATCH_DEPTH_PINS: f64 = HATCH_PINS[1];
-
-/// Lines at 45° along the line `from` to `to`, on its right-hand side.
-pub(super) fn hatching(from: (f64, f64), to: (f64, f64), pin: f64) -> Markup {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let length = dx.hypot(dy);
-    let count = (length / (HATCH_PINS[0] * pin)).floor();
-    if !(1.0..1e3).contains(&count) {
-        return html! {};
-    }
-    let (ux, uy) = (dx / length, dy / length);
-    let reach = HATCH_PINS[1] * pin;
-    let mut path = String::new();
-    for line in 0..count as usize {
-        let along = (line as f64 + 0.9) * length / count;
-        path.push_str(&format!(
-            "M{:.3} {:.3}l{:.3} {:.3}",
-            from.0 + along * ux,
-            from.1 + along * uy,
-            reach * (uy - ux),
-            -reach * (ux + uy)
-        ));
-    }
-    html! { path.hatch d=(path) {} }
-}
 
 /// How the sign of a drive is drawn.
 pub(super) enum DriveSign {
@@ -170,26 +141,9 @@ fn magnified_words(magnification: f64) -> String {
     if magnification == 1.0 { "play true to scale".to_owned() } else { format!("play × {magnification}") }
 }
 
-/// Where a point of a body is at a pose, mm.
-pub(super) fn carried_mm(poses: &PoseTable, body: usize, pose: usize, (x, y): (f64, f64)) -> (f64, f64) {
-    let (sine, cosine) = poses.angle_rad[body][pose].sin_cos();
-    (poses.x_m[body][pose] * MM_PER_M + cosine * x - sine * y, poses.y_m[body][pose] * MM_PER_M + sine * x + cosine * y)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn analytic_hatching_lies_on_the_right_at_45_degrees() {
-        // Along +x the right-hand side is below: each line goes left and down by the same length.
-        let markup = hatching((0.0, 0.0), (13.0, 0.0), 1.0).into_string();
-        assert_eq!(markup.matches("l-1.100 -1.100").count(), 10, "{markup}");
-        // Along +y it is on the right.
-        let markup = hatching((0.0, 0.0), (0.0, 13.0), 1.0).into_string();
-        assert_eq!(markup.matches("l1.100 -1.100").count(), 10, "{markup}");
-        assert!(hatching((0.0, 0.0), (0.0, 0.0), 1.0).into_string().is_empty());
-    }
 
     #[test]
     fn analytic_an_arrow_has_its_head_where_the_motion_goes() {
