@@ -142,6 +142,14 @@ impl Figure {
         )
     }
 
+    /// The figure as an image element, which keeps its style to itself.
+    pub(super) fn image(&self) -> Markup {
+        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.~ =:/;,()".contains(&byte);
+        let encode = |byte: u8| if is_plain(byte) { char::from(byte).to_string() } else { format!("%{byte:02X}") };
+        let source: String = self.to_svg(None).bytes().map(encode).collect();
+        html! { img src=(format!("data:image/svg+xml;charset=utf-8,{source}")) alt=(self.title()) style="max-width: 100%"; }
+    }
+
     /// The numbers behind the figure as comma-separated values, after a line on where they are from; nothing for a picture that
     /// stands for no numbers.
     pub fn to_csv(&self) -> Option<String> {

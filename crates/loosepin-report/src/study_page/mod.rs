@@ -15,6 +15,7 @@ pub(super) use contributors::{band_share, known as known_share, share as share_r
 
 use super::accuracy_text::accuracy_sentences;
 use super::answer::{Answer, answer, requirement_words, verdict_headline};
+use super::figure::figures;
 use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
@@ -99,7 +100,7 @@ pub fn study_page(result: &StudyResult) -> String {
     .into_html()
 }
 
-/// The answer and the key table of [`study_page`] as HTML to stand inside another page, such as a notebook; without styles.
+/// The answer, the first chart and the key table of [`study_page`] as HTML to stand inside another page, such as a notebook; without styles.
 /// Text from files is escaped.
 pub fn study_excerpt(result: &StudyResult) -> String {
     let writer = NumberWriter::for_page(&result.display_units);
@@ -109,7 +110,8 @@ pub fn study_excerpt(result: &StudyResult) -> String {
     } else {
         bounds_table::bounds_table(result, &writer)
     };
-    html! { (answer) (table) }.into_string()
+    let first = curves::first_chart(result, &writer).markup.into_string();
+    html! { (answer) @for figure in figures(&first).iter().take(1) { (figure.image()) } (table) }.into_string()
 }
 
 fn list(sentences: &[String]) -> Markup {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use loosepin::report::{figures, motion_page, simulation_page, study_page};
+use loosepin::report::{figures, motion_page, simulation_page, study_excerpt, study_page};
 
 use crate::report_fixture;
 
@@ -66,4 +66,22 @@ fn identity_the_table_of_a_band_has_all_its_numbers() {
             assert!((cell - due).abs() <= 1e-5 * due.abs(), "row {row}: {cell} and {due}");
         }
     }
+}
+
+#[test]
+fn identity_a_notebook_shows_the_first_chart() {
+    let result = report_fixture::study::worn_pin();
+    let excerpt = study_excerpt(&result);
+    let (_, rest) = excerpt.split_once("<img src=\"data:image/svg+xml;charset=utf-8,").expect("a picture");
+    let (encoded, _) = rest.split_once('"').expect("its end");
+    let mut bytes = Vec::new();
+    let mut parts = encoded.split('%');
+    bytes.extend_from_slice(parts.next().expect("a beginning").as_bytes());
+    for part in parts {
+        bytes.push(u8::from_str_radix(&part[..2], 16).expect("two digits"));
+        bytes.extend_from_slice(&part.as_bytes()[2..]);
+    }
+    let figures = figures(&study_page(&result));
+    let band = figures.iter().find(|figure| figure.name == "deviation.slider").expect("the band");
+    assert_eq!(String::from_utf8(bytes).expect("UTF-8"), band.to_svg(None));
 }
