@@ -8,7 +8,8 @@
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
 //! | each output: one sentence | `told.rs` |
 //! | the required accuracy and the budget | `accuracy_text.rs` |
-//! | the loosest values that meet the requirements; small probabilities | `inverse.rs` |
+//! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
+//! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
 //! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
