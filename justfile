@@ -49,8 +49,13 @@ page-scripts-check:
     set -euo pipefail
     kept=$(mktemp -d)
     trap 'rm -rf "$kept"' EXIT
-    cp crates/loosepin-report/assets/*.js "$kept"
+    # One whose source is gone must not stay.
+    mv crates/loosepin-report/assets/*.js "$kept"
     just page-scripts
+    test "$(ls crates/loosepin-report/assets/*.js | wc -l)" = "$(ls "$kept" | wc -l)" || {
+        echo "error: crates/loosepin-report/assets holds other scripts than its sources give; look at git status" >&2
+        exit 1
+    }
     for built in crates/loosepin-report/assets/*.js; do
         cmp "$built" "$kept/$(basename "$built")" || {
             echo "error: $built is not what its source gives; it is built now: look at it, and commit it" >&2

@@ -167,7 +167,8 @@
         }
         function zoomTo(from, to) {
             const [least, most] = [Math.max(from, x0), Math.min(to, x1)];
-            if (!(most > least))
+            // Narrower, numbers have no digits left for ticks.
+            if (!(most - least > 1e-6 * Math.abs(x1 - x0)))
                 return;
             let [low, high] = [y0, y1];
             if (!isFixed && (least > x0 || most < x1)) {
@@ -235,6 +236,9 @@
             });
         }));
         holder.addEventListener('keydown', (event) => {
+            // Those are the browser's.
+            if (event.ctrlKey || event.metaKey || event.altKey)
+                return;
             const current = index ?? Math.floor(xs.length / 2);
             const stride = event.shiftKey ? 10 : 1;
             const inside = (place) => Math.max(0, Math.min(xs.length - 1, place));

@@ -125,6 +125,8 @@ impl Entry {
 /// Single points in the units of the chart, such as peaks between samples.
 #[derive(Debug, Clone)]
 pub(super) struct Dots {
+    /// The curve that they belong to.
+    pub entry: usize,
     pub role: Role,
     pub points: Vec<[f64; 2]>,
 }

@@ -117,7 +117,7 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
         }
         @if !chart.dots.is_empty() {
             g.curves clip-path=(format!("url(#{clip})")) {
-                g { @for dots in &chart.dots { path class={ "dots " (dots.role.class()) } d=(points(dots, &plot)) {} } }
+                g { @for dots in &chart.dots { path class={ "dots " (dots.role.class()) } data-of=(dots.entry) d=(points(dots, &plot)) {} } }
             }
         }
         g.marks {

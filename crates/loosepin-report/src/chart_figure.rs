@@ -134,6 +134,8 @@ impl Chart {
                 let values = || (from..to).filter_map(|row| Some((row, list.get(row).copied().flatten()?)));
                 kept.extend(values().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
                 kept.extend(values().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(row, _)| row));
+                // A gap stays one.
+                kept.extend((from..to).find(|row| list.get(*row).copied().flatten().is_none()));
             }
         }
         kept.sort_unstable();
@@ -184,6 +186,12 @@ mod tests {
         chart.entries.push(Entry::new("", Role::First, false, EntryValues::line(&values)));
         chart.thin_out(MOST_POINTS);
         assert!(chart.x.len() <= MOST_POINTS + 2, "{} points", chart.x.len());
+        let mut gapped = vec![0.5; POINTS];
+        gapped[40_000..60_000].fill(f64::NAN);
+        let mut broken = Chart::over("b".to_owned(), "", &x, &SiUnit::NONE, &NumberWriter::for_page(&units));
+        broken.entries.push(Entry::new("", Role::First, false, EntryValues::line(&gapped)));
+        broken.thin_out(MOST_POINTS);
+        assert!(broken.entries[0].values.lists()[0].iter().any(Option::is_none), "a gap stays one");
         let peak = chart.entries[0].values.lists()[0].iter().position(|value| *value == Some(9.75));
         assert_eq!(peak.map(|row| chart.x[row]), Some(Some(PEAK_AT as f64)));
     }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::number::NumberWriter;
 use super::page::Section;
-use loosepin_result::repeat::Repeat;
+use loosepin_result::repeat::{Repeat, quoted};
 use loosepin_result::study::{InputDescription, ResponsePoint, StudyResult, Treatment, Witness, WitnessValue};
 
 /// Witnesses that are listed at most.
@@ -65,7 +65,7 @@ fn witnesses(result: &StudyResult) -> Vec<&Witness> {
 
 /// The command that runs one mechanism at `witness`; nothing where it names what no model has, such as a parameter of a distribution.
 fn command(model: &str, witness: &Witness, inputs: &[InputDescription]) -> Option<String> {
-    let mut text = format!("loosepin simulate {model}");
+    let mut text = format!("loosepin simulate {}", quoted(model));
     for (path, value) in witness {
         let input = inputs.iter().find(|input| input.path == *path)?;
         if path.contains(' ') {
@@ -78,9 +78,10 @@ fn command(model: &str, witness: &Witness, inputs: &[InputDescription]) -> Optio
                 let symbol = symbol.replace('·', " ").replace('²', "^2").replace('³', "^3");
                 format!("{value_si} {symbol}").trim_end().to_owned()
             }
-            WitnessValue::Choice(choice) => choice.clone(),
+            // A law is changed in the file.
+            WitnessValue::Choice(_) => return None,
         };
-        text.push_str(&format!(" --set '{path}={value}'"));
+        text.push_str(&format!(" --set {}", quoted(&format!("{path}={value}"))));
     }
     Some(text)
 }

@@ -416,7 +416,7 @@ fn force_chart(record: &SimulationRecord, writer: &NumberWriter) -> Chart {
         let point = |impact: &ImpactRecord| {
             [impact_place(record, impact, writer), writer.scaled(impact.peak_force_n, &SiUnit::FORCE)]
         };
-        chart.dots.push(Dots { role, points: own.map(point).collect() });
+        chart.dots.push(Dots { entry: index, role, points: own.map(point).collect() });
         chart.entries.push(Entry::line(&history.joint, role, false, &history.force_n, &SiUnit::FORCE, writer));
     }
     chart.caption = html! {

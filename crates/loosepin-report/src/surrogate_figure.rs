@@ -17,6 +17,7 @@ pub(super) fn surrogate_figure(
     result: &StudyResult,
     output: &SurrogateOutput,
     picture: &SurrogatePicture,
+    index: usize,
     writer: &NumberWriter,
 ) -> Markup {
     let (across, up) = (writer.units.of(&picture.input_unit), writer.units.of(&output.unit));
@@ -66,7 +67,7 @@ pub(super) fn surrogate_figure(
                 " " span.irregular { "Dots" } ": training runs, projected along the surrogate to the middle of all other inputs. "
                 span.regular { "Lines" } ": the surrogate there, with its error."
     };
-    let name = name_of("surrogate", &format!("{} {}", output.output, output.of.word()));
+    let name = name_of("surrogate", &format!("{} {} {}", output.output, output.of.word(), index + 1));
     Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], below: 0.0, alternative, drawn }
         .figure(caption, None)
 }

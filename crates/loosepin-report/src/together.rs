@@ -37,7 +37,7 @@ pub(super) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
             refused(one, &least, writer)
         )];
     };
-    if one.beyond_si.is_empty() {
+    if one.inputs.iter().zip(first).all(|(input, value)| *value == input.up_to_si) {
         return vec![format!(
             "Together, {} are allowed, the largest values that were asked about: all requirements are met ({}), also with other \
              random numbers. {spent}",
@@ -77,8 +77,8 @@ pub(super) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
                 .collect();
             vec![
                 format!(
-                    "One against the other: {} and {} together may be at most {}. All requirements are met with each pair, also with \
-                     other random numbers.",
+                    "One against the other: {} and {} together may be at most {}. All requirements are met with each pair that was run, \
+                     also with other random numbers.",
                     x.0,
                     y.0,
                     pairs.join("; ")
@@ -152,7 +152,12 @@ pub(super) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &Numb
     chart.y_symbol = writer.symbol(&y.unit);
     chart.entries = vec![
         Entry::new("requirements met", Role::Random, false, EntryValues::band(&in_page(&least), &in_page(&met_si))),
-        Entry::new("next looser value, refused", Role::Limit, true, EntryValues::line(&in_page(&refused_si))),
+        Entry::new(
+            "next looser value, not shown to be met",
+            Role::Limit,
+            true,
+            EntryValues::line(&in_page(&refused_si)),
+        ),
     ];
     chart.caption = html! {
         strong { "One against the other." }
@@ -160,6 +165,6 @@ pub(super) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &Numb
         (first_si.len()) " values of it."
     };
     chart.alternative =
-        format!("Chart of the largest allowed {y_words} over the {x_words}; it falls from left to right.");
+        format!("Chart of the largest allowed {y_words} over the {x_words}; it never rises from left to right.");
     Some(chart)
 }

@@ -47,7 +47,7 @@ fn file_name(path: &str) -> String {
 }
 
 /// As a shell takes it for one word.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:+%,".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
         word.to_owned()

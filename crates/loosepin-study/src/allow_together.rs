@@ -87,15 +87,21 @@ fn search<E>(how: Together, ranges: &[[f64; 2]], is_met: impl FnMut(&[f64]) -> R
             let [of_first, of_second] = [ranges[0], ranges[1]];
             let widest = vec![of_first[1], of_second[0]];
             // Nothing is to be seen beyond the loosest value of the first input.
+            let mut found = Found { allowed: Vec::new(), beyond: Vec::new() };
             let most = if known.holds(&widest)? {
                 of_first[1]
             } else {
-                known.halve(HALVINGS, of_first, |first| vec![first, of_second[0]])?[0]
+                let [met, refused] = known.halve(HALVINGS, of_first, |first| vec![first, of_second[0]])?;
+                found.beyond.push(vec![refused, of_second[0]]);
+                met
             };
-            let mut found = Found { allowed: Vec::new(), beyond: Vec::new() };
             for column in 0..COLUMNS {
                 let share = column as f64 / (COLUMNS - 1) as f64;
                 let first = if column + 1 == COLUMNS { most } else { of_first[0] + share * (most - of_first[0]) };
+                // Where the first input has no room, all columns are one.
+                if found.allowed.last().is_some_and(|last| last[0] == first) {
+                    continue;
+                }
                 let at = |second: f64| vec![first, second];
                 if known.holds(&at(of_second[1]))? {
                     found.allowed.push(at(of_second[1]));
@@ -199,8 +205,9 @@ mod tests {
     #[test]
     fn analytic_a_frontier_is_the_arc_of_an_ellipse() {
         let (found, tried) = counted(Together::Frontier, &[[0.0, 8.0], [0.0, 6.0]]);
-        assert_eq!((found.allowed.len(), found.beyond.len()), (COLUMNS, COLUMNS));
-        for (allowed, beyond) in found.allowed.iter().zip(&found.beyond) {
+        // Beyond the last column there is the first input that is refused.
+        assert_eq!((found.allowed.len(), found.beyond.len()), (COLUMNS, COLUMNS + 1));
+        for (allowed, beyond) in found.allowed.iter().zip(&found.beyond[1..]) {
             let arc = 5.0 * (1.0 - (allowed[0] / 3.0).powi(2)).sqrt();
             assert_eq!(allowed[0], beyond[0]);
             assert!(allowed[1] <= arc && arc < beyond[1], "{allowed:?} {arc} {beyond:?}");
@@ -220,6 +227,19 @@ mod tests {
         // The whole range of the second input is allowed where the first is small.
         let (part, _) = counted(Together::Frontier, &[[0.0, 8.0], [0.0, 4.0]]);
         assert_eq!(part.allowed[0], vec![0.0, 4.0]);
-        assert!(part.allowed.len() == COLUMNS && part.beyond.len() < COLUMNS);
+        assert!(part.allowed.len() == COLUMNS && part.beyond.len() <= COLUMNS);
+    }
+
+    #[test]
+    fn analytic_a_limit_of_the_first_input_alone_and_one_without_room() {
+        let of = |ranges: &[[f64; 2]], limit: f64| {
+            search(Together::Frontier, ranges, |values| Ok::<bool, Infallible>(values[0] <= limit && values[1] <= 1.5))
+                .unwrap()
+        };
+        let found = of(&[[0.0, 8.0], [0.0, 1.0]], 3.0);
+        assert_eq!((found.allowed.len(), found.beyond.len()), (COLUMNS, 1));
+        assert!(found.allowed.iter().all(|pair| pair[1] == 1.0) && found.beyond[0][0] > 3.0, "{found:?}");
+        let narrow = of(&[[0.1, 8.0], [0.0, 6.0]], 0.12);
+        assert_eq!(narrow.allowed.len(), 1, "{narrow:?}");
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn surrogate(result: &StudyResult, record: &SurrogateRecord, writer: 
         @for comparison in &record.treatments { (treatments(result, comparison, writer)) }
         @for (index, output) in record.outputs.iter().enumerate() {
             @if let Some(along) = &output.along { (along_chart(result, output, along, index, writer)) }
-            @if let Some(picture) = &output.picture { (surrogate_figure(result, output, picture, writer)) }
+            @if let Some(picture) = &output.picture { (surrogate_figure(result, output, picture, index, writer)) }
         }
     }
 }
