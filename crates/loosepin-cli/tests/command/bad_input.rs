@@ -96,7 +96,7 @@ fn a_restitution_outside_its_range() {
             &format!("restitution = {value}"),
             &format!(
                 "model.toml:31:15: error[E0501]: contact 'steel_pin': restitution {value}; must be in (0, 1]\n\
-                 hint: 1 loses no energy; 0 would end every impact at rest"
+                 hint: a restitution of 90 % is 0.9; 1 loses no energy, 0 would end every impact at rest"
             ),
         );
     }
@@ -590,7 +590,7 @@ fn numbers_have_the_digits_that_tell_them_from_their_limit() {
     desk.fail(
         &["check", "model.toml"],
         "model.toml:31:15: error[E0501]: contact 'steel_pin': restitution 1.0000001; must be in (0, 1]\n\
-         hint: 1 loses no energy; 0 would end every impact at rest",
+         hint: a restitution of 90 % is 0.9; 1 loses no energy, 0 would end every impact at rest",
     );
     bad_study(
         "[\"0.1 mm\", \"0.5 mm\"]",
