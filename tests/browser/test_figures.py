@@ -50,7 +50,8 @@ def test_the_page_saves_what_the_library_writes(pages, browser, name):
         root = ElementTree.fromstring(svg)
         assert root.tag == f"{SVG}svg" and root.find(f"{SVG}title").text, figure
         assert "var(--" not in svg, figure
-        if table is not None:
+        # The table of an orbit has its poses, and no curve for each column.
+        if root.get("class") == "figure chart":
             columns_are_drawn(root, table, figure)
 
 
