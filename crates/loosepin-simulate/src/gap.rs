@@ -121,8 +121,8 @@ impl ContactStep {
         if self.is_root { largest * largest } else { measure.penetration_m(largest) }
     }
 
-    /// Largest normal force within the step, N, at the ends and three points between. `shares` are the stiffness at both ends
-    /// over that of the law: other than one in a slot alone, and taken as growing evenly.
+    /// Largest normal force within the step, N, at the ends and three points between. `shares` are the forces at both ends
+    /// over those of the law: other than one in a slot or at the end of a guide alone, and taken as growing evenly.
     pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>, shares: [f64; 2]) -> f64 {
         let gap = Quintic::new(self.gap[0].jet, self.gap[1].jet, self.step);
         let time = Quintic::new(self.time[0].jet, self.time[1].jet, self.step);

@@ -14,7 +14,8 @@ pub struct ReadLayout {
     outputs: usize,
     /// Ideal joints with friction.
     frictions: usize,
-    /// Whether the stiffness of each contact is read as well: that of a pin in a slot differs from place to place.
+    /// Whether the share of each contact in the force of its law is read as well: in a slot, and in a guide with ends, it differs from
+    /// place to place.
     has_shares: bool,
     /// Whether the abscissas of corners are read as well, where some guide has ends.
     has_ends: bool,
@@ -36,7 +37,7 @@ impl ReadLayout {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_shares: mechanism.plays.iter().any(is_slot),
+            has_shares: mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
             has_ends: mechanism.plays.iter().any(has_ends),
         }
     }
@@ -70,7 +71,7 @@ impl ReadLayout {
     pub fn sliding(&self, contact: usize) -> usize {
         self.gap(contact) + 3
     }
-    /// Stiffness at the contact's place over that of its law, where it is read.
+    /// Force at the contact's place over that of its law, where it is read.
     #[inline(always)]
     pub fn share(&self, contact: usize) -> Option<usize> {
         self.has_shares.then_some(self.gap(contact) + 4)
@@ -120,7 +121,7 @@ impl<T: Real> Motion<'_, T> {
             row[layout.gap(contact)..layout.gap(contact) + 3].copy_from_slice(&gap);
             row[layout.sliding(contact)] = force.sliding_m_s;
             if let Some(place) = layout.share(contact) {
-                row[place] = force.stiffness_share;
+                row[place] = force.force_share;
             }
             if let Some(place) = layout.along(contact) {
                 row[place] = force.along_m;

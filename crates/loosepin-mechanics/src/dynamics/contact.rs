@@ -71,22 +71,22 @@ impl<T: Real> PlayMotion<T> {
                 play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
             }
         };
-        let mut normal_n = force.total_n;
+        let mut force_share = T::one();
         if let PlayShape::Slider(block) = &play.shape
             && block.ends_m.is_some()
         {
             // Beyond an end of the guide the normal is not a unit vector.
             let stretch = corner::stretch(self, block, place);
-            normal_n *= stretch;
+            force_share = stretch;
             tangent = tangent * (T::one() / stretch);
         }
         let mut push_n = Vec2::zero();
-        let mut stiffness_share = T::one();
+        let mut normal_n = force.total_n * force_share;
         if let PlayShape::Slot(shape) = &play.shape {
             let stiffening = slot::stiffening(self, shape);
-            stiffness_share = stiffening.share;
-            force.total_n *= stiffness_share;
-            force.elastic_n *= stiffness_share;
+            force_share = stiffening.share;
+            force.total_n *= force_share;
+            force.elastic_n *= force_share;
             normal_n = force.total_n;
             push_n = tangent * (stiffening.pull_1_m * play.normal.stored_energy_j(penetration_m));
         }
@@ -102,7 +102,7 @@ impl<T: Real> PlayMotion<T> {
             penetration_rate_m_s: rate_m_s,
             bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
-            stiffness_share,
+            force_share,
             along_m: T::zero(),
         };
         if let PlayShape::Slot(_) = play.shape {

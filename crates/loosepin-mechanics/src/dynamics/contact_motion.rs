@@ -77,8 +77,9 @@ pub struct ContactForce<T> {
     pub bristle_rate_m_s: T,
     /// Sliding velocity v_T that friction goes by, m/s; zero where there is no friction.
     pub sliding_m_s: T,
-    /// Stiffness at this place over that of the contact's law; one but for the ends of a slot.
-    pub stiffness_share: T,
+    /// Normal force here over that of the contact's law: one but for the ends of a slot, which are stiffer, and the edges of a guide, on
+    /// which the block leans.
+    pub force_share: T,
     /// Abscissa of the corner along the guide's line, m; zero but for a slider.
     pub along_m: T,
 }

@@ -149,6 +149,9 @@ struct Seen {
     middle_m: [f64; 2],
     tilt_rad: f64,
     furthest_m: f64,
+    /// Largest normal force at the ends of steps, N, and the tilt there.
+    largest_n: f64,
+    tilt_at_largest_rad: f64,
     /// Contacts at the ends of steps: of corners past an end, and of corners before it.
     edges: usize,
     corners: usize,
@@ -164,6 +167,9 @@ impl Observer for Seen {
         self.tilt_rad = pose.angle_rad;
         self.furthest_m = self.furthest_m.max(middle_m.x);
         for force in self.last.iter().filter(|force| force.normal_n > 0.0) {
+            if force.normal_n > self.largest_n {
+                (self.largest_n, self.tilt_at_largest_rad) = (force.normal_n, pose.angle_rad);
+            }
             if (START_M..END_M).contains(&force.along_m) { self.corners += 1 } else { self.edges += 1 }
         }
     }
@@ -239,6 +245,21 @@ fn analytic_lever_of_a_block_whose_centre_is_beyond_the_end() {
     for (found_n, expected_n) in found_n.iter().zip(expected_n) {
         assert!((found_n - expected_n).abs() < SETTLED * weight_n, "{found_n} {expected_n}");
     }
+}
+
+#[test]
+fn identity_the_largest_force_is_none_of_the_law_but_of_the_tilted_face() {
+    // A guide so wide that the block tilts far over its end.
+    let wide = text()
+        .replace("clearance = \"0.1 mm\"", "clearance = \"9 mm\"")
+        .replace("velocity = \"0.6 m/s\"", "velocity = \"1.05 m/s\"");
+    let (report, seen) = observed(&wide, 0.11);
+    let report = report.expect("the run is sound");
+    println!("{} N at {} rad, told {} N", seen.largest_n, seen.tilt_at_largest_rad, report.plays[0].peak_force_n);
+    assert!(seen.tilt_at_largest_rad.abs() > 5e-3 && seen.edges > 0, "{}", seen.tilt_at_largest_rad);
+    // The ends of steps are among what is looked at.
+    const ROUND_OFF: f64 = 1e-9;
+    assert!(report.plays[0].peak_force_n >= seen.largest_n * (1.0 - ROUND_OFF));
 }
 
 #[test]
