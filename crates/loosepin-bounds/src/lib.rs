@@ -45,6 +45,7 @@ pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES}
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::statistic::Statistic;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
+pub use estimators::quantile::between_order_statistics;
 pub use loosepin_terms::Side;
 pub use plan::check::{MOST_OUTER, ProblemError};
 pub use plan::double_loop::DoubleLoop;

@@ -128,17 +128,22 @@ fn slope(sorted: &mut OrderStatistics<'_>, probability: f64) -> f64 {
 
 /// The value at `rank` = N p; infinite where the rank lies among failed runs.
 fn interpolate(sorted: &mut OrderStatistics<'_>, rank: f64) -> f64 {
-    let count = sorted.count() as f64;
+    between_order_statistics(sorted.count(), rank, |place| sorted.at(place))
+}
+
+/// The value at `rank` = N p between `count` order statistics, y_(k) at (k - 1/2)/N (A. Hazen 1914), of which `at` gives each from 0 on;
+/// infinite where the rank lies beyond them.
+pub fn between_order_statistics(count: usize, rank: f64, mut at: impl FnMut(usize) -> f64) -> f64 {
     if rank <= 0.0 {
         return f64::NEG_INFINITY;
     }
-    if rank >= count {
+    if rank >= count as f64 {
         return f64::INFINITY;
     }
-    let position = (rank - 0.5).clamp(0.0, count - 1.0);
+    let position = (rank - 0.5).clamp(0.0, count as f64 - 1.0);
     let index = position as usize;
     let fraction = position - index as f64;
-    let (own, next) = (sorted.at(index), sorted.at((index + 1).min(sorted.count() - 1)));
+    let (own, next) = (at(index), at((index + 1).min(count - 1)));
     own + fraction * (next - own)
 }
 

@@ -4,20 +4,26 @@ use std::collections::HashMap;
 
 use super::material::Material;
 use crate::columns::{BAND, PlannedAsk};
-use loosepin_bounds::Purpose;
+use crate::file::EpistemicInput;
+use loosepin_bounds::{Purpose, between_order_statistics};
 use loosepin_result::study::{CurveRange, ValueBand};
+use loosepin_uncertainty::EpistemicVariable;
 
-/// Values for which a result has bands, at most: the first ones of the plan fill the box.
+/// Values for which a result has bands, at most: the first ones of the plan.
 const MOST_VALUES: usize = 64;
-/// Fewer runs show no quantile.
-const FEWEST_RUNS: usize = 16;
+/// With fewer runs the ends of the band lie beyond the extreme ones: 1/0.025.
+const FEWEST_RUNS: usize = 40;
 /// Digits that are kept: finer than any screen.
 const DIGITS: usize = 6;
 
-/// Quantiles of the runs at each value, counted pose by pose, within `mixed`, which holds for all of them. Nothing where no input is
-/// epistemic.
+/// Quantiles of the finished runs at each value, counted pose by pose, within `mixed`, which holds for all of them. Nothing where no input is
+/// epistemic, or where one has masses: there `mixed` holds for the shares of its values, not at each.
 pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveRange) -> Vec<ValueBand> {
-    if material.study.epistemic.is_empty() {
+    let epistemic = &material.study.epistemic;
+    let has_masses = |input: &EpistemicInput| {
+        matches!(input.variable, EpistemicVariable::Evidence(_) | EpistemicVariable::SecondOrder(_))
+    };
+    if epistemic.is_empty() || epistemic.iter().any(has_masses) {
         return Vec::new();
     }
     let mut order: Vec<&[f64]> = Vec::new();
@@ -45,7 +51,7 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
             let [low, high] = [&mixed.lower_si, &mixed.upper_si].map(|end| end.get(pose).copied().unwrap_or(f64::NAN));
             let [lower, upper] = BAND.map(|probability| quantile(&values, probability)).map(|value| {
                 // What is not a number stays none: `max` would make it a limit.
-                if value.is_nan() { value } else { rounded(value.max(low).min(high)) }
+                if value.is_nan() { value } else { rounded(value).max(low).min(high) }
             });
             band.lower_si.push(lower);
             band.upper_si.push(upper);
@@ -55,16 +61,10 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
     order.iter().filter_map(of_value).take(MOST_VALUES).collect()
 }
 
-/// The quantile of sorted values, between neighbours linearly (definition 7 of Hyndman and Fan 1996); not a number where there is none.
+/// The quantile of sorted values, as bounds have it; not a number where there are too few for it.
 fn quantile(sorted: &[f64], probability: f64) -> f64 {
-    let place = probability * sorted.len().saturating_sub(1) as f64;
-    let below = place.floor() as usize;
-    let share = place - below as f64;
-    match (sorted.get(below), sorted.get(below + 1)) {
-        (Some(low), Some(high)) => low + share * (high - low),
-        (Some(low), None) => *low,
-        _ => f64::NAN,
-    }
+    let value = between_order_statistics(sorted.len(), probability * sorted.len() as f64, |place| sorted[place]);
+    if value.is_finite() { value } else { f64::NAN }
 }
 
 fn rounded(value: f64) -> f64 {
@@ -77,9 +77,12 @@ mod tests {
 
     #[test]
     fn analytic_quantiles_between_neighbours() {
-        let values: Vec<f64> = (0..=40).map(f64::from).collect();
-        assert_eq!([0.0, 0.025, 0.5, 1.0].map(|probability| quantile(&values, probability)), [0.0, 1.0, 20.0, 40.0]);
-        assert_eq!(quantile(&[3.0, 4.0], 0.25), 3.25);
+        // The k-th of 40 stands at (k - 1/2)/40: the share 0.025 between the first, at 0.0125, and the second, at 0.0375.
+        let values: Vec<f64> = (1..=40).map(f64::from).collect();
+        let found = [0.025, 0.5, 0.975].map(|probability| quantile(&values, probability));
+        for (found, due) in found.into_iter().zip([1.5, 20.5, 39.5]) {
+            assert!((found - due).abs() < 1e-12, "{found} {due}");
+        }
         assert!(quantile(&[], 0.5).is_nan());
     }
 }
