@@ -25,6 +25,7 @@ mod folder;
 mod foresee;
 mod further_outputs;
 mod goals;
+mod ideal_motion;
 mod ideal_tables;
 mod input_file;
 mod inputs;
@@ -63,7 +64,7 @@ pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
     EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, RandomInput, RandomProblem, RareMethod, Reduction,
     Requirement, Sampling, StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where,
-    study_schema,
+    named_model, says_study, study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::{Foreseen, ForeseenPromise, foresee};

@@ -1,13 +1,10 @@
 //! `loosepin motion`.
 
 use loosepin::accuracy::record::MotionRecord;
-use loosepin::accuracy::{MotionPlan, Scatter, motion};
-use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
-use loosepin::simulate::record::Override;
 use loosepin::study::InputFile;
 
 use super::inputs::{add_model, add_study, warn};
@@ -26,20 +23,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let settings = with_widest_play(&file, &arguments.set);
-    let set = model.set_values(&settings)?;
-    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
-    let plan = MotionPlan {
-        span: model.cycle.span,
-        positions: POSITIONS,
-        scatter: scatter(&file),
-        correlations: match &file {
-            InputFile::Model(_) => Vec::new(),
-            InputFile::Study(study) => study.linear_correlations(),
-        },
-        overrides: Override::of_settings(&settings),
-    };
-    let mut record = motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?;
+    let mut record = file.ideal_motion(POSITIONS, &arguments.set)?;
     record.repeat = repeat(&file, &arguments.set);
     let claim = claim(ResultKind::Motion, &model.name, inputs(model, &file, arguments), &arguments.output);
     let folder = claim.take()?;
@@ -52,29 +36,6 @@ pub fn run(arguments: &MotionArguments) -> Ending {
 impl StoredResult for MotionRecord {
     const PAGE: fn(&Self) -> String = motion_page;
     const TEXT: fn(&Self) -> String = motion_text;
-}
-
-/// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
-fn with_widest_play(file: &InputFile, set: &[String]) -> Vec<String> {
-    let InputFile::Study(study) = file else { return set.to_vec() };
-    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
-    let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
-    widest.chain(set.iter().cloned()).collect()
-}
-
-/// Random inputs, where the file is a study.
-fn scatter(file: &InputFile) -> Vec<Scatter> {
-    match file {
-        InputFile::Model(_) => Vec::new(),
-        InputFile::Study(study) => study
-            .random
-            .iter()
-            .map(|input| Scatter {
-                quantity: input.quantity,
-                standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
-            })
-            .collect(),
-    }
 }
 
 /// How the result is made again.

@@ -65,8 +65,13 @@ pub fn study_schema() -> serde_json::Value {
 /// Keys at the top of study files that model files do not have.
 const STUDY_MARKS: [&str; 6] = ["model", "random", "epistemic", "ask", "require", "sampling"];
 
+/// The model that the text of a study names, as it is written; nothing where it names none, or is not TOML.
+pub fn named_model(source: &Arc<Source>) -> Option<String> {
+    parse_toml(source).ok()?.get_ref().get("model")?.get_ref().as_str().map(str::to_owned)
+}
+
 /// Whether a text has keys of a study at its top and no body; a text that is not TOML says nothing.
-pub(super) fn says_study(source: &Arc<Source>) -> bool {
+pub fn says_study(source: &Arc<Source>) -> bool {
     parse_toml(source).is_ok_and(|toml| {
         let has = |key: &str| toml.get_ref().contains_key(key);
         STUDY_MARKS.iter().any(|key| has(key)) && !has("body")

@@ -1,0 +1,57 @@
+//! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
+
+use super::input_file::InputFile;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_result::motion::MotionRecord;
+use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
+use loosepin_simulate::record::Override;
+use loosepin_text::diagnostics::Complaints;
+
+impl InputFile {
+    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer; `set` are settings `path=value`. Clearances
+    /// that a study knows as intervals or lists are taken where there is most play, random inputs by their standard deviation.
+    ///
+    /// # Errors
+    /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
+    pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        let model = self.model();
+        let settings = self.with_widest_play(set);
+        let set = model.set_values(&settings)?;
+        let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
+        let plan = MotionPlan {
+            span: model.cycle.span,
+            positions,
+            scatter: self.scatter(),
+            correlations: match self {
+                InputFile::Model(_) => Vec::new(),
+                InputFile::Study(study) => study.linear_correlations(),
+            },
+            overrides: Override::of_settings(&settings),
+        };
+        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
+    }
+
+    /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
+    fn with_widest_play(&self, set: &[String]) -> Vec<String> {
+        let InputFile::Study(study) = self else { return set.to_vec() };
+        let is_set =
+            |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+        let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
+        widest.chain(set.iter().cloned()).collect()
+    }
+
+    /// Random inputs, where the file is a study.
+    fn scatter(&self) -> Vec<Scatter> {
+        match self {
+            InputFile::Model(_) => Vec::new(),
+            InputFile::Study(study) => study
+                .random
+                .iter()
+                .map(|input| Scatter {
+                    quantity: input.quantity,
+                    standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+                })
+                .collect(),
+        }
+    }
+}
