@@ -41,6 +41,16 @@ impl Plot {
         [left, top, width, height, x0, x1, y0, y1].map(|number| number.to_string()).join(" ")
     }
 
+    /// Left, top, width and height, in units of the picture.
+    pub fn frame(&self) -> String {
+        [self.left, self.top, self.width, self.height].map(|number| number.to_string()).join(" ")
+    }
+
+    /// The values at both ends of the horizontal axis.
+    pub fn ends(&self) -> String {
+        self.x.map(|number| number.to_string()).join(" ")
+    }
+
     fn across(&self, value: f64) -> f64 {
         self.left + (value - self.x[0]) / (self.x[1] - self.x[0]) * self.width
     }

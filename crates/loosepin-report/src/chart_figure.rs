@@ -53,6 +53,21 @@ impl Chart {
         }
     }
 
+    /// The picture alone, as an SVG document that takes its style from the page; `data-plot` and `data-x` say where its curves stand.
+    pub fn document(mut self) -> String {
+        self.thin_out(MOST_POINTS);
+        let Drawn { view, below, plot, drawn } = drawing(&self);
+        let picture = Picture {
+            name: self.id.clone(),
+            class: "chart",
+            view,
+            below,
+            alternative: self.alternative.clone(),
+            drawn,
+        };
+        picture.document(&[("plot", plot.frame()), ("x", plot.ends())])
+    }
+
     /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.
     fn csv(&self) -> String {
         let with_unit = |words: &str, symbol: &str| {

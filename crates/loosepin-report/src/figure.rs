@@ -27,12 +27,28 @@ pub(super) struct Picture {
 impl Picture {
     /// The picture alone.
     pub fn svg(&self) -> Markup {
-        let view =
-            self.view.map(|number| format!("{:.6}", number).trim_end_matches('0').trim_end_matches('.').to_owned());
         html! {
-            svg class={ "figure " (self.class) } viewBox=(view.join(" ")) data-below=(self.below) role="img"
+            svg class={ "figure " (self.class) } viewBox=(self.view_box()) data-below=(self.below) role="img"
                 aria-label=(self.alternative) { (self.drawn) }
         }
+    }
+
+    /// The picture as an SVG document that takes its style from the page into which it is put; `data` are attributes `data-NAME` of it.
+    pub fn document(&self, data: &[(&str, String)]) -> String {
+        let data: String = data.iter().map(|(name, text)| format!(" data-{name}=\"{text}\"")).collect();
+        let label = html! { (self.alternative) }.into_string();
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"figure {}\" viewBox=\"{}\"{data} role=\"img\" \
+             aria-label=\"{label}\">{}</svg>",
+            self.class,
+            self.view_box(),
+            self.drawn.0
+        )
+    }
+
+    fn view_box(&self) -> String {
+        let trimmed = |number: f64| format!("{number:.6}").trim_end_matches('0').trim_end_matches('.').to_owned();
+        self.view.map(trimmed).join(" ")
     }
 
     /// The picture with its caption and the numbers behind it as a table of comma-separated values, where it has any.

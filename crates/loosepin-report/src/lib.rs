@@ -9,6 +9,7 @@
 //! | each output: one sentence | `told.rs` |
 //! | the required accuracy and the budget | `accuracy_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
+//! | the band without dynamics while a mechanism is edited | `live_band.rs` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
@@ -34,6 +35,7 @@ mod figure;
 mod glossary;
 mod history_words;
 mod inverse;
+mod live_band;
 mod measured_figures;
 mod mechanism_figure;
 mod mechanism_labels;
@@ -48,6 +50,7 @@ mod promise_text;
 mod repeat_section;
 mod script_data;
 mod section_figure;
+mod short_answer;
 mod simulation_page;
 mod spectrum_section;
 mod still_figures;
@@ -67,10 +70,13 @@ mod zone_figure;
 pub use cases_page::{cases_page, cases_text};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
-pub use mechanism_figure::mechanism_picture;
+pub use live_band::{BandPart, LiveBand, live_bands};
+pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
 pub use motion_page::motion_page;
+pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;
 pub use study_page::{study_excerpt, study_page};
+pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
 pub use terminal::{motion_text, simulation_text, study_text, sweep_text};
 pub use terminal_table::TERMINAL_COLUMNS;

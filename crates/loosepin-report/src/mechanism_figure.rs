@@ -30,8 +30,9 @@ const FIRST_POSE: usize = 6;
 /// Magnifications on offer.
 const MAGNIFICATIONS: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
 
-#[derive(Serialize)]
-struct Motion {
+/// Poses of a mechanism over a turn, for the script that moves its picture.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Motion {
     /// Angle of the drive at each pose, degrees.
     angle_deg: Vec<Option<f64>>,
     magnification: f64,
@@ -41,7 +42,7 @@ struct Motion {
 }
 
 /// Ideal pose and actual minus ideal, in mm and degrees, one entry per pose.
-#[derive(Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 struct BodyMotion {
     x: Vec<Option<f64>>,
     y: Vec<Option<f64>>,
@@ -51,10 +52,18 @@ struct BodyMotion {
     da: Vec<Option<f64>>,
 }
 
-/// The figure, or nothing where the record holds no poses.
-pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
+/// The picture of a mechanism, and how it moves.
+struct Moving {
+    picture: Picture,
+    motion: Motion,
+    has_play: bool,
+}
+
+/// The mechanism in its first pose, or nothing where the record holds no poses. Gaps are magnified where the poses with play are
+/// known beside the ideal ones, or where that is asked for.
+fn moving(drawing: &Drawing, drive: &str, is_gap_shown: bool) -> Option<Moving> {
     if drawing.bodies.is_empty() || !is_complete(&drawing.poses, drawing.bodies.len()) {
-        return html! {};
+        return None;
     }
     let has_ideal = is_complete(&drawing.ideal_poses, drawing.bodies.len())
         && drawing.ideal_poses.drive_angle_rad.len() == drawing.poses.drive_angle_rad.len();
@@ -62,14 +71,15 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     let frame = frame(drawing, reference);
     let largest_clearance_mm =
         drawing.joints.iter().map(|joint| joint.radial_clearance_m * MM_PER_M).fold(0.0, f64::max);
-    let magnification = if has_ideal { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
+    let is_magnified = has_ideal || is_gap_shown;
+    let magnification = if is_magnified { first_magnification(frame.diagonal(), largest_clearance_mm) } else { 1.0 };
     let motion = motion(drawing, reference, has_ideal, magnification);
     let alternative = format!(
         "Drawing of the mechanism with {} and {}, moving through one turn of {drive}.",
         if drawing.bodies.len() == 1 { "1 body".to_owned() } else { format!("{} bodies", drawing.bodies.len()) },
         units::counted(drawing.joints.len(), "joint")
     );
-    let has_play = has_ideal && largest_clearance_mm > 0.0;
+    let has_play = is_magnified && largest_clearance_mm > 0.0;
     let sizes = Sizes { pin: PIN_SHARE * frame.diagonal(), font_mm: FONT_SHARE * frame.diagonal() };
     let labels = labels(drawing, reference, &frame, sizes);
     // A magnified deviation takes labels along: there must be room for that, too.
@@ -89,6 +99,29 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
     };
     let view = [view.left, view.top, view.width, view.height];
     let picture = Picture { name: NAME.to_owned(), class: "mechanism", view, below: 0.0, alternative, drawn };
+    Some(Moving { picture, motion, has_play })
+}
+
+/// A drawing of a mechanism for a page that moves it by itself.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MovingDrawing {
+    /// The first pose, as an SVG document that takes its style from the page. Groups with `data-body` move with a body, those with
+    /// `data-rides` with a point of one.
+    pub svg: String,
+    /// Poses of the bodies.
+    pub motion: Motion,
+}
+
+/// The mechanism with its gaps magnified, or nothing where the record holds no poses.
+pub fn moving_drawing(drawing: &Drawing, drive: &str) -> Option<MovingDrawing> {
+    let Moving { picture, motion, .. } = moving(drawing, drive, true)?;
+    Some(MovingDrawing { svg: picture.document(&[]), motion })
+}
+
+/// The figure, or nothing where the record holds no poses.
+pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
+    let Some(Moving { picture, motion, has_play }) = moving(drawing, drive, false) else { return html! {} };
+    let magnification = motion.magnification;
     html! {
         figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
             (picture.svg())

@@ -124,7 +124,7 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
 }
 
 /// What moves in words: the output, or for an error of a path the point along or across it.
-fn moved_words(output: &OutputMotion) -> String {
+pub(super) fn moved_words(output: &OutputMotion) -> String {
     let sides = [(PathError::Along, "along"), (PathError::Normal, "across")];
     let path = sides.into_iter().filter(|_| output.value_si.is_empty()).find_map(|(error, side)| {
         let path = output.name.strip_suffix(error.word())?.trim_end();

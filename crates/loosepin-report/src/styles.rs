@@ -8,6 +8,11 @@ pub(super) const MECHANISM_STYLE: &str = include_str!("../assets/mechanism.css")
 pub(super) const FIGURE_STYLE: &str =
     concat!(include_str!("../assets/figure.css"), include_str!("../assets/mechanism.css"));
 
+/// The style of figures and the colours that they name, for pages that put pictures of this library into theirs.
+pub fn figure_styles() -> String {
+    format!("{COLOURS}{FIGURE_STYLE}")
+}
+
 /// The style of figures with the light colours put in: programs that draw know no variables.
 pub(super) fn saved_style() -> String {
     let light = COLOURS.split_once("@media").map_or(COLOURS, |(light, _)| light);
