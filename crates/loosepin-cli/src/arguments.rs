@@ -45,6 +45,8 @@ pub enum Command {
     Sweep(SweepArguments),
     Cases(CasesArguments),
     Report(ReportArguments),
+    #[cfg(feature = "studio")]
+    Serve(ServeArguments),
     Export(ExportArguments),
     Schema(SchemaArguments),
     Explain(ExplainArguments),
@@ -356,6 +358,26 @@ pub struct ReportArguments {
     /// Width of the picture, with its unit
     #[arg(long, value_name = "LENGTH", requires = "svg", default_value = "160 mm")]
     pub width: String,
+}
+
+/// Open the studio: edit mechanisms and studies in the browser, with the band at every change
+#[cfg(feature = "studio")]
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Serves a page to this machine alone until Ctrl-C. The address holds a secret: who has it can read and write the .toml \
+    files of the folder. Results are written to the folder results in it, as by `loosepin study`.\n\n\
+    Examples:\n  loosepin serve\n  loosepin serve my_mechanisms --no-open --port 8080"
+)]
+pub struct ServeArguments {
+    /// Folder with models and studies
+    #[arg(value_name = "DIR", default_value = ".")]
+    pub folder: PathBuf,
+    /// Port on 127.0.0.1 [default: a free one]
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub port: u16,
+    /// Print the address only, and open no browser
+    #[arg(long)]
+    pub no_open: bool,
 }
 
 /// Export the neural networks of a study as ONNX files

@@ -5,6 +5,8 @@
 //! 130 interrupted.
 
 mod arguments;
+#[cfg(feature = "studio")]
+mod browser;
 mod command;
 mod console;
 mod ending;
@@ -37,6 +39,8 @@ fn main() -> ExitCode {
         Command::Completions(completions) => command::completions::run(completions),
         Command::Manual(manual) => command::manual::run(manual),
         Command::Report(report) => command::report::run(report),
+        #[cfg(feature = "studio")]
+        Command::Serve(serve) => command::serve::run(serve),
         Command::Export(export) => command::export::run(export),
     };
     exit_code(ending)

@@ -13,6 +13,8 @@ pub mod motion;
 pub mod new;
 pub mod report;
 pub mod schema;
+#[cfg(feature = "studio")]
+pub mod serve;
 mod shard;
 mod signals;
 pub mod simulate;

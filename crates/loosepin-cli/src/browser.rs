@@ -1,0 +1,59 @@
+//! Opening an address in the browser of the person.
+//!
+//! The address holds a secret, which must not stand on a command line: every user of the machine can read those. The browser is given
+//! a file that nobody else can read, and that leads to the address.
+
+use std::env;
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::{Command, Stdio, id};
+
+/// The file that leads to the address; it goes when this is dropped.
+pub struct Door(PathBuf);
+
+impl Door {
+    /// Lets the system open `address`.
+    ///
+    /// # Errors
+    /// The file cannot be written; there is no desktop, or nothing that opens files on it.
+    pub fn open(address: &str) -> io::Result<Self> {
+        let opener = opener().ok_or_else(|| io::Error::other("there is no desktop"))?;
+        let path = env::temp_dir().join(format!("loosepin-studio-{}.html", id()));
+        // One of an earlier process with the same number.
+        let _ = fs::remove_file(&path);
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        let door = options.open(&path).map(|file| (file, Self(path)));
+        let (mut file, door) = door?;
+        write!(
+            file,
+            "<!doctype html><meta charset=\"utf-8\"><title>loosepin</title>\
+             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>\n"
+        )?;
+        let [program, before @ ..] = opener else { return Err(io::Error::other("there is no desktop")) };
+        let quiet = Stdio::null;
+        Command::new(program).args(before).arg(&door.0).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn()?;
+        Ok(door)
+    }
+}
+
+impl Drop for Door {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// What opens files on this desktop; nothing where there is none.
+fn opener() -> Option<&'static [&'static str]> {
+    if cfg!(target_os = "macos") {
+        Some(&["open"])
+    } else if cfg!(windows) {
+        Some(&["explorer"])
+    } else {
+        let has_desktop = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| env::var_os(name).is_some());
+        has_desktop.then_some(&["xdg-open"])
+    }
+}

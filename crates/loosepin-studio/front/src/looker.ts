@@ -1,0 +1,110 @@
+// Asks the server what the texts mean: one look in flight, the newest text next, never a queue.
+import type { Look, Seen } from './messages.ts';
+
+const patienceMs = 500;
+const settledMs = 250;
+const finest = 361;
+const choices = [37, 73, 121];
+/** What a look may cost on the server while something is dragged. */
+const budgetMs = 12;
+
+export class Looker {
+  private seq = 0;
+  private flight: { seq: number; version: number; positions: number } | null = null;
+  private isWanted = false;
+  private isFine = false;
+  private cost = 4;
+  private positions = 121;
+  private giveUp = 0;
+  private delay = 0;
+  private settle = 0;
+  private asked = 0;
+
+  constructor(
+    private readonly make: () => { look: Omit<Look, 'kind' | 'seq' | 'positions'>; version: number } | null,
+    private readonly send: (look: Look) => boolean,
+    private readonly hear: (seen: Seen, version: number) => void,
+  ) {}
+
+  /** At the next frame: for drags, where each frame counts. */
+  now(): void {
+    clearTimeout(this.delay);
+    this.delay = 0;
+    this.isWanted = true;
+    this.isFine = false;
+    this.waitUntilSettled();
+    if (this.asked === 0) {
+      this.asked = requestAnimationFrame(() => {
+        this.asked = 0;
+        this.flush();
+      });
+    }
+  }
+
+  /** When the typing pauses. */
+  soon(ms: number): void {
+    clearTimeout(this.delay);
+    this.delay = window.setTimeout(() => this.now(), ms);
+  }
+
+  /** After a lost connection no answer will come. */
+  again(): void {
+    this.flight = null;
+    this.now();
+  }
+
+  heard(seen: Seen): void {
+    if (seen.seq !== this.flight?.seq) return;
+    const { version, positions } = this.flight;
+    this.land();
+    if (positions !== finest) this.adapt(seen.cost_ms);
+    this.hear(seen, version);
+    this.flush();
+  }
+
+  stop(): void {
+    clearTimeout(this.delay);
+    clearTimeout(this.settle);
+    clearTimeout(this.giveUp);
+    cancelAnimationFrame(this.asked);
+  }
+
+  private land(): void {
+    clearTimeout(this.giveUp);
+    this.flight = null;
+  }
+
+  private adapt(cost: number): void {
+    this.cost += 0.3 * (cost - this.cost);
+    const place = choices.indexOf(this.positions);
+    if (this.cost > budgetMs && place > 0) this.positions = choices[place - 1] ?? this.positions;
+    else if (this.cost < budgetMs / 3 && place < choices.length - 1) this.positions = choices[place + 1] ?? this.positions;
+  }
+
+  private waitUntilSettled(): void {
+    clearTimeout(this.settle);
+    this.settle = window.setTimeout(() => {
+      this.isWanted = true;
+      this.isFine = true;
+      this.flush();
+    }, settledMs);
+  }
+
+  private flush(): void {
+    if (!this.isWanted || this.flight) return;
+    const made = this.make();
+    if (!made) return;
+    this.seq += 1;
+    const positions = this.isFine ? finest : this.positions;
+    if (!this.send({ kind: 'look', seq: this.seq, positions, ...made.look })) return;
+    this.isWanted = false;
+    this.flight = { seq: this.seq, version: made.version, positions };
+    this.giveUp = window.setTimeout(() => {
+      // The answer may still come, and is then as good as any: only a newer look may pass it.
+      const late = this.flight;
+      this.flight = null;
+      this.flush();
+      if (!this.flight) this.flight = late;
+    }, patienceMs);
+  }
+}

@@ -1,0 +1,12 @@
+import { mount } from 'svelte';
+import App from './App.svelte';
+import { router } from './route.svelte.ts';
+import { session } from './session.svelte.ts';
+import './studio.css';
+import { takeToken } from './wire.ts';
+
+takeToken();
+router.start(() => location.reload());
+session.start();
+const target = document.getElementById('studio');
+if (target) mount(App, { target });

@@ -1,0 +1,201 @@
+// What is said between the studio and its server: version 1 of the protocol.
+
+export type Which = 'model' | 'study';
+export type Verdict = 'met' | 'not met' | 'undecided' | 'promised';
+
+export interface BodyMotion {
+  x: number[];
+  y: number[];
+  a: number[];
+  dx: number[];
+  dy: number[];
+  da: number[];
+}
+
+export interface Motion {
+  angle_deg: number[];
+  magnification: number;
+  start: number;
+  bodies: BodyMotion[];
+}
+
+export interface Drawing {
+  svg: string;
+  motion: Motion;
+}
+
+export interface Hello {
+  version: string;
+  folder: string;
+  limits: { text_bytes: number };
+}
+
+export interface Template {
+  name: string;
+  title: string;
+  words: string;
+  drawing: Drawing | null;
+}
+
+export interface FileEntry {
+  path: string;
+  kind: Which;
+  title: string;
+  model: string | null;
+  at_ms?: number;
+}
+
+export interface ResultEntry {
+  path: string;
+  title: string;
+  kind: 'study' | 'simulation' | 'motion' | 'sweep';
+  verdict: Verdict | null;
+  at_ms: number;
+}
+
+export interface Folder {
+  files: FileEntry[];
+  results: ResultEntry[];
+  truncated: boolean;
+}
+
+export interface DocumentText {
+  path: string;
+  text: string;
+  tag: string;
+}
+
+export interface Opened {
+  model: DocumentText | null;
+  study: DocumentText | null;
+}
+
+/** Offsets count UTF-16 units of the document's text. */
+export interface Range {
+  from: number;
+  to: number;
+}
+
+/** Where it has a place in a text; the server leaves the four out where it has none. */
+export interface Place {
+  line?: number | null;
+  column?: number | null;
+  from?: number | null;
+  to?: number | null;
+}
+
+export interface Label extends Place {
+  document: Which | null;
+  text: string;
+}
+
+export interface Fix extends Range {
+  document: Which;
+  insert: string;
+  words: string;
+}
+
+export interface Complaint extends Place {
+  document: Which | null;
+  path: string | null;
+  code: string;
+  severity: 'error' | 'warning';
+  message: string;
+  hint: string | null;
+  labels: Label[];
+  fix?: Fix | null;
+}
+
+export interface Part {
+  name: string;
+  kind: 'play' | 'part';
+  share: number;
+  words: string;
+}
+
+export interface Band {
+  output: string;
+  words: string;
+  largest: string;
+  figure: string;
+  parts: Part[];
+}
+
+export interface JointEntry {
+  name: string;
+  kind: string;
+  play: string | null;
+}
+
+export interface Outline {
+  bodies: string[];
+  joints: JointEntry[];
+  drives: string[];
+  outputs: { name: string; words: string }[];
+}
+
+export interface Quantity extends Range {
+  path: string;
+  /** The path in words, where the server has them. */
+  words?: string;
+  document: Which;
+  written: string;
+  kind: 'number' | 'scatter' | 'unknown';
+}
+
+export interface View {
+  title: string;
+  mobility: string;
+  sentences: string[];
+  drawing: Drawing | null;
+  bands: Band[];
+  outline: Outline;
+  quantities: Quantity[];
+}
+
+export interface Job {
+  id: number | string;
+  study: string;
+  title: string;
+  state: 'waiting' | 'running' | 'done' | 'failed' | 'stopped';
+  finished: number;
+  most: number;
+  seconds: number;
+  words: string[];
+  result: string | null;
+  verdict: Verdict | null;
+  draft?: { words: string[] } | null;
+  complaints?: string[];
+}
+
+export interface PathAndText {
+  path: string;
+  text: string;
+}
+
+export interface Look {
+  kind: 'look';
+  seq: number;
+  model: PathAndText;
+  study: PathAndText | null;
+  positions: number;
+  output: string | null;
+  at_deg: number | null;
+}
+
+export interface Seen {
+  kind: 'seen';
+  seq: number;
+  complaints: Complaint[];
+  view: View | null;
+  cost_ms: number;
+}
+
+export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string } | { kind: 'stop'; id: Job['id'] };
+
+export type FromServer =
+  | { kind: 'hello'; version: string; jobs: Job[] }
+  | Seen
+  | { kind: 'job'; job: Job }
+  | { kind: 'changed'; path: string }
+  | { kind: 'refused'; message: string };

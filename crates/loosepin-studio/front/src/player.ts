@@ -1,0 +1,67 @@
+// Moves a drawing through its poses. Knows nothing of the page around it.
+import type { BodyMotion, Motion } from './messages.ts';
+
+function between(list: number[], index: number, share: number): number {
+  const first = list[index] ?? 0;
+  const second = list[Math.min(index + 1, list.length - 1)] ?? first;
+  return first + share * (second - first);
+}
+
+interface Pose {
+  x: number;
+  y: number;
+  a: number;
+}
+
+/** x, y in mm and angle in degrees; the deviation by play is drawn so many times as large. */
+function placed(body: BodyMotion | undefined, index: number, share: number, factor: number): Pose {
+  if (!body) return { x: 0, y: 0, a: 0 };
+  const at = (list: number[], difference: number[]): number => between(list, index, share) + factor * between(difference, index, share);
+  return { x: at(body.x, body.dx), y: at(body.y, body.dy), a: at(body.a, body.da) };
+}
+
+function transform(pose: Pose): string {
+  return 'translate(' + pose.x.toFixed(4) + ' ' + pose.y.toFixed(4) + ') rotate(' + pose.a.toFixed(5) + ')';
+}
+
+/** The pose, between two of the stored ones, where the drive has this angle. */
+export function poseAt(angles: number[], angle: number): number {
+  const last = angles.length - 1;
+  const sign = (angles[last] ?? 0) < (angles[0] ?? 0) ? -1 : 1;
+  let [low, high] = [0, Math.max(last, 0)];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (sign * ((angles[middle] ?? 0) - angle) <= 0) low = middle;
+    else high = middle;
+  }
+  const [start, end] = [angles[low] ?? 0, angles[high] ?? 0];
+  return low + (end === start ? 0 : Math.min(Math.max((angle - start) / (end - start), 0), 1)) * (high - low);
+}
+
+export class Player {
+  private readonly bodies: SVGElement[];
+  private readonly ghosts: SVGElement[];
+  private readonly riders: SVGElement[];
+
+  constructor(svg: SVGSVGElement, private readonly motion: Motion) {
+    this.bodies = [...svg.querySelectorAll<SVGElement>('[data-body]')];
+    this.ghosts = [...svg.querySelectorAll<SVGElement>('[data-ghost]')];
+    this.riders = [...svg.querySelectorAll<SVGElement>('[data-rides]')];
+  }
+
+  show(angle: number): void {
+    const pose = poseAt(this.motion.angle_deg, angle);
+    const index = Math.floor(pose);
+    const share = pose - index;
+    const at = (body: string | undefined, factor: number): Pose => placed(this.motion.bodies[Number(body)], index, share, factor);
+    const { magnification } = this.motion;
+    this.bodies.forEach((group) => group.setAttribute('transform', transform(at(group.dataset.body, magnification))));
+    this.ghosts.forEach((group) => group.setAttribute('transform', transform(at(group.dataset.ghost, 0))));
+    this.riders.forEach((group) => {
+      const { x, y, a } = at(group.dataset.rides, magnification);
+      const [ownX, ownY] = [Number(group.dataset.x), Number(group.dataset.y)];
+      const [sine, cosine] = [Math.sin((a * Math.PI) / 180), Math.cos((a * Math.PI) / 180)];
+      group.setAttribute('transform', 'translate(' + (x + cosine * ownX - sine * ownY).toFixed(4) + ' ' + (y + sine * ownX + cosine * ownY).toFixed(4) + ')');
+    });
+  }
+}

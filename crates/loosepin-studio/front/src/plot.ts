@@ -1,0 +1,29 @@
+// Where the angles of a chart stand in it, as the server says in `data-plot` and `data-x`.
+
+export interface Plot {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+  first: number;
+  last: number;
+}
+
+export function plotOf(svg: SVGSVGElement): Plot | null {
+  const [left, top, width, height] = (svg.dataset.plot ?? '').split(/\s+/).map(Number);
+  const [first, last] = (svg.dataset.x ?? '').split(/\s+/).map(Number);
+  if (left === undefined || top === undefined || !width || !height || first === undefined || last === undefined || first === last) return null;
+  return [left, top, width, height, first, last].every(Number.isFinite) ? { left, top, width, height, first, last } : null;
+}
+
+export function xAt(plot: Plot, angle: number): number {
+  return plot.left + ((angle - plot.first) / (plot.last - plot.first)) * plot.width;
+}
+
+export function angleAt(plot: Plot, svg: SVGSVGElement, clientX: number, clientY: number): number | null {
+  const matrix = svg.getScreenCTM();
+  if (!matrix) return null;
+  const at = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+  const share = (at.x - plot.left) / plot.width;
+  return plot.first + Math.min(Math.max(share, 0), 1) * (plot.last - plot.first);
+}

@@ -1,0 +1,62 @@
+// Which screen is shown: kept in the fragment of the address, so that Back and reloading work.
+
+export type Route = { screen: 'gallery' } | { screen: 'edit' | 'report'; path: string };
+
+export function addressOf(route: Route): string {
+  if (route.screen === 'gallery') return '#/';
+  return '#/' + route.screen + '/' + route.path.split('/').map(encodeURIComponent).join('/');
+}
+
+export function readAddress(fragment: string): Route {
+  const found = /^#\/(edit|report)\/(.+)$/.exec(fragment);
+  if (!found) return { screen: 'gallery' };
+  try {
+    return { screen: found[1] as 'edit' | 'report', path: decodeURIComponent(found[2] ?? '') };
+  } catch {
+    return { screen: 'gallery' };
+  }
+}
+
+class Router {
+  route = $state.raw<Route>({ screen: 'gallery' });
+  /** Where the person wants to go, while it is asked what becomes of the unsaved texts. */
+  pending = $state.raw<Route | null>(null);
+  /** The screen before this one, for the way back out of a report. */
+  before: Route = { screen: 'gallery' };
+  /** Whether this way out would lose something. */
+  guard: ((to: Route) => boolean) | null = null;
+
+  start(reload: () => void): void {
+    this.route = readAddress(location.hash);
+    addEventListener('hashchange', () => {
+      // The printed address was opened again in this tab.
+      if (location.hash.startsWith('#token=')) return reload();
+      this.arrive(readAddress(location.hash));
+    });
+  }
+
+  go(route: Route): void {
+    location.hash = addressOf(route);
+  }
+
+  leave(): void {
+    const to = this.pending;
+    this.pending = null;
+    this.guard = null;
+    if (to) this.go(to);
+  }
+
+  private arrive(to: Route): void {
+    if (addressOf(to) === addressOf(this.route)) return;
+    if (this.guard?.(to)) {
+      this.pending = to;
+      history.pushState(null, '', addressOf(this.route));
+      return;
+    }
+    this.pending = null;
+    this.before = this.route;
+    this.route = to;
+  }
+}
+
+export const router = new Router();

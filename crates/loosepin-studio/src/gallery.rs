@@ -1,0 +1,38 @@
+//! The templates with their mechanisms moving.
+
+use loosepin::report::{MovingDrawing, moving_drawing};
+use loosepin::templates::{TEMPLATES, Template};
+use serde::Serialize;
+
+use crate::folder::Folder;
+use crate::messages::{Look, SentText};
+use crate::texts::Texts;
+
+/// Positions in a turn of a small picture.
+const POSITIONS: usize = 36;
+
+/// A template as the page shows it.
+#[derive(Debug, Serialize)]
+pub struct Card {
+    name: &'static str,
+    title: &'static str,
+    words: String,
+    drawing: Option<MovingDrawing>,
+}
+
+/// All templates in the order in which they are listed.
+pub fn cards(folder: &Folder) -> Vec<Card> {
+    TEMPLATES.iter().map(|template| card(folder, template)).collect()
+}
+
+fn card(folder: &Folder, template: &Template) -> Card {
+    let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
+    let texts = Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS });
+    let record = texts.read().and_then(|file| file.ideal_motion(POSITIONS, &[]));
+    Card {
+        name: template.name,
+        title: template.description(),
+        words: template.paragraph(),
+        drawing: record.ok().and_then(|record| moving_drawing(&record.drawing, &record.drive)),
+    }
+}

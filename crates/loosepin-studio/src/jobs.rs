@@ -1,0 +1,231 @@
+//! Studies in the background: one runs, the others wait.
+
+use std::collections::VecDeque;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use loosepin::report::draft_text;
+use loosepin::study::Progress;
+use loosepin::study::result::Draft;
+use tokio::sync::broadcast;
+
+use crate::folder::Folder;
+use crate::job::{Outcome, read_study, run};
+use crate::messages::{Job, JobDraft, JobState};
+
+/// Most jobs that wait.
+const MOST_WAITING: usize = 16;
+/// Jobs that are remembered after they have ended.
+const MOST_ENDED: usize = 50;
+/// Least time between two messages on a job that runs.
+const REST: Duration = Duration::from_millis(200);
+/// Messages that a slow connection may be behind; it hears of the newest again with the next one.
+const BEHIND: usize = 64;
+
+/// The jobs of a server.
+pub struct Jobs {
+    folder: Folder,
+    state: Mutex<State>,
+    woken: Condvar,
+    told: broadcast::Sender<Job>,
+}
+
+#[derive(Default)]
+struct State {
+    jobs: Vec<Job>,
+    waiting: VecDeque<u64>,
+    running: Option<(u64, Arc<AtomicBool>)>,
+    last_id: u64,
+    is_closed: bool,
+}
+
+impl Jobs {
+    /// None yet, of studies in `folder`; with the thread that runs them.
+    pub fn begin(folder: Folder) -> (Arc<Self>, JoinHandle<()>) {
+        let (told, _) = broadcast::channel(BEHIND);
+        let jobs = Arc::new(Self { folder, state: Mutex::default(), woken: Condvar::new(), told });
+        let worker = Arc::clone(&jobs);
+        (jobs, thread::spawn(move || worker.work()))
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// All of them, in the order in which they were asked for.
+    pub fn all(&self) -> Vec<Job> {
+        self.state().jobs.clone()
+    }
+
+    /// Hears of each change.
+    pub fn listen(&self) -> broadcast::Receiver<Job> {
+        self.told.subscribe()
+    }
+
+    /// Adds a study to the queue.
+    ///
+    /// # Errors
+    /// Too many wait, or this one waits or runs already.
+    pub fn add(&self, study: &str) -> Result<(), String> {
+        let mut state = self.state();
+        let is_open = |job: &Job| matches!(job.state, JobState::Waiting | JobState::Running);
+        if state.jobs.iter().any(|job| is_open(job) && job.study == study) {
+            return Err(format!("{study} is being run already"));
+        }
+        if state.waiting.len() >= MOST_WAITING {
+            return Err(format!("{MOST_WAITING} studies wait already; stop one of them, or wait"));
+        }
+        state.last_id += 1;
+        let job = Job {
+            id: state.last_id,
+            study: study.to_owned(),
+            title: study.to_owned(),
+            state: JobState::Waiting,
+            finished: 0,
+            most: 0,
+            seconds: 0.0,
+            words: Vec::new(),
+            draft: None,
+            complaints: Vec::new(),
+            result: None,
+            verdict: None,
+        };
+        let id = job.id;
+        state.waiting.push_back(id);
+        state.jobs.push(job.clone());
+        let ended = state.jobs.iter().filter(|job| !is_open(job)).count();
+        if ended > MOST_ENDED
+            && let Some(oldest) = state.jobs.iter().position(|job| !is_open(job))
+        {
+            state.jobs.remove(oldest);
+        }
+        drop(state);
+        let _ = self.told.send(job);
+        self.woken.notify_one();
+        Ok(())
+    }
+
+    /// Stops a job, or takes it out of the queue.
+    pub fn stop(&self, id: u64) {
+        let mut state = self.state();
+        if let Some((running, stop)) = &state.running
+            && *running == id
+        {
+            stop.store(true, Ordering::Relaxed);
+            return;
+        }
+        let before = state.waiting.len();
+        state.waiting.retain(|waiting| *waiting != id);
+        if state.waiting.len() < before {
+            drop(state);
+            self.change(id, |job| job.state = JobState::Stopped);
+        }
+    }
+
+    /// Stops what runs, and begins nothing any more.
+    pub fn close(&self) {
+        let mut state = self.state();
+        state.is_closed = true;
+        if let Some((_, stop)) = &state.running {
+            stop.store(true, Ordering::Relaxed);
+        }
+        drop(state);
+        self.woken.notify_all();
+    }
+
+    /// Changes a job, and tells of it.
+    fn change(&self, id: u64, change: impl FnOnce(&mut Job)) {
+        let mut state = self.state();
+        if let Some(job) = state.jobs.iter_mut().find(|job| job.id == id) {
+            change(job);
+            let job = job.clone();
+            drop(state);
+            // Nobody may be listening.
+            let _ = self.told.send(job);
+        }
+    }
+
+    fn work(&self) {
+        while let Some((id, study, stop)) = self.next() {
+            let began = Instant::now();
+            let outcome = catch_unwind(AssertUnwindSafe(|| self.run(id, &study, &stop, began)));
+            let outcome = outcome.unwrap_or_else(|_| Err(vec!["the program met an error of its own".to_owned()]));
+            self.state().running = None;
+            self.change(id, |job| {
+                job.seconds = began.elapsed().as_secs_f64();
+                job.draft = None;
+                match outcome {
+                    Ok(Outcome::Finished { result, words, verdict }) => {
+                        job.state = JobState::Done;
+                        (job.result, job.words, job.verdict) = (Some(result), words, verdict);
+                    }
+                    Ok(Outcome::Stopped) => job.state = JobState::Stopped,
+                    Err(complaints) => (job.state, job.complaints) = (JobState::Failed, complaints),
+                }
+            });
+        }
+    }
+
+    /// The next one of the queue, as soon as there is one; nothing after the end.
+    fn next(&self) -> Option<(u64, String, Arc<AtomicBool>)> {
+        let mut state = self.state();
+        loop {
+            if state.is_closed {
+                return None;
+            }
+            if let Some(id) = state.waiting.pop_front()
+                && let Some(study) = state.jobs.iter().find(|job| job.id == id).map(|job| job.study.clone())
+            {
+                let stop = Arc::new(AtomicBool::new(false));
+                state.running = Some((id, Arc::clone(&stop)));
+                return Some((id, study, stop));
+            }
+            state = self.woken.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    fn run(&self, id: u64, path: &str, stop: &AtomicBool, began: Instant) -> Result<Outcome, Vec<String>> {
+        self.change(id, |job| job.state = JobState::Running);
+        let study = read_study(&self.folder, path)?;
+        self.change(id, |job| job.title.clone_from(&study.name));
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let teller = Teller { jobs: self, id, began, last: Mutex::new(None) };
+        run(&self.folder, &study, &teller, stop, threads)
+    }
+}
+
+/// Tells how far a job is.
+struct Teller<'j> {
+    jobs: &'j Jobs,
+    id: u64,
+    began: Instant,
+    last: Mutex<Option<Instant>>,
+}
+
+impl Progress for Teller<'_> {
+    fn runs(&self, finished: usize, most: usize) {
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if last.is_some_and(|last| last.elapsed() < REST) {
+            return;
+        }
+        *last = Some(Instant::now());
+        drop(last);
+        self.jobs.change(self.id, |job| {
+            (job.finished, job.most, job.seconds) = (finished, most, self.began.elapsed().as_secs_f64());
+        });
+    }
+
+    fn wants_drafts(&self) -> bool {
+        true
+    }
+
+    fn draft(&self, draft: &Draft) {
+        let text = draft_text(draft);
+        if !text.is_empty() {
+            self.jobs.change(self.id, |job| job.draft = Some(JobDraft { words: vec![text] }));
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! The studio: a page on loopback in which a mechanism and its study are edited, with the band under the drawing at every change.
+//!
+//! The two text files are the only truth. The page sends texts, the server answers with what it reads in them (`look.rs`), and runs
+//! studies as the command does (`jobs.rs`). No mechanics is computed in the page: the pictures are those of the report.
+//!
+//! | What | File |
+//! |---|---|
+//! | the server, its routes and limits | `server.rs`, `routes.rs` |
+//! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
+//! | the served folder: which paths, reading and writing | `folder.rs` |
+//! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
+//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `quantities.rs` |
+//! | a connection: newest look first | `socket.rs`, `mailbox.rs` |
+//! | studies in the background | `jobs.rs`, `job.rs` |
+//! | messages | `messages.rs` |
+//!
+//! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
+
+mod complaints;
+mod folder;
+mod gallery;
+mod guard;
+mod job;
+mod jobs;
+mod listing;
+mod look;
+mod mailbox;
+mod messages;
+mod page;
+mod quantities;
+mod refusal;
+mod routes;
+mod server;
+mod socket;
+mod texts;
+mod tickets;
+mod token;
+
+pub use server::{Serving, StudioError, serve};

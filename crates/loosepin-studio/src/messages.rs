@@ -1,0 +1,289 @@
+//! What the page and the server say to each other, as JSON. `front/src/messages.ts` has the same types.
+
+use loosepin::report::{LiveBand, MovingDrawing};
+use serde::{Deserialize, Serialize};
+
+/// A text with the path of its file, by which complaints name it.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct SentText {
+    /// Path in the served folder.
+    pub path: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// What the page asks to be read.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Look {
+    /// Counts up; comes back with the answer.
+    pub seq: u64,
+    /// The model.
+    pub model: SentText,
+    /// The study of it, where there is one.
+    pub study: Option<SentText>,
+    /// Positions in a turn.
+    pub positions: usize,
+}
+
+/// What comes over the live connection from the page.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum FromPage {
+    /// The first message.
+    Hello {
+        /// The secret of the address.
+        token: String,
+    },
+    /// Read these texts.
+    Look(Look),
+    /// Run a study that is saved.
+    Run {
+        /// Its path in the served folder.
+        study: String,
+    },
+    /// Stop a job, or take it out of the queue.
+    Stop {
+        /// Its number.
+        id: u64,
+    },
+}
+
+/// What goes over the live connection to the page.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum ToPage<'a> {
+    /// The token was right.
+    Hello {
+        /// Version of the program.
+        version: &'a str,
+        /// Jobs of this server.
+        jobs: Vec<Job>,
+    },
+    /// What was read.
+    Seen(&'a Seen),
+    /// How far a job is.
+    Job {
+        /// It.
+        job: &'a Job,
+    },
+    /// A file of the last look is not as it was.
+    Changed {
+        /// Its path.
+        path: &'a str,
+    },
+    /// A message that is not taken.
+    Refused {
+        /// Why.
+        message: &'a str,
+    },
+}
+
+/// Which of the two texts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Document {
+    /// The mechanism.
+    Model,
+    /// What is uncertain in it, and what is asked.
+    Study,
+}
+
+/// A stretch of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Stretch {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// First UTF-16 unit.
+    pub from: usize,
+    /// Behind the last UTF-16 unit.
+    pub to: usize,
+}
+
+/// A second place that matters to a complaint.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenLabel {
+    /// The text; nothing where it is none of the two.
+    pub document: Option<Document>,
+    /// Where in it.
+    #[serde(flatten)]
+    pub stretch: Option<Stretch>,
+    /// What is said of it.
+    pub text: String,
+}
+
+/// Something wrong, or worth a warning.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenComplaint {
+    /// The text at fault; nothing where it is none of the two.
+    pub document: Option<Document>,
+    /// Path of the file at fault.
+    pub path: Option<String>,
+    /// For `explain`.
+    pub code: &'static str,
+    /// `error` or `warning`.
+    pub severity: String,
+    /// What is wrong.
+    pub message: String,
+    /// The way out.
+    pub hint: Option<String>,
+    /// Where.
+    #[serde(flatten)]
+    pub stretch: Option<Stretch>,
+    /// Other places.
+    pub labels: Vec<SeenLabel>,
+    /// A change that mends it, where one is known.
+    pub fix: Option<Fix>,
+}
+
+/// A change of a text.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fix {
+    /// The text.
+    pub document: Document,
+    /// First UTF-16 unit that goes.
+    pub from: usize,
+    /// Behind the last UTF-16 unit that goes.
+    pub to: usize,
+    /// What comes in its place.
+    pub insert: String,
+    /// What it does, in words.
+    pub words: String,
+}
+
+/// A number of the texts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenQuantity {
+    /// Where it stands: `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// In words.
+    pub words: String,
+    /// The text.
+    pub document: Document,
+    /// What is written, quotes left out.
+    pub written: String,
+    /// First UTF-16 unit.
+    pub from: usize,
+    /// Behind the last UTF-16 unit.
+    pub to: usize,
+    /// `number`, `scatter` or `unknown`.
+    pub kind: &'static str,
+}
+
+/// A joint in the outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenJoint {
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub kind: &'static str,
+    /// Its play, where it has any.
+    pub play: Option<String>,
+}
+
+/// An output in the outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenOutput {
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub words: String,
+}
+
+/// What the mechanism is made of.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Outline {
+    /// Bodies that move.
+    pub bodies: Vec<String>,
+    /// Joints.
+    pub joints: Vec<SeenJoint>,
+    /// Drives.
+    pub drives: Vec<String>,
+    /// Outputs.
+    pub outputs: Vec<SeenOutput>,
+}
+
+/// The mechanism that was read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct View {
+    /// Its name, or that of the study.
+    pub title: String,
+    /// Degrees of freedom and drives, in words.
+    pub mobility: String,
+    /// What play and scatter do without dynamics, in sentences.
+    pub sentences: Vec<String>,
+    /// The mechanism, moving.
+    pub drawing: Option<MovingDrawing>,
+    /// The band of each output that has one.
+    pub bands: Vec<LiveBand>,
+    /// What it is made of.
+    pub outline: Outline,
+    /// Its numbers.
+    pub quantities: Vec<SeenQuantity>,
+}
+
+/// The answer to a look.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Seen {
+    /// That of the look.
+    pub seq: u64,
+    /// Everything wrong, and warnings.
+    pub complaints: Vec<SeenComplaint>,
+    /// The mechanism; nothing where the model cannot be read, or does not move.
+    pub view: Option<View>,
+    /// How long it took.
+    pub cost_ms: f64,
+}
+
+/// The state of a job.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum JobState {
+    /// Others are before it.
+    Waiting,
+    /// It runs.
+    Running,
+    /// Its results are there.
+    Done,
+    /// It came to no result.
+    Failed,
+    /// Somebody stopped it; its runs are kept.
+    Stopped,
+}
+
+/// A study that is run in the background.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Job {
+    /// Its number.
+    pub id: u64,
+    /// The study.
+    pub study: String,
+    /// Its name.
+    pub title: String,
+    /// What becomes of it.
+    pub state: JobState,
+    /// Finished runs.
+    pub finished: usize,
+    /// The runs that it may come to.
+    pub most: usize,
+    /// Since it began to run.
+    pub seconds: f64,
+    /// What came out, in sentences.
+    pub words: Vec<String>,
+    /// What is known before it is finished.
+    pub draft: Option<JobDraft>,
+    /// What is wrong, where it failed.
+    pub complaints: Vec<String>,
+    /// Folder of its results, in the served folder.
+    pub result: Option<String>,
+    /// Over all requirements.
+    pub verdict: Option<&'static str>,
+}
+
+/// What is known of a study before it is finished.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct JobDraft {
+    /// In sentences.
+    pub words: Vec<String>,
+}

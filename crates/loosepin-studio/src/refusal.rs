@@ -1,0 +1,55 @@
+//! Why a request is not served.
+
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use serde::Serialize;
+
+/// A request that is not served: the status, what is wrong, and the way out.
+#[derive(Debug)]
+pub struct Refusal {
+    /// Of the answer.
+    pub status: StatusCode,
+    /// What is wrong.
+    pub message: String,
+    /// The way out, where one is known.
+    pub hint: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Body<'a> {
+    message: &'a str,
+    hint: Option<&'a str>,
+}
+
+impl Refusal {
+    /// Without a way out.
+    pub fn new(status: StatusCode, message: impl Into<String>) -> Self {
+        Self { status, message: message.into(), hint: None }
+    }
+
+    /// With a way out.
+    pub fn with_hint(self, hint: impl Into<String>) -> Self {
+        Self { hint: Some(hint.into()), ..self }
+    }
+
+    /// What cannot be read as asked for.
+    pub fn bad(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::BAD_REQUEST, message)
+    }
+}
+
+impl IntoResponse for Refusal {
+    fn into_response(self) -> Response {
+        let body = Body { message: &self.message, hint: self.hint.as_deref() };
+        (self.status, json(&body)).into_response()
+    }
+}
+
+/// A record as an answer.
+pub fn json<T: Serialize>(record: &T) -> Response {
+    match serde_json::to_vec(record) {
+        Ok(bytes) => ([("content-type", "application/json")], bytes).into_response(),
+        // Records of the studio have a form in JSON; numbers that are not finite are written as null.
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}

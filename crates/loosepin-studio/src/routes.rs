@@ -1,0 +1,196 @@
+//! What is asked by plain requests: files, templates, results.
+
+use axum::body::Bytes;
+use axum::extract::{Path, Query, State};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
+use loosepin::VERSION;
+use loosepin::diagnostics::Code;
+use loosepin::results::REPORT_FILE;
+use loosepin::templates::{find_template, write_template};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::folder::{LARGEST_TEXT, StoredText};
+use crate::gallery::cards;
+use crate::listing::listing;
+use crate::page;
+use crate::refusal::{Refusal, json};
+use crate::server::Studio;
+use crate::texts::{model_beside, plain};
+
+/// What a report may do in its frame: show itself and save figures. It has an origin of its own, so that it cannot ask the studio.
+const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 'none'; style-src 'unsafe-inline'; \
+    script-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; frame-ancestors 'self'";
+/// Characters of a new folder's name.
+const LONGEST_NAME: usize = 64;
+
+type Answer = Result<Response, Refusal>;
+
+pub async fn index(headers: HeaderMap) -> Response {
+    // The guard has seen that there is one, and that it is this machine.
+    page::index(headers.get("host").and_then(|host| host.to_str().ok()).unwrap_or("127.0.0.1"))
+}
+
+pub async fn asset(Path(name): Path<String>) -> Response {
+    page::asset(&name)
+}
+
+pub async fn hello(State(studio): State<Studio>) -> Response {
+    #[derive(Serialize)]
+    struct Limits {
+        text_bytes: usize,
+    }
+    #[derive(Serialize)]
+    struct Hello {
+        version: &'static str,
+        folder: String,
+        limits: Limits,
+    }
+    let folder = studio.folder.root().display().to_string();
+    json(&Hello { version: VERSION, folder, limits: Limits { text_bytes: LARGEST_TEXT } })
+}
+
+pub async fn templates(State(studio): State<Studio>) -> Answer {
+    let folder = studio.folder.clone();
+    let cards = in_background(move || Ok(cards(&folder))).await?;
+    Ok(json(&cards))
+}
+
+pub async fn folder(State(studio): State<Studio>) -> Answer {
+    let folder = studio.folder.clone();
+    let listing = in_background(move || Ok(listing(&folder))).await?;
+    Ok(json(&listing))
+}
+
+#[derive(Deserialize)]
+pub struct Opened {
+    path: String,
+}
+
+#[derive(Serialize)]
+struct OpenedText {
+    path: String,
+    text: String,
+    tag: String,
+}
+
+pub async fn open(
+    State(studio): State<Studio>,
+    query: Result<Query<Opened>, axum::extract::rejection::QueryRejection>,
+) -> Answer {
+    #[derive(Serialize)]
+    struct Both {
+        model: Option<OpenedText>,
+        study: Option<OpenedText>,
+    }
+    let Query(Opened { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
+    let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
+    let first = studio.folder.read(&path)?;
+    let model_path = model_beside(&path, &first.text);
+    Ok(json(&match model_path {
+        None => Both { model: Some(opened(path, first)), study: None },
+        Some(model_path) => {
+            let model_path = plain(&model_path);
+            let model = studio.folder.read(&model_path).ok().map(|found| opened(model_path, found));
+            Both { model, study: Some(opened(path, first)) }
+        }
+    }))
+}
+
+pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Saved {
+        path: String,
+        text: String,
+        tag: Option<String>,
+    }
+    #[derive(Serialize)]
+    struct Tag {
+        tag: String,
+    }
+    let Saved { path, text, tag } = parsed(&body)?;
+    Ok(json(&Tag { tag: studio.folder.write(&path, &text, tag.as_deref())? }))
+}
+
+pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct New {
+        template: String,
+        folder: String,
+    }
+    #[derive(Serialize)]
+    struct Written {
+        model: String,
+        study: String,
+    }
+    let New { template, folder } = parsed(&body)?;
+    let template = find_template(&template).ok_or_else(|| {
+        Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
+    })?;
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if folder.is_empty() || folder.len() > LONGEST_NAME || !folder.chars().all(is_plain) {
+        return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
+    }
+    let place = studio.folder.root().join(&folder);
+    if std::fs::symlink_metadata(&place).is_ok() {
+        return Err(Refusal::new(StatusCode::CONFLICT, format!("'{folder}' is there already")));
+    }
+    write_template(template, &place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
+    Ok(json(&Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") }))
+}
+
+pub async fn explain(Path(code): Path<String>) -> Answer {
+    #[derive(Serialize)]
+    struct Explained {
+        code: &'static str,
+        title: &'static str,
+        text: &'static str,
+    }
+    let code: Code =
+        code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such code of a complaint"))?;
+    let entry = code.entry();
+    Ok(json(&Explained { code: entry.text, title: entry.title, text: entry.explanation }))
+}
+
+pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Viewed {
+        path: String,
+    }
+    #[derive(Serialize)]
+    struct Address {
+        address: String,
+    }
+    let Viewed { path } = parsed(&body)?;
+    let report = studio.folder.existing(&format!("{}/{REPORT_FILE}", path.trim_end_matches('/')))?;
+    let ticket = studio
+        .tickets
+        .issue(report)
+        .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
+    Ok(json(&Address { address: format!("/view/{ticket}") }))
+}
+
+pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
+    let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was used already, or is too old");
+    let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
+    let page = in_background(move || std::fs::read(&path).map_err(|error| Refusal::bad(error.to_string()))).await?;
+    let headers = [("content-type", "text/html; charset=utf-8"), ("content-security-policy", REPORT_POLICY)];
+    Ok((headers, page).into_response())
+}
+
+pub async fn missing() -> Refusal {
+    Refusal::new(StatusCode::NOT_FOUND, "the studio has no such address")
+}
+
+fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
+    serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this body is none of the studio's: {error}")))
+}
+
+/// What takes longer than the other connections are to wait.
+async fn in_background<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, Refusal> + Send + 'static,
+) -> Result<T, Refusal> {
+    let failed = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "the program met an error of its own");
+    tokio::task::spawn_blocking(work).await.map_err(failed)?
+}

@@ -1,0 +1,187 @@
+//! A live connection: looks up, what is seen of them down, jobs to everybody.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use axum::extract::State;
+use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
+use axum::response::{IntoResponse, Response};
+use loosepin::VERSION;
+use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::mpsc;
+use tokio::time::timeout;
+
+use crate::folder::{Folder, LARGEST_TEXT};
+use crate::look::look;
+use crate::mailbox::Mailbox;
+use crate::messages::{FromPage, Look, ToPage};
+use crate::refusal::Refusal;
+use crate::server::Studio;
+
+/// Time for the first message.
+const PATIENCE: Duration = Duration::from_secs(2);
+/// Longest message: two texts, each letter escaped.
+const LARGEST_MESSAGE: usize = 4 * LARGEST_TEXT;
+/// Most messages in a second: twice those of a screen that drags.
+const MOST_A_SECOND: u32 = 200;
+/// How often the files of the last look are looked at.
+const WATCH: Duration = Duration::from_secs(1);
+
+/// Opens a live connection.
+pub async fn live(State(studio): State<Studio>, upgrade: WebSocketUpgrade) -> Response {
+    let Ok(seat) = Arc::clone(&studio.seats).try_acquire_owned() else {
+        return Refusal::new(axum::http::StatusCode::SERVICE_UNAVAILABLE, "too many pages of the studio are open")
+            .with_hint("close some of them")
+            .into_response();
+    };
+    upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE).on_upgrade(async move |socket| {
+        converse(studio, socket).await;
+        drop(seat);
+    })
+}
+
+async fn converse(studio: Studio, mut socket: WebSocket) {
+    let hello = timeout(PATIENCE, socket.recv()).await;
+    let Ok(Some(Ok(Message::Text(first)))) = hello else { return };
+    let is_known = matches!(serde_json::from_str(&first), Ok(FromPage::Hello { token }) if studio.token.is(&token));
+    if !is_known {
+        let _ = tell(&mut socket, &ToPage::Refused { message: "the token of the studio is missing or wrong" }).await;
+        return;
+    }
+    let mut jobs = studio.jobs.listen();
+    if tell(&mut socket, &ToPage::Hello { version: VERSION, jobs: studio.jobs.all() }).await.is_err() {
+        return;
+    }
+    let mailbox = Arc::new(Mailbox::new());
+    let (answers, mut seen) = mpsc::unbounded_channel();
+    let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
+    let worker = std::thread::spawn(move || look_on(&worker_folder, &worker_box, &answers));
+    let mut rate = Rate::new();
+    let mut watched = Watched::default();
+    let mut watch = tokio::time::interval(WATCH);
+    loop {
+        let outcome = tokio::select! {
+            message = socket.recv() => match message {
+                Some(Ok(Message::Text(text))) => {
+                    if !rate.admits() {
+                        break;
+                    }
+                    match serde_json::from_str(&text) {
+                        Ok(FromPage::Look(look)) => {
+                            watched.looked(&look);
+                            mailbox.put(look);
+                            Ok(())
+                        }
+                        Ok(FromPage::Run { study }) => match studio.jobs.add(&study) {
+                            Ok(()) => Ok(()),
+                            Err(message) => tell(&mut socket, &ToPage::Refused { message: &message }).await,
+                        },
+                        Ok(FromPage::Stop { id }) => {
+                            studio.jobs.stop(id);
+                            Ok(())
+                        }
+                        Ok(FromPage::Hello { .. }) => Ok(()),
+                        Err(error) => {
+                            let message = format!("this message is none of the studio's: {error}");
+                            tell(&mut socket, &ToPage::Refused { message: &message }).await
+                        }
+                    }
+                }
+                Some(Ok(Message::Ping(_) | Message::Pong(_))) => Ok(()),
+                _ => break,
+            },
+            Some(text) = seen.recv() => send(&mut socket, text).await,
+            job = jobs.recv() => match job {
+                Ok(job) => tell(&mut socket, &ToPage::Job { job: &job }).await,
+                // The next message on each job says how far it is.
+                Err(RecvError::Lagged(_)) => Ok(()),
+                Err(RecvError::Closed) => break,
+            },
+            _ = watch.tick() => {
+                let mut outcome = Ok(());
+                for path in watched.changed(&studio.folder) {
+                    outcome = outcome.and(tell(&mut socket, &ToPage::Changed { path: &path }).await);
+                }
+                outcome
+            }
+        };
+        if outcome.is_err() {
+            break;
+        }
+    }
+    mailbox.close();
+    // It ends with the look that it is at.
+    drop(worker);
+}
+
+/// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
+fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &mpsc::UnboundedSender<String>) {
+    while let Some(request) = mailbox.take() {
+        let text = catch_unwind(AssertUnwindSafe(|| {
+            let seen = look(folder, &request);
+            serde_json::to_string(&ToPage::Seen(&seen)).unwrap_or_default()
+        }));
+        let text = text.unwrap_or_else(|_| {
+            let message = "the program met an error of its own while it read these texts";
+            serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()
+        });
+        if answers.send(text).is_err() {
+            return;
+        }
+    }
+}
+
+async fn tell(socket: &mut WebSocket, message: &ToPage<'_>) -> Result<(), axum::Error> {
+    send(socket, serde_json::to_string(message).unwrap_or_default()).await
+}
+
+async fn send(socket: &mut WebSocket, text: String) -> Result<(), axum::Error> {
+    socket.send(Message::Text(text.into())).await
+}
+
+/// Messages of the second that runs.
+struct Rate {
+    began: Instant,
+    count: u32,
+}
+
+impl Rate {
+    fn new() -> Self {
+        Self { began: Instant::now(), count: 0 }
+    }
+
+    fn admits(&mut self) -> bool {
+        if self.began.elapsed() >= Duration::from_secs(1) {
+            *self = Self::new();
+        }
+        self.count += 1;
+        self.count <= MOST_A_SECOND
+    }
+}
+
+/// The files of the last look, with what the disk had of them when it was last looked at.
+#[derive(Default)]
+struct Watched(Vec<(String, Option<std::time::SystemTime>)>);
+
+impl Watched {
+    fn looked(&mut self, look: &Look) {
+        let paths = || std::iter::once(&look.model.path).chain(look.study.iter().map(|study| &study.path));
+        if !paths().eq(self.0.iter().map(|(path, _)| path)) {
+            self.0 = paths().map(|path| (path.clone(), None)).collect();
+        }
+    }
+
+    /// Those that are not as they were a tick ago.
+    fn changed(&mut self, folder: &Folder) -> Vec<String> {
+        let mut changed = Vec::new();
+        for (path, known) in &mut self.0 {
+            let found = folder.existing(path).ok().and_then(|whole| std::fs::metadata(whole).ok()?.modified().ok());
+            if known.is_some() && found != *known {
+                changed.push(path.clone());
+            }
+            *known = found;
+        }
+        changed
+    }
+}

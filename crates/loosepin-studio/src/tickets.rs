@@ -1,0 +1,56 @@
+//! Tickets by which a frame of the page fetches a report, once: a frame sends no token, and a report is a file that somebody may have
+//! sent by mail.
+
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::token::Token;
+
+/// How long a ticket is good.
+const LIFE: Duration = Duration::from_secs(30);
+/// Most tickets at once.
+const MOST: usize = 64;
+
+/// The tickets that are out.
+#[derive(Default)]
+pub struct Tickets(Mutex<HashMap<String, (Instant, PathBuf)>>);
+
+impl Tickets {
+    /// A ticket for a file.
+    ///
+    /// # Errors
+    /// The system has no source of random bytes.
+    pub fn issue(&self, path: PathBuf) -> Result<String, getrandom::Error> {
+        let ticket = Token::new()?.text().to_owned();
+        let mut tickets = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        tickets.retain(|_, (issued, _)| issued.elapsed() < LIFE);
+        if tickets.len() >= MOST {
+            tickets.clear();
+        }
+        tickets.insert(ticket.clone(), (Instant::now(), path));
+        Ok(ticket)
+    }
+
+    /// The file that a ticket is for; it is used up.
+    pub fn redeem(&self, ticket: &str) -> Option<PathBuf> {
+        let mut tickets = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let (issued, path) = tickets.remove(ticket)?;
+        (issued.elapsed() < LIFE).then_some(path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ticket_is_good_once() {
+        let tickets = Tickets::default();
+        let ticket = tickets.issue(PathBuf::from("report.html")).unwrap();
+        assert_eq!(tickets.redeem("other"), None);
+        assert_eq!(tickets.redeem(&ticket), Some(PathBuf::from("report.html")));
+        assert_eq!(tickets.redeem(&ticket), None);
+    }
+}

@@ -1,0 +1,114 @@
+//! Studies in the background.
+
+use std::path::Path;
+use std::process::Command;
+
+use crate::client::{Live, Server};
+use loosepin::templates::find_template;
+use serde_json::{Value, json};
+
+/// A study that takes a second or two.
+fn written(folder: &Path) -> String {
+    let template = find_template("slider-crank").unwrap();
+    std::fs::create_dir(folder.join("mine")).unwrap();
+    std::fs::write(folder.join("mine/model.toml"), template.model).unwrap();
+    std::fs::write(folder.join("mine/study.toml"), template.study).unwrap();
+    "mine/study.toml".to_owned()
+}
+
+/// The job when it has come to its end; every message on it is given to `hears`.
+fn ended(live: &mut Live, mut hears: impl FnMut(&Value)) -> Value {
+    loop {
+        let job = live.next_of("job")["job"].clone();
+        hears(&job);
+        if job["state"] != "waiting" && job["state"] != "running" {
+            return job;
+        }
+    }
+}
+
+#[test]
+fn a_study_of_the_studio_is_that_of_the_command_byte_for_byte() {
+    let desk = tempfile::tempdir().unwrap();
+    let study = written(desk.path());
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    live.send(&json!({"kind": "run", "study": study}));
+    let mut drafts = 0;
+    let job = ended(&mut live, |job| drafts += usize::from(job["draft"].is_object()));
+    assert_eq!(job["state"], "done", "{job}");
+    assert!(drafts > 0, "something is known before the end");
+    assert!(!job["words"].as_array().unwrap().is_empty() && job["verdict"].is_string(), "{job}");
+    let result = desk.path().join(job["result"].as_str().unwrap());
+    let summary = std::fs::read(result.join("summary.json")).unwrap();
+    // The library as the command calls it, on the same paths, in a process of its own.
+    let out = desk.path().join("by_command");
+    let program = std::env::var("LOOSEPIN").unwrap_or_else(|_| {
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap();
+        target.join("debug/loosepin").display().to_string()
+    });
+    let done = Command::new(&program).args(["study", &study, "--out"]).arg(&out).current_dir(desk.path()).output();
+    match done {
+        Ok(done) => assert!(matches!(done.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&done.stderr)),
+        Err(error) => panic!("{program}: {error}\nhint: cargo build --package loosepin-cli"),
+    }
+    assert!(summary == std::fs::read(out.join("summary.json")).unwrap(), "summary.json differs");
+    // It is listed, and its page can be seen once.
+    let (_, listing) = server.ask("GET", "/api/folder", "");
+    let listed = listing["results"].as_array().unwrap().iter().find(|found| found["path"] == job["result"]);
+    assert_eq!(listed.unwrap()["verdict"], job["verdict"]);
+    let (status, address) = server.ask("POST", "/api/view", &json!({"path": job["result"]}).to_string());
+    assert_eq!(status, 200, "{address}");
+    let address = address["address"].as_str().unwrap();
+    let request = format!("GET {address} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", server.host);
+    let page = server.whole(&request);
+    assert!(
+        page.contains("content-security-policy: sandbox allow-scripts") && page.contains("</html>"),
+        "{:.600}",
+        page
+    );
+    assert_eq!(server.ask("GET", address, "").0, 404, "a ticket is good once");
+    // Asked for again it is found, not run.
+    live.send(&json!({"kind": "run", "study": study}));
+    let again = ended(&mut live, |_| {});
+    assert_eq!((&again["state"], &again["result"]), (&json!("done"), &job["result"]));
+}
+
+#[test]
+fn a_stopped_study_goes_on_where_it_was() {
+    let desk = tempfile::tempdir().unwrap();
+    let study = written(desk.path());
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    live.send(&json!({"kind": "run", "study": study}));
+    let running = loop {
+        let job = live.next_of("job")["job"].clone();
+        if job["finished"].as_u64().unwrap() > 0 || job["state"] == "done" {
+            break job;
+        }
+    };
+    live.send(&json!({"kind": "stop", "id": running["id"]}));
+    let stopped = ended(&mut live, |_| {});
+    // A machine may be so fast that nothing was left to stop.
+    assert!(stopped["state"] == "stopped" || stopped["state"] == "done", "{stopped}");
+    live.send(&json!({"kind": "run", "study": study}));
+    let job = ended(&mut live, |_| {});
+    assert_eq!(job["state"], "done", "{job}");
+}
+
+#[test]
+fn what_cannot_be_run_says_why() {
+    let desk = tempfile::tempdir().unwrap();
+    let study = written(desk.path());
+    let path = desk.path().join(&study);
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replacen("[random]", "[randum]", 1)).unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    live.send(&json!({"kind": "run", "study": study}));
+    let job = ended(&mut live, |_| {});
+    assert_eq!(job["state"], "failed", "{job}");
+    assert!(job["complaints"][0].as_str().unwrap().contains("randum"), "{job}");
+    live.send(&json!({"kind": "run", "study": "../elsewhere/study.toml"}));
+    assert_eq!(ended(&mut live, |_| {})["state"], "failed");
+}

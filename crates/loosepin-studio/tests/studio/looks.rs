@@ -1,0 +1,99 @@
+//! What is seen of texts.
+
+use crate::client::Server;
+use loosepin::templates::find_template;
+use serde_json::Value;
+
+/// What lies between two UTF-16 offsets of a text.
+fn stretch(text: &str, place: &Value) -> String {
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let [from, to] = ["from", "to"].map(|end| place[end].as_u64().expect("an offset") as usize);
+    String::from_utf16(&units[from..to]).unwrap()
+}
+
+#[test]
+fn a_template_is_drawn_with_its_bands() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let template = find_template("four-bar").unwrap();
+    let mut live = server.live();
+    let seen = live.look(7, ("m/model.toml", template.model), Some(("m/study.toml", template.study)));
+    assert_eq!(seen["seq"], 7);
+    assert_eq!(seen["complaints"].as_array().unwrap().len(), 0, "{}", seen["complaints"]);
+    let view = &seen["view"];
+    assert_eq!(view["mobility"], "1 degree of freedom, 1 drive");
+    // A body for each of the three moving links and the ground, at each of 73 positions.
+    let motion = &view["drawing"]["motion"];
+    assert_eq!(motion["bodies"].as_array().unwrap().len(), 4);
+    assert_eq!(motion["angle_deg"].as_array().unwrap().len(), 73);
+    let band = &view["bands"][0];
+    assert!(band["figure"].as_str().unwrap().starts_with("<svg xmlns="));
+    let shares: f64 = band["parts"].as_array().unwrap().iter().map(|part| part["share"].as_f64().unwrap()).sum();
+    assert!((shares - 1.0).abs() < 1e-12, "{shares}");
+    let joints = view["outline"]["joints"].as_array().unwrap();
+    assert!(joints.iter().any(|joint| joint["play"].is_string()), "{joints:?}");
+    // Each field replaces what it shows.
+    let quantities = view["quantities"].as_array().unwrap();
+    assert!(quantities.iter().any(|quantity| quantity["kind"] == "unknown"), "{quantities:?}");
+    for quantity in quantities {
+        let text = if quantity["document"] == "model" { template.model } else { template.study };
+        assert_eq!(quantity["written"], stretch(text, quantity), "{quantity}");
+    }
+}
+
+#[test]
+fn the_band_is_twice_as_wide_with_twice_the_play() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let model = find_template("slider-crank").unwrap().model;
+    let line = model.lines().find(|line| line.starts_with("radial_clearance")).unwrap();
+    let mut live = server.live();
+    let mut widest = |seq, play: &str| {
+        let text = model.replace(line, &format!("radial_clearance = \"{play}\""));
+        let seen = live.look(seq, ("model.toml", &text), None);
+        let words = seen["view"]["bands"][0]["largest"].as_str().expect("a band").to_owned();
+        let number = words.split('±').nth(1).and_then(|rest| rest.split_whitespace().next()).unwrap();
+        number.parse::<f64>().unwrap_or_else(|_| panic!("{words}"))
+    };
+    let [single, double] = [widest(1, "0.1 mm"), widest(2, "0.2 mm")];
+    assert!((double / single - 2.0).abs() < 0.01, "{single} {double}");
+}
+
+#[test]
+fn a_wrong_text_is_shown_at_its_place() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let template = find_template("four-bar").unwrap();
+    // A letter of two UTF-16 units before the mistake.
+    let model = format!("# 𝛼\n{}", template.model.replacen("9.81 m/s^2", "9.81 m/s^5", 1));
+    let mut live = server.live();
+    let seen = live.look(1, ("model.toml", &model), None);
+    assert!(seen["view"].is_null());
+    let complaint = &seen["complaints"][0];
+    assert_eq!((&complaint["document"], &complaint["severity"]), (&Value::from("model"), &Value::from("error")));
+    assert!(stretch(&model, complaint).contains("m/s^5"), "{complaint}");
+    // A wrong study does not hide its model.
+    let study = template.study.replacen("[random]", "[randum]", 1);
+    assert_ne!(study, template.study);
+    let seen = live.look(2, ("model.toml", template.model), Some(("study.toml", &study)));
+    assert!(seen["view"]["drawing"]["svg"].is_string());
+    assert_eq!(seen["complaints"][0]["document"], "study");
+}
+
+#[test]
+fn names_of_files_are_only_ever_text() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let template = find_template("four-bar").unwrap();
+    // A joint cannot be called so; what can is a title, which stands in pictures and complaints.
+    let study = template.study.replacen("name = \"", "name = \"<script>alert(1)</script> ", 1);
+    let mut live = server.live();
+    let seen = live.look(1, ("model.toml", template.model), Some(("study.toml", &study)));
+    assert!(seen["view"]["title"].as_str().unwrap().starts_with("<script>"));
+    let drawn = seen["view"]["drawing"]["svg"].as_str().unwrap();
+    assert!(!drawn.contains("<script"), "{drawn}");
+    let model = template.model.replace("rocker_pin", "\"<script>\"");
+    let seen = live.look(2, ("model.toml", &model), None);
+    assert!(seen["view"].is_null());
+    assert!(!seen["complaints"].as_array().unwrap().is_empty());
+}

@@ -1,0 +1,7 @@
+//! The studio as its page meets it, and as somebody does who wants in.
+
+mod client;
+mod files;
+mod hostile;
+mod jobs;
+mod looks;
