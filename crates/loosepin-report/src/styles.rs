@@ -18,7 +18,7 @@ pub(super) fn saved_style() -> String {
     let light = COLOURS.split_once("@media").map_or(COLOURS, |(light, _)| light);
     let colours =
         light.lines().filter_map(|line| line.trim().strip_prefix("--")?.trim_end_matches(';').split_once(": "));
-    // Longer names first: `--random` is the beginning of `--random-fill`.
+    // The bracket ends the name: `--random` does not meet `--random-fill`.
     let mut style = FIGURE_STYLE.to_owned();
     for (name, colour) in colours {
         style = style.replace(&format!("var(--{name})"), colour);
