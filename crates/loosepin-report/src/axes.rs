@@ -4,12 +4,26 @@ use maud::{Markup, html};
 
 use super::ticks::{tick_text, ticks};
 
-/// Room for numbers on the left and below.
+/// Room below the curves, for numbers and the name of the axis, and at sides without numbers.
+pub(super) const BELOW: f64 = 46.0;
+pub(super) const MARGIN: f64 = 18.0;
+/// Distance of the numbers below an axis from it, of those beside an axis, and of the name from the lower edge of the picture.
+pub(super) const NUMBERS_BELOW: f64 = 17.0;
+pub(super) const NUMBERS_BESIDE: f64 = 7.0;
+pub(super) const NAME_ABOVE_EDGE: f64 = 8.0;
+/// Half the height of a digit: numbers beside an axis stand so far below their tick.
+pub(super) const HALF_DIGIT: f64 = 4.0;
+/// Where the line of the upright name stands, from the left edge of the picture.
+pub(super) const UPRIGHT_NAME: f64 = 13.0;
+/// Room for numbers on the left.
 const LEFT: f64 = 74.0;
-const BELOW: f64 = 46.0;
-const MARGIN: f64 = 18.0;
 /// Ticks of an axis, about.
 const TICKS: f64 = 6.0;
+
+/// A quantity with the symbol of its unit in brackets, for axes and heads of columns; a pure number has none.
+pub(super) fn with_unit(words: &str, symbol: &str) -> String {
+    if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") }
+}
 
 /// The part of an axis that is shown, in display units.
 pub(super) struct Axis {
@@ -71,24 +85,22 @@ impl Axes {
             @for tick in x_ticks {
                 @let place = self.across(tick);
                 line.grid x1=(format!("{place:.1}")) x2=(format!("{place:.1}")) y1=(MARGIN) y2=(bottom) {}
-                text x=(format!("{place:.1}")) y=(bottom + 17.0) text-anchor="middle" { (tick_text(tick, x_step)) }
+                text x=(format!("{place:.1}")) y=(bottom + NUMBERS_BELOW) text-anchor="middle" { (tick_text(tick, x_step)) }
             }
             @for tick in y_ticks {
                 @let place = self.up(tick);
                 line.grid x1=(LEFT) x2=(right) y1=(format!("{place:.1}")) y2=(format!("{place:.1}")) {}
-                text x=(LEFT - 8.0) y=(format!("{:.1}", place + 4.0)) text-anchor="end" { (tick_text(tick, y_step)) }
+                text x=(LEFT - NUMBERS_BESIDE) y=(format!("{:.1}", place + HALF_DIGIT)) text-anchor="end" { (tick_text(tick, y_step)) }
             }
         }
     }
 
     /// Names of the axes, each with the symbol of its unit.
     pub fn labels(&self, x: [&str; 2], y: [&str; 2]) -> Markup {
-        let label = |[words, symbol]: [&str; 2]| {
-            if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") }
-        };
+        let label = |[words, symbol]: [&str; 2]| with_unit(words, symbol);
         html! {
-            text x=(0.5 * (LEFT + self.width - MARGIN)) y=(self.height - 8.0) text-anchor="middle" { (label(x)) }
-            text transform=(format!("translate(14 {}) rotate(-90)", 0.5 * (self.height - BELOW))) text-anchor="middle" {
+            text x=(0.5 * (LEFT + self.width - MARGIN)) y=(self.height - NAME_ABOVE_EDGE) text-anchor="middle" { (label(x)) }
+            text transform=(format!("translate({UPRIGHT_NAME} {}) rotate(-90)", 0.5 * (self.height - BELOW))) text-anchor="middle" {
                 (label(y))
             }
         }

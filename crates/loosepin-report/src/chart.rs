@@ -196,4 +196,9 @@ impl Chart {
         let chart = Chart::over(id, &label, angles_rad, &SiUnit::ANGLE, writer);
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }
+
+    /// Whether it is over angles of a drive in degrees: those have ticks of their own, and follow the cursor of the page.
+    pub fn is_in_degrees(&self) -> bool {
+        self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°"
+    }
 }

@@ -2,15 +2,14 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Dots, Entry, EntryValues, HorizontalAxis};
+use super::axes::{BELOW, HALF_DIGIT, MARGIN, NAME_ABOVE_EDGE, NUMBERS_BELOW, NUMBERS_BESIDE, UPRIGHT_NAME, with_unit};
+use super::chart::{Chart, Dots, Entry, EntryValues};
 use super::ticks::{tick_text, ticks};
 
 /// Width of a picture; a unit is about a pixel. The script fits it to the width of the page.
 const WIDTH: f64 = 760.0;
-/// Rooms above and to the right of the curves, and below them for numbers and the name of the axis.
+/// Room above the curves.
 const ABOVE: f64 = 10.0;
-const RIGHT: f64 = 18.0;
-const BELOW: f64 = 46.0;
 /// Room for the name of the vertical axis, and for a character of its numbers.
 const NAME: f64 = 26.0;
 const CHARACTER: f64 = 7.2;
@@ -78,15 +77,11 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
     let y_texts: Vec<String> = y_ticks.iter().map(|tick| tick_text(*tick, y_step)).collect();
     let longest = y_texts.iter().map(|text| text.chars().count()).max().unwrap_or(1).max(3);
     let left = NAME + CHARACTER * longest as f64;
-    let plot = Plot { left, top: ABOVE, width: WIDTH - left - RIGHT, height: plot_height, x: x_range(chart), y };
-    let are_angles = chart.horizontal == HorizontalAxis::Angle && chart.x_symbol == "°";
+    let plot = Plot { left, top: ABOVE, width: WIDTH - left - MARGIN, height: plot_height, x: x_range(chart), y };
     let least = (plot.x[1] - plot.x[0]) * LEAST_ACROSS / plot.width;
-    let (x_ticks, x_step) = ticks(plot.x[0], plot.x[1], least, are_angles);
+    let (x_ticks, x_step) = ticks(plot.x[0], plot.x[1], least, chart.is_in_degrees());
     let told = |angle: f64| if is_one_turn(chart, &plot) { angle.rem_euclid(360.0) } else { angle };
     let bottom = plot.top + plot.height;
-    let label = |words: &str, symbol: &str| {
-        if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") }
-    };
     let clip = format!("clip-{}", chart.id);
     let at = |number: f64| format!("{number:.1}");
     let drawn = html! {
@@ -106,14 +101,14 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
             @for (tick, text) in y_ticks.iter().zip(&y_texts) {
                 @let place = at(plot.up(*tick));
                 line.grid x1=(at(plot.left)) x2=(at(plot.left + plot.width)) y1=(place) y2=(place) {}
-                text x=(at(plot.left - 7.0)) y=(at(plot.up(*tick) + 4.0)) text-anchor="end" { (text) }
+                text x=(at(plot.left - NUMBERS_BESIDE)) y=(at(plot.up(*tick) + HALF_DIGIT)) text-anchor="end" { (text) }
             }
         }
         g.across {
             @for tick in &x_ticks {
                 @let place = at(plot.across(*tick));
                 line.grid x1=(place) x2=(place) y1=(at(plot.top)) y2=(at(bottom)) {}
-                text x=(place) y=(at(bottom + 17.0)) text-anchor="middle" { (tick_text(told(*tick), x_step)) }
+                text x=(place) y=(at(bottom + NUMBERS_BELOW)) text-anchor="middle" { (tick_text(told(*tick), x_step)) }
             }
         }
         g.curves clip-path=(format!("url(#{clip})")) {
@@ -139,11 +134,11 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
                 }
             }
         }
-        text.name.of-x x=(at(plot.left + 0.5 * plot.width)) y=(at(height - 8.0)) text-anchor="middle" {
-            (label(&chart.x_label, &chart.x_symbol))
+        text.name.of-x x=(at(plot.left + 0.5 * plot.width)) y=(at(height - NAME_ABOVE_EDGE)) text-anchor="middle" {
+            (with_unit(&chart.x_label, &chart.x_symbol))
         }
-        text.name.of-y transform=(format!("translate(13 {}) rotate(-90)", at(plot.top + 0.5 * plot.height))) text-anchor="middle" {
-            (label(&chart.y_label, &chart.y_symbol))
+        text.name.of-y transform=(format!("translate({UPRIGHT_NAME} {}) rotate(-90)", at(plot.top + 0.5 * plot.height))) text-anchor="middle" {
+            (with_unit(&chart.y_label, &chart.y_symbol))
         }
         (key(chart, &plot, height))
     };
@@ -163,7 +158,7 @@ fn key(chart: &Chart, plot: &Plot, top: f64) -> Markup {
                     rect class={ "fill " (entry.role.class()) } x=(format!("{x:.1}")) y=(format!("{:.1}", y - 5.0)) width="24" height="10" {}
                 }
                 path class=(line_class(entry)) d=(format!("M{x:.1} {y:.1}h24")) {}
-                text x=(format!("{:.1}", x + 31.0)) y=(format!("{:.1}", y + 4.0)) { (entry.label) }
+                text x=(format!("{:.1}", x + 31.0)) y=(format!("{:.1}", y + HALF_DIGIT)) { (entry.label) }
             }
         }
     }
@@ -179,8 +174,7 @@ fn line_class(entry: &Entry) -> String {
 fn x_range(chart: &Chart) -> [f64; 2] {
     let finite: Vec<f64> = chart.x.iter().copied().flatten().collect();
     let [from, to] = range(finite.iter().copied());
-    if chart.horizontal == HorizontalAxis::Angle
-        && chart.x_symbol == "°"
+    if chart.is_in_degrees()
         && let [.., before, last] = finite[..]
         && (to + (last - before) - from - 360.0).abs() < 1e-6
     {
@@ -206,10 +200,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 
 /// One turn that does not begin at 0° is still told in angles from 0° to 360°.
 fn is_one_turn(chart: &Chart, plot: &Plot) -> bool {
-    chart.horizontal == HorizontalAxis::Angle
-        && chart.x_symbol == "°"
-        && (plot.x[1] - plot.x[0] - 360.0).abs() < 1e-3
-        && plot.x[0] != 0.0
+    chart.is_in_degrees() && (plot.x[1] - plot.x[0] - 360.0).abs() < 1e-3 && plot.x[0] != 0.0
 }
 
 /// A line through points; it breaks where there is none.
@@ -286,7 +277,7 @@ mod tests {
         let chart = chart(&[0.0, 90.0, 180.0, 250.0], &[0.0, 2.0, f64::NAN, 1.0]);
         let Drawn { view, plot, .. } = drawing(&chart);
         let path = line(&chart, &plot, chart.entries[0].values.lists()[0]);
-        let right = view[2] - RIGHT;
+        let right = view[2] - MARGIN;
         // 6 % of 2 are free on either side.
         let bottom = ABOVE + (2.12 - 0.0) / 2.24 * plot.height;
         assert!(path.starts_with(&format!("M{:.1} {bottom:.1}L", plot.left)), "{path}");

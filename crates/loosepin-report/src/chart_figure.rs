@@ -2,7 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, HorizontalAxis};
+use super::axes::with_unit;
+use super::chart::{Chart, Entry, EntryValues};
 use super::chart_drawing::{Drawn, drawing};
 use super::figure::{Picture, csv_element};
 use super::number::PLAIN_DIGITS;
@@ -23,11 +24,10 @@ impl Chart {
         let Drawn { view, below, plot, drawn } = drawing(&drawn);
         let name = self.id.clone();
         let picture = Picture { name, class: "chart", view, below, alternative: self.alternative.clone(), drawn };
-        let is_angle = self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°";
         html! {
             figure.chart id=(self.id) data-figure=(self.id) {
                 div.plot data-chart=(self.id) data-plot=(plot.to_attribute()) data-x-name=(self.x_label) data-x-unit=(self.x_symbol)
-                    data-y-unit=(self.y_symbol) data-angle[is_angle] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
+                    data-y-unit=(self.y_symbol) data-angle[self.is_in_degrees()] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
                     (picture.svg())
                 }
                 div.readout {
@@ -70,14 +70,14 @@ impl Chart {
 
     /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.
     fn csv(&self) -> String {
-        let with_unit = |words: &str, symbol: &str| {
-            let name = if symbol.is_empty() { words.to_owned() } else { format!("{words} [{symbol}]") };
+        let head = |words: &str, symbol: &str| {
+            let name = with_unit(words, symbol);
             if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
         };
-        let mut heads = vec![with_unit(&self.x_label, &self.x_symbol)];
+        let mut heads = vec![head(&self.x_label, &self.x_symbol)];
         for entry in &self.entries {
             let parts: &[&str] = if entry.values.lists().len() == 2 { &[", lower", ", upper"] } else { &[""] };
-            heads.extend(parts.iter().map(|part| with_unit(&format!("{}{part}", entry.label), &self.y_symbol)));
+            heads.extend(parts.iter().map(|part| head(&format!("{}{part}", entry.label), &self.y_symbol)));
         }
         let mut text = heads.join(",");
         text.push('\n');

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::axes::with_unit;
 use super::figure::{Picture, name_of};
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::ticks::{tick_text, ticks};
@@ -190,7 +191,7 @@ fn csv(orbit: &JournalOrbit, writer: &NumberWriter) -> String {
     if has_angles {
         heads.push("angle [deg]".to_owned());
     }
-    heads.extend([format!("x [{symbol}]"), format!("y [{symbol}]")]);
+    heads.extend(["x", "y"].map(|words| with_unit(words, &symbol)));
     if has_forces {
         heads.push("force [N]".to_owned());
     }
