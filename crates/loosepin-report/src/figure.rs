@@ -63,12 +63,60 @@ impl Picture {
     }
 }
 
-/// The name of a figure of `kind` about `subject`: letters, digits, points and hyphens.
+/// The name of a figure of `kind` about `subject`: letters, digits, `_`, points and hyphens. Names of outputs and joints stay as they are,
+/// signs stay too; anything else between words is one hyphen.
 pub(super) fn name_of(kind: &str, subject: &str) -> String {
-    let plain = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '-' };
-    let words: String = subject.chars().map(plain).collect();
-    let parts: Vec<&str> = words.split('-').filter(|part| !part.is_empty()).collect();
-    format!("{kind}.{}", parts.join("-"))
+    let mut name = format!("{kind}.");
+    let mut is_between = false;
+    for character in subject.chars() {
+        // A plus sign is no part of a name, and must not become a minus sign.
+        let kept = match character {
+            '−' => "-".to_owned(),
+            '+' => "plus".to_owned(),
+            own if own.is_alphanumeric() || own == '_' || own == '-' => own.to_string(),
+            _ => {
+                is_between = true;
+                continue;
+            }
+        };
+        if is_between && !name.ends_with('.') {
+            name.push('-');
+        }
+        is_between = false;
+        name.push_str(&kept);
+    }
+    name
+}
+
+/// A page in which no two figures have one name: a second one gets a number. Subjects with different marks between their words, such
+/// as the outputs `tip-along` and the part `along` of `tip`, have one name before.
+pub(super) fn with_unique_names(page: &str) -> String {
+    const START: &str = "<figure ";
+    let mut parts = page.split(START);
+    let mut unique = parts.next().unwrap_or_default().to_owned();
+    let mut names: Vec<String> = Vec::new();
+    for part in parts {
+        unique.push_str(START);
+        let (figure, rest) = part.split_at(part.find("</figure>").unwrap_or(part.len()));
+        match attribute(figure, "", "data-figure") {
+            Some(name) if names.contains(&name) => {
+                let free = (2..).map(|number| format!("{name}.{number}")).find(|free| !names.contains(free));
+                let free = free.unwrap_or_default();
+                // Its element, its script and the frame that cuts its curves are called by it.
+                let renamed = figure.replace(&format!("\"{name}\""), &format!("\"{free}\""));
+                let clips = [format!("\"clip-{name}\""), format!("#clip-{name})")];
+                let [element, reference] = [format!("\"clip-{free}\""), format!("#clip-{free})")];
+                unique.push_str(&renamed.replace(&clips[0], &element).replace(&clips[1], &reference));
+                names.push(free);
+            }
+            name => {
+                unique.push_str(figure);
+                names.extend(name);
+            }
+        }
+        unique.push_str(rest);
+    }
+    unique
 }
 
 /// Numbers behind a figure, for the script and for who saves them.
@@ -187,6 +235,32 @@ mod tests {
             alternative: "A line & more".to_owned(),
             drawn: html! { path.ideal d="M0 0L1 1" {} },
         }
+    }
+
+    #[test]
+    fn names_keep_signs_and_the_names_of_outputs() {
+        let names = ["slider", "a-", "a--b", "a-b", "-x", "x", "+x", "tracer normal total"];
+        let due = ["slider", "a-", "a--b", "a-b", "-x", "x", "plusx", "tracer-normal-total"];
+        for (subject, due) in names.into_iter().zip(due) {
+            assert_eq!(name_of("output", subject), format!("output.{due}"));
+        }
+        let label = |value: &str| name_of("orbit", &format!("gudgeon, joint.gudgeon.offset = {value}"));
+        assert_eq!(label("0.1 mm"), "orbit.gudgeon-joint-gudgeon-offset-0-1-mm");
+        assert_eq!(label("-0.1 mm"), "orbit.gudgeon-joint-gudgeon-offset--0-1-mm");
+        assert_eq!(name_of("output", "a <b>"), "output.a-b");
+    }
+
+    #[test]
+    fn a_second_figure_of_a_name_has_a_number() {
+        let mut one = picture();
+        one.drawn = html! { clipPath id="clip-deviation.slider" {} g clip-path="url(#clip-deviation.slider)" {} };
+        let text = one.figure(html! { "\"slider\"" }, None).into_string();
+        let page = with_unique_names(&format!("<p>first</p>{text}<p>between</p>{text}{text}<p>last</p>"));
+        let names: Vec<String> = figures(&page).into_iter().map(|figure| figure.name).collect();
+        assert_eq!(names, ["deviation.slider", "deviation.slider.2", "deviation.slider.3"]);
+        let second = text.replace("deviation.slider", "deviation.slider.2");
+        let third = text.replace("deviation.slider", "deviation.slider.3");
+        assert_eq!(page, format!("<p>first</p>{text}<p>between</p>{second}{third}<p>last</p>"));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+use super::figure::with_unique_names;
 use super::styles::{COLOURS, FIGURE_STYLE, saved_style};
 
 const STYLE: &str = include_str!("../assets/report.css");
@@ -114,7 +115,7 @@ impl Page {
                 }
             }
         };
-        page.into_string()
+        with_unique_names(&page.into_string())
     }
 }
 
