@@ -51,6 +51,12 @@
       next += count;
       return columns.slice(next - count, next);
     });
+    // Places of the dots, read off the picture: no table has them.
+    const dots = [...svg.querySelectorAll<SVGElement>('path.dots')].map((path) => ({
+      entry: Number(path.dataset.of),
+      points: [...(path.getAttribute('d') ?? '').matchAll(/M(\S+) (\S+)h0/g)].map(([, across, down]) =>
+        ({ x: x0 + (Number(across) - left) / width * (x1 - x0), y: y1 - (Number(down) - top) / height * (y1 - y0) })),
+    }));
     const line = element('line', { class: 'cursor', visibility: 'hidden' });
     const chosen = element('rect', { class: 'chosen', visibility: 'hidden' });
     svg.append(chosen, line);
@@ -172,8 +178,13 @@
       if (!(most - least > 1e-6 * Math.abs(x1 - x0))) return;
       let [low, high] = [y0, y1];
       if (!isFixed && (least > x0 || most < x1)) {
-        const seen = columnsOfEntry.filter((_, entry) => buttons[entry]?.getAttribute('aria-pressed') === 'true').flat()
-          .flatMap((column) => column.filter((value, place) => isFinite(value) && (xs[place] ?? NaN) >= least && (xs[place] ?? NaN) <= most));
+        const isShown = (entry: number): boolean => buttons[entry]?.getAttribute('aria-pressed') === 'true';
+        const isInside = (x: number): boolean => x >= least && x <= most;
+        const seen = columnsOfEntry.filter((_, entry) => isShown(entry)).flat()
+          .flatMap((column) => column.filter((value, place) => isFinite(value) && isInside(xs[place] ?? NaN)));
+        dots.filter(({ entry }) => isShown(entry)).forEach(({ points }) => {
+          seen.push(...points.filter(({ x }) => isInside(x)).map(({ y }) => y));
+        });
         const ends = seen.reduce((found, value) => [Math.min(found[0] ?? value, value), Math.max(found[1] ?? value, value)], [Infinity, -Infinity]);
         const free = freeShare * ((ends[1] ?? 1) - (ends[0] ?? 0));
         if (free > 0 && isFinite(free)) [low, high] = [(ends[0] ?? 0) - free, (ends[1] ?? 1) + free];
@@ -228,6 +239,8 @@
       svg.querySelectorAll('[data-of="' + button.dataset.entry + '"]').forEach((curve) => {
         curve.setAttribute('display', isShown ? 'inline' : 'none');
       });
+      // The height of an enlarged chart is that of what it shows.
+      zoomTo(shown.from, shown.to);
     }));
     holder.addEventListener('keydown', (event) => {
       // Those are the browser's.
