@@ -40,6 +40,11 @@
         // One turn that does not begin at 0° is still told in angles from 0° to 360°.
         const isOneTurn = isAngle && Math.abs(x1 - x0 - 360) < 1e-3 && x0 !== 0;
         const told = (x) => isOneTurn ? ((x % 360) + 360) % 360 : x;
+        // Places by which neighbours are told apart, where four digits do not do it.
+        const gaps = xs.slice(1).map((x, place) => Math.abs(x - (xs[place] ?? NaN))).filter((gap) => gap > 0);
+        const least = gaps.reduce((found, gap) => Math.min(found, gap), Infinity);
+        const apart = isFinite(least) ? 10 ** Math.floor(Math.log10(least) + 1e-6) : undefined;
+        const readApart = (x) => [readText(x), readText(x, apart)].reduce((one, other) => other.length > one.length ? other : one);
         const position = figure.querySelector('.position');
         const values = [...figure.querySelectorAll('[data-value]')];
         const reset = figure.querySelector('.reset');
@@ -147,7 +152,7 @@
                 return;
             }
             if (position)
-                position.textContent = (holder.dataset.xName ?? '') + ': ' + withUnit(readText(told(x)), xUnit);
+                position.textContent = (holder.dataset.xName ?? '') + ': ' + withUnit(readApart(told(x)), xUnit);
             // As many places for all values as a thousandth of the axis needs.
             const range = shown.high - shown.low;
             const step = range > 1e-3 && range < 1e7 ? 10 ** Math.floor(Math.log10(range / 1000)) : undefined;

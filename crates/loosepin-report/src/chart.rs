@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::number::NumberWriter;
-use super::script_data::rounded;
+use super::script_data::{rounded, rounded_apart};
 use loosepin_text::units::SiUnit;
 
 /// Kind of the horizontal axis; decides on the ticks.
@@ -177,7 +177,7 @@ impl Chart {
             horizontal: HorizontalAxis::Plain,
             x_label: x_label.to_owned(),
             x_symbol: writer.symbol(x_unit),
-            x: rounded(&scaled(x_si, x_unit, writer)),
+            x: rounded_apart(&scaled(x_si, x_unit, writer)),
             y_label: String::new(),
             y_symbol: String::new(),
             y_range: None,

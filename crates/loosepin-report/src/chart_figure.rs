@@ -7,6 +7,7 @@ use super::chart::{Chart, Entry, EntryValues};
 use super::chart_drawing::{Drawn, drawing};
 use super::figure::{Picture, csv_element};
 use super::number::PLAIN_DIGITS;
+use super::script_data::digits_apart;
 
 /// Rows that the numbers behind a chart hold at most; longer histories keep the extremes of each stretch.
 const MOST_ROWS: usize = 20_000;
@@ -96,6 +97,8 @@ impl Chart {
 
     fn numbers(&self) -> Markup {
         let step = self.x.len().div_ceil(TABLE_ROWS).max(1);
+        let shown: Vec<f64> = self.x.iter().step_by(step).copied().flatten().collect();
+        let digits = digits_apart(&shown, PLAIN_DIGITS);
         let symbol = |symbol: &str| if symbol.is_empty() { String::new() } else { format!(" ({symbol})") };
         html! {
             details.numbers {
@@ -118,10 +121,10 @@ impl Chart {
                         tbody {
                             @for row in (0..self.x.len()).step_by(step) {
                                 tr {
-                                    th scope="row" { (cell(self.x[row])) }
+                                    th scope="row" { (cell(self.x[row], digits)) }
                                     @for entry in &self.entries {
                                         @for list in entry.values.lists() {
-                                            td { (cell(list.get(row).copied().flatten())) }
+                                            td { (cell(list.get(row).copied().flatten(), PLAIN_DIGITS)) }
                                         }
                                     }
                                 }
@@ -173,11 +176,9 @@ fn swatch_shape(entry: &Entry) -> &'static str {
     }
 }
 
-fn cell(value: Option<f64>) -> String {
+fn cell(value: Option<f64>, digits: usize) -> String {
     match value {
-        Some(value) => {
-            super::number::significant(value, PLAIN_DIGITS, super::number::Rounding::Nearest).replace('-', "−")
-        }
+        Some(value) => super::number::significant(value, digits, super::number::Rounding::Nearest).replace('-', "−"),
         None => "–".to_owned(),
     }
 }
