@@ -1,5 +1,6 @@
 "use strict";
 // What if the unknown values were known: a slider over the values that were run, or a map of them, gives the first chart the band of one.
+// Members of lists are chosen before: values of different members are never beside each other.
 (() => {
     const namespace = 'http://www.w3.org/2000/svg';
     const levels = 9999;
@@ -7,50 +8,73 @@
     const room = 14;
     function build(holder) {
         const data = JSON.parse(holder.querySelector('script')?.textContent ?? '');
-        const chart = document.getElementById(data.chart)?.querySelector('[data-chart]');
+        const figure = document.getElementById(data.chart);
+        const chart = figure?.querySelector('[data-chart]');
+        const legend = figure?.querySelector('[data-entry="' + data.entry + '"] .label');
+        const caption = figure?.querySelector('[data-inner]');
         const choice = holder.querySelector('.choice');
         const chosen = holder.querySelector('.chosen');
-        if (!chart || !choice || !chosen)
+        const back = holder.querySelector('.reset');
+        if (!chart || !legend || !caption || !choice || !chosen || !back)
             return;
+        const [storedLegend, storedCaption] = [legend.textContent, caption.textContent];
         const value = (level) => level < 0 ? NaN : data.range[0] + level / levels * (data.range[1] - data.range[0]);
-        let mark = () => undefined;
-        function choose(place) {
-            const point = data.points[place];
-            if (!point || !chart || !chosen)
+        function choose(point) {
+            if (!chart || !legend || !caption || !chosen || !back)
                 return;
             const [lower, upper] = [point.lower.map(value), point.upper.map(value)];
-            chart.dispatchEvent(new CustomEvent('band', { detail: { entry: data.entry, lower, upper } }));
+            chart.dispatchEvent(new CustomEvent('band', { detail: { entry: data.entry, ends: [lower, upper] } }));
             const finite = (list) => list.filter((one) => isFinite(one));
             const unit = chart.dataset.yUnit ?? '';
-            chosen.textContent = point.words + ': the band lies within ' + withUnit(readText(Math.min(...finite(lower))) + ' … '
-                + readText(Math.max(...finite(upper))), unit) + ' (counted from ' + point.runs + ' runs).';
-            mark(place);
+            chosen.textContent = point.words.charAt(0).toUpperCase() + point.words.slice(1) + ': the band lies within '
+                + withUnit(readText(Math.min(...finite(lower))) + ' … ' + readText(Math.max(...finite(upper))), unit)
+                + ' (counted from ' + point.runs + ' runs).';
+            legend.textContent = data.share + ', scatter at ' + point.words;
+            caption.textContent = point.words + ' (chosen below)';
+            controls.forEach((control) => control.mark(point));
+            back.hidden = false;
         }
-        if (data.inputs.length === 1) {
-            const order = data.points.map((_, place) => place).sort((a, b) => (data.points[a]?.at[0] ?? 0) - (data.points[b]?.at[0] ?? 0));
+        /** A slider over the values of one input, in their order. */
+        function slider(points) {
+            const order = [...points].sort((a, b) => (a.at[0] ?? 0) - (b.at[0] ?? 0));
+            const middle = Math.floor(order.length / 2);
             const input = data.inputs[0];
-            const slider = document.createElement('input');
-            slider.type = 'range';
-            slider.min = '0';
-            slider.max = String(order.length - 1);
-            slider.value = String(Math.floor(order.length / 2));
-            slider.setAttribute('aria-label', input?.name ?? '');
-            slider.addEventListener('input', () => choose(order[Number(slider.value)] ?? 0));
+            const range = document.createElement('input');
+            range.type = 'range';
+            range.min = '0';
+            range.max = String(order.length - 1);
+            range.value = String(middle);
+            range.setAttribute('aria-label', input?.name ?? '');
+            range.addEventListener('input', () => {
+                const point = order[Number(range.value)];
+                if (point)
+                    choose(point);
+            });
             const [from, to] = [document.createElement('span'), document.createElement('span')];
             from.textContent = input?.from ?? '';
             to.textContent = input?.to ?? '';
-            choice.append(from, slider, to);
-        }
-        else {
-            choice.append(map());
+            const element = document.createElement('div');
+            element.className = 'choice';
+            element.append(from, range, to);
+            const mark = (point) => {
+                const place = point ? order.indexOf(point) : middle;
+                range.value = String(place < 0 ? middle : place);
+                range.setAttribute('aria-valuetext', point && place >= 0 ? point.words : 'the middle');
+            };
+            mark();
+            return { element, mark, middle: order[middle] };
         }
         /** A map of the first two inputs: a button for each value that was run. */
-        function map() {
-            const box = document.createElement('div');
-            box.className = 'map';
+        function map(points) {
+            const element = document.createElement('div');
+            element.className = 'map';
             const svg = document.createElementNS(namespace, 'svg');
             svg.setAttribute('viewBox', '0 0 ' + (side + 2 * room) + ' ' + (side + 2 * room));
-            const dots = data.points.map((point, place) => {
+            const nearest = (x, y) => {
+                const distance = (point) => Math.hypot(x - (point.at[0] ?? 0), y - (point.at[1] ?? 0));
+                return points.reduce((best, point) => distance(point) < distance(best) ? point : best);
+            };
+            const dots = points.map((point) => {
                 const dot = document.createElementNS(namespace, 'circle');
                 dot.setAttribute('cx', String(room + side * (point.at[0] ?? 0)));
                 dot.setAttribute('cy', String(room + side * (1 - (point.at[1] ?? 0))));
@@ -63,7 +87,7 @@
                     if (event.key !== 'Enter' && event.key !== ' ')
                         return;
                     event.preventDefault();
-                    choose(place);
+                    choose(point);
                 });
                 return dot;
             });
@@ -71,14 +95,8 @@
             svg.addEventListener('click', (event) => {
                 const frame = svg.getBoundingClientRect();
                 const scale = (side + 2 * room) / frame.width;
-                const [x, y] = [(event.clientX - frame.left) * scale - room, side + room - (event.clientY - frame.top) * scale];
-                const distance = (point) => Math.hypot(x - side * (point.at[0] ?? 0), y - side * (point.at[1] ?? 0));
-                let best = 0;
-                data.points.forEach((point, place) => { if (distance(point) < distance(data.points[best] ?? point))
-                    best = place; });
-                choose(best);
+                choose(nearest(((event.clientX - frame.left) * scale - room) / side, (side + room - (event.clientY - frame.top) * scale) / side));
             });
-            mark = (place) => dots.forEach((dot, own) => dot.setAttribute('aria-pressed', String(own === place)));
             const label = (index) => {
                 const input = data.inputs[index];
                 return input ? input.name + ', ' + input.from + ' to ' + input.to : '';
@@ -88,9 +106,46 @@
             up.className = 'up';
             across.textContent = label(0) + ' →';
             up.textContent = label(1) + ' →';
-            box.append(up, svg, across);
-            return box;
+            element.append(up, svg, across);
+            const mark = (point) => dots.forEach((dot, place) => dot.setAttribute('aria-pressed', String(points[place] === point)));
+            return { element, mark, middle: nearest(0.5, 0.5) };
         }
+        const controls = data.groups.map((_, group) => {
+            const points = data.points.filter((point) => point.group === group);
+            const control = data.inputs.length > 1 ? map(points) : slider(points);
+            // One value has nothing to choose from: its list has chosen it.
+            if (points.length === 1)
+                control.element = document.createElement('div');
+            return control;
+        });
+        const list = document.createElement('select');
+        const show = (group) => controls.forEach(({ element }, own) => { element.hidden = own !== group; });
+        if (data.groups.length > 1) {
+            list.setAttribute('aria-label', data.lists);
+            list.append(...data.groups.map((words) => new Option(words)));
+            list.selectedIndex = data.start;
+            list.addEventListener('change', () => {
+                show(list.selectedIndex);
+                const control = controls[list.selectedIndex];
+                if (control)
+                    choose(control.middle);
+            });
+            choice.append(list);
+        }
+        choice.append(...controls.map(({ element }) => element));
+        show(data.start);
+        back.addEventListener('click', () => {
+            chart.dispatchEvent(new CustomEvent('band', { detail: { entry: data.entry } }));
+            legend.textContent = storedLegend;
+            caption.textContent = storedCaption;
+            chosen.textContent = '';
+            list.selectedIndex = data.start;
+            show(data.start);
+            controls.forEach((control) => control.mark());
+            back.hidden = true;
+            // The button is gone: whoever used the keyboard goes on from the choice.
+            (choice.querySelector('select, :not([hidden]) > input') ?? choice.querySelector('circle'))?.focus();
+        });
         holder.hidden = false;
     }
     document.querySelectorAll('[data-what-if]').forEach(build);

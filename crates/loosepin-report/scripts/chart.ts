@@ -11,6 +11,12 @@
   const freeShare = 0.06;
   const fits: Array<(paper?: number) => void> = [];
 
+  /** Lower and upper end of a band that replaces that of an entry. */
+  interface BandChange {
+    entry: number;
+    ends?: [number[], number[]];
+  }
+
   /** Columns of numbers; a gap is not a number. */
   function columnsOf(text: string): number[][] {
     const rows = text.trim().split('\n').slice(1).map((row) => row.split(',').map((cell) => cell === '' ? NaN : Number(cell)));
@@ -299,17 +305,26 @@
         return command + (left + (x - x0) / (x1 - x0) * width).toFixed(1) + ' ' + (top + (y1 - y) / (y1 - y0) * height).toFixed(1);
       }).join('');
     };
-    // Another band in the place of one that is there.
+    // Another band in the place of one that is there; without ends, the one that was there at first.
+    const stored = columnsOfEntry.map((columns, entry) => ({
+      columns, paths: [...svg.querySelectorAll('[data-of="' + entry + '"]')].map((path) => path.getAttribute('d') ?? ''),
+    }));
     holder.addEventListener('band', (event) => {
-      const { entry, lower, upper } = (event as CustomEvent<{ entry: number; lower: number[]; upper: number[] }>).detail;
-      const places = xs.map((_, place) => place);
-      columnsOfEntry[entry] = [lower, upper];
-      const lines = svg.querySelectorAll('.line[data-of="' + entry + '"]');
-      [lower, upper].forEach((ys, side) => lines[side]?.setAttribute('d', path(places, ys, false)));
-      const isWhole = [...lower, ...upper].every(isFinite);
-      const filled = isWhole ? path(places, upper, false) + path([...places].reverse(), lower, true) + 'Z' : '';
-      svg.querySelector('.fill[data-of="' + entry + '"]')?.setAttribute('d', filled);
-      show(index);
+      const { entry, ends } = (event as CustomEvent<BandChange>).detail;
+      const drawn = [...svg.querySelectorAll('[data-of="' + entry + '"]')];
+      const first = stored[entry];
+      if (!first) return;
+      columnsOfEntry[entry] = ends ?? first.columns;
+      if (ends) {
+        const places = xs.map((_, place) => place);
+        const [lower, upper] = ends;
+        const lines = drawn.filter((one) => one.classList.contains('line'));
+        ends.forEach((ys, side) => lines[side]?.setAttribute('d', path(places, ys, false)));
+        const isWhole = [...lower, ...upper].every(isFinite);
+        const filled = isWhole ? path(places, upper, false) + path([...places].reverse(), lower, true) + 'Z' : '';
+        drawn.find((one) => one.classList.contains('fill'))?.setAttribute('d', filled);
+      } else drawn.forEach((one, place) => one.setAttribute('d', first.paths[place] ?? ''));
+      zoomTo(shown.from, shown.to);
     });
     let known = holder.clientWidth;
     new ResizeObserver(() => {

@@ -1,4 +1,4 @@
-//! Writes the three kinds of page, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
+//! Writes pages of three kinds, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
 //! `cargo run --example report_pages -- FOLDER`. NAME.figures beside NAME.html holds the figures of the page as they are saved.
 
 #[path = "../tests/report/report_fixture/mod.rs"]
@@ -27,6 +27,7 @@ fn main() -> ExitCode {
 fn write_pages(folder: &Path) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     write_page(folder, "study", &report::study_page(&report_fixture::study::worn_pin()))?;
+    write_page(folder, "lists", &report::study_page(&report_fixture::study::with_list()))?;
     write_page(folder, "simulation", &report::simulation_page(&report_fixture::simulation::worn_pin()))?;
     write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
     write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;

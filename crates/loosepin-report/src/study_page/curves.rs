@@ -28,7 +28,7 @@ pub(super) fn first_chart(result: &StudyResult, writer: &NumberWriter) -> FirstC
     if let Some(curve) = first_curve(result).and_then(|index| result.curves.get(index)) {
         let chart = deviation_chart(result, curve, writer);
         let inner = chart.entries.iter().position(|entry| entry.role == Role::Random);
-        let known = what_if(result, curve, &chart.id, inner, writer);
+        let known = what_if(result, curve, &chart.id, (inner, &share_inside(curve, writer)), writer);
         return FirstChart { markup: html! { (chart.figure()) (known) }, boxes: 0 };
     }
     let first = result.boxes.first().map(|pbox| box_chart(result, pbox, 0, writer).figure());
@@ -73,8 +73,13 @@ fn curve_name(curve: &DeviationCurve) -> String {
     name_of(kind, &curve.output)
 }
 
+/// Which share of mechanisms a band at one angle holds, in words.
+fn share_inside(curve: &DeviationCurve, writer: &NumberWriter) -> String {
+    writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest)
+}
+
 fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Chart {
-    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let share = share_inside(curve, writer);
     let range = |range: &CurveRange| {
         (scaled(&range.lower_si, &curve.unit, writer), scaled(&range.upper_si, &curve.unit, writer))
     };
@@ -120,8 +125,12 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
             "At each angle, " (share) " of mechanisms lie inside the orange band for all unknown values"
             @if has_random {
-                ", and inside the blue band for unknown values in the middle of their ranges"
-                @if !centre.is_empty() { " (" (centre) ")" }
+                ", and inside the blue band for "
+                // The script says which value was chosen.
+                span data-inner="" {
+                    "unknown values in the middle of their ranges"
+                    @if !centre.is_empty() { " (" (centre) ")" }
+                }
             } @else if has_evidence(result) {
                 ". Evidence gives mechanisms to several intervals, so there is no band for a single value of the unknown inputs"
             }

@@ -17,6 +17,7 @@ const HOSTILE: &str = "</script><script>alert(\"1\")</script>&<b>'\"";
 fn pages() -> Vec<(&'static str, String)> {
     vec![
         ("study", study_page(&report_fixture::study::worn_pin())),
+        ("lists", study_page(&report_fixture::study::with_list())),
         ("simulation", simulation_page(&report_fixture::simulation::worn_pin())),
         ("motion", motion_page(&report_fixture::motion::worn_pin())),
         ("four-bar", motion_page(&report_fixture::motion::four_bar())),
@@ -228,6 +229,30 @@ fn an_orbit_says_its_run_in_words_and_where_the_journal_touches() {
         assert!(table.starts_with("angle [deg],x [mm],y [mm],force [N]\n0,"), "{}", &table[..60]);
         assert_eq!(table.lines().count(), 1501, "every sample stands in it");
     }
+}
+
+#[test]
+fn values_of_different_members_of_a_list_are_apart() {
+    let stored = |name: &str, text: &str| -> serde_json::Value {
+        let page = parsed(name, text);
+        let found = select(&page, "[data-what-if] script");
+        serde_json::from_str(&found[0].inner_html()).expect("JSON")
+    };
+    let record = stored("lists", &study_page(&report_fixture::study::with_list()));
+    let words =
+        |key: &str| -> Vec<&str> { record[key].as_array().unwrap().iter().filter_map(|one| one.as_str()).collect() };
+    assert_eq!(words("groups"), ["0.7", "0.8", "0.9"].map(|value| format!("Steel pin restitution {value}")));
+    assert_eq!(record["start"], 0);
+    assert_eq!(record["inputs"].as_array().map(Vec::len), Some(1));
+    for group in 0..3 {
+        let points = record["points"].as_array().unwrap().iter().filter(|point| point["group"] == group);
+        let places: Vec<f64> = points.map(|point| point["at"][0].as_f64().unwrap()).collect();
+        assert_eq!(places, [0.0, 0.25, 0.5, 0.75, 1.0], "group {group}");
+    }
+    // Two intervals: one group without words.
+    let record = stored("study", &study_page(&report_fixture::study::worn_pin()));
+    assert_eq!(record["groups"], serde_json::json!([""]));
+    assert_eq!(record["inputs"].as_array().map(Vec::len), Some(2));
 }
 
 #[test]

@@ -75,6 +75,21 @@ fn share_below(sorted: &[f64], limit: f64) -> f64 {
     sorted.partition_point(|value| *value <= limit) as f64 / sorted.len() as f64
 }
 
+/// The study of the worn pin where the restitution is one of three values, in place of an interval; the picture in the middle is that of
+/// the first one.
+pub fn with_list() -> StudyResult {
+    let mut result = worn_pin();
+    let restitution = result.inputs.iter_mut().find(|input| input.path == RESTITUTION).expect("an input");
+    restitution.kind = InputKind::Choice { of: ["0.7", "0.8", "0.9"].map(str::to_owned).to_vec() };
+    restitution.words = "one of 0.7, 0.8 and 0.9".to_owned();
+    let curve = &mut result.curves[0];
+    let first = WitnessValue::Number(RESTITUTION_RANGE[0]);
+    curve.centre.insert(RESTITUTION.to_owned(), first);
+    let own = curve.at_values.iter().find(|value| value.at == curve.centre).expect("the middle was run");
+    curve.random = own.band.clone();
+    result
+}
+
 /// The study of the worn pin.
 pub fn worn_pin() -> StudyResult {
     let poses = angles_rad(1.0, POSES);
