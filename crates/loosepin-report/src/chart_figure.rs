@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::axes::with_unit;
 use super::chart::{Chart, Entry, EntryValues};
 use super::chart_drawing::{Drawn, drawing};
-use super::figure::{Picture, csv_element};
+use super::figure::{Picture, csv_element, csv_text};
 use super::number::PLAIN_DIGITS;
 use super::script_data::digits_apart;
 
@@ -71,10 +71,7 @@ impl Chart {
 
     /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.
     fn csv(&self) -> String {
-        let head = |words: &str, symbol: &str| {
-            let name = with_unit(words, symbol);
-            if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
-        };
+        let head = |words: &str, symbol: &str| csv_text(&with_unit(words, symbol));
         let mut heads = vec![head(&self.x_label, &self.x_symbol)];
         for entry in &self.entries {
             let parts: &[&str] = if entry.values.lists().len() == 2 { &[", lower", ", upper"] } else { &[""] };

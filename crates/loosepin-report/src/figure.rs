@@ -4,10 +4,13 @@
 
 use maud::{Markup, PreEscaped, html};
 
+use super::script_data::round_to_digits;
 use super::styles::saved_style;
 
 /// Width of a figure that is saved, unless another one is asked for.
 const WIDTH_MM: f64 = 160.0;
+/// Digits of numbers in tables beside pictures that are no charts.
+const CSV_DIGITS: usize = 9;
 
 /// A picture with the name by which it is saved.
 pub(super) struct Picture {
@@ -117,6 +120,16 @@ pub(super) fn with_unique_names(page: &str) -> String {
         unique.push_str(rest);
     }
     unique
+}
+
+/// A cell of a table of comma-separated values.
+pub(super) fn csv_text(text: &str) -> String {
+    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+/// A number in a table of comma-separated values; nothing for what is not finite.
+pub(super) fn csv_number(value: f64) -> String {
+    round_to_digits(value, CSV_DIGITS).map_or(String::new(), |number| number.to_string())
 }
 
 /// Numbers behind a figure, for the script and for who saves them.

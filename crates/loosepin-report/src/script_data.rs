@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped};
 use serde::Serialize;
 
 /// Digits of numbers in charts: finer than any screen.
-const CHART_DIGITS: usize = 6;
+pub(super) const CHART_DIGITS: usize = 6;
 
 /// A record as JSON that may stand inside a `script` element: `<` cannot occur in it, so nothing can end the element.
 pub(super) fn script_json<T: Serialize>(record: &T) -> Markup {

@@ -2,9 +2,10 @@
 
 use maud::{Markup, html};
 
-use super::axes::{Axes, Axis};
-use super::figure::{Picture, name_of};
+use super::axes::{Axes, Axis, with_unit};
+use super::figure::{Picture, csv_number, csv_text, name_of};
 use super::number::NumberWriter;
+use super::script_data::{CHART_DIGITS, round_to_digits};
 use super::wording::named_words;
 use loosepin_result::sweep::{SweepPoint, SweepRecord};
 
@@ -53,5 +54,27 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
     };
     let name = name_of("bifurcation", &swept.name);
     Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], below: 0.0, alternative, drawn }
-        .figure(caption, None)
+        .figure(caption, Some(&csv(record, output, writer)))
+}
+
+/// The dots: a row for each value, a column for each turn. A long sweep has many: no more digits than a chart has.
+fn csv(record: &SweepRecord, output: usize, writer: &NumberWriter) -> String {
+    let swept = &record.outputs[output];
+    let (across, up) = (writer.units.of(&record.unit), writer.units.of(&swept.unit));
+    let sections = || record.points.iter().filter_map(|point| Some((point, point.sections_si.get(output)?)));
+    let turns = sections().map(|(_, section)| section.len()).max().unwrap_or(0);
+    let of_turn = |turn| with_unit(&format!("deviation of {}, turn {turn}", swept.name), &up.symbol);
+    let heads = [with_unit(&record.path, &across.symbol), "repeats after turns".to_owned()].into_iter();
+    let heads: Vec<String> = heads.chain((1..=turns).map(of_turn)).map(|head| csv_text(&head)).collect();
+    let mut table = format!("{}\n", heads.join(","));
+    for (point, section) in sections() {
+        let period = point.period_turns.map_or(String::new(), |turns| turns.to_string());
+        let number =
+            |value: f64| round_to_digits(value, CHART_DIGITS).map_or(String::new(), |number| number.to_string());
+        let own =
+            (0..turns).map(|turn| section.get(turn).map_or(String::new(), |value_si| number(up.from_si(*value_si))));
+        let cells: Vec<String> = [csv_number(across.from_si(point.value_si)), period].into_iter().chain(own).collect();
+        table.push_str(&format!("{}\n", cells.join(",")));
+    }
+    table
 }

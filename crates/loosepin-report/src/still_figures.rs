@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::axes::with_unit;
-use super::figure::{Picture, name_of};
+use super::figure::{Picture, csv_number, csv_text, name_of};
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::ticks::{tick_text, ticks};
 use loosepin_result::simulation::JournalOrbit;
@@ -64,6 +64,7 @@ pub(super) fn orbit_figure(orbit: &JournalOrbit, writer: &NumberWriter) -> Marku
             (key("middle", "on the rim,")) " "
         }
         (key("flight", "in flight.")) " Straight between samples."
+        @if step(orbit) > 1 { " One of " (step(orbit)) " samples is drawn." }
     };
     let csv = csv(orbit, writer);
     in_circle(
@@ -171,8 +172,16 @@ fn track(orbit: &JournalOrbit, steps: Option<[f64; 2]>) -> Track {
 
 /// The samples of a page: all, up to its limit.
 fn drawn_samples(orbit: &JournalOrbit) -> impl Iterator<Item = usize> + use<> {
-    let count = orbit.x_m.len().min(orbit.y_m.len());
-    (0..count).step_by(count.div_ceil(ORBIT_POINTS).max(1))
+    (0..samples(orbit)).step_by(step(orbit))
+}
+
+/// One of so many samples is in a page.
+fn step(orbit: &JournalOrbit) -> usize {
+    samples(orbit).div_ceil(ORBIT_POINTS).max(1)
+}
+
+fn samples(orbit: &JournalOrbit) -> usize {
+    orbit.x_m.len().min(orbit.y_m.len())
 }
 
 /// Where a journal was, in units of the picture.
@@ -238,8 +247,21 @@ pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) ->
         &format!("The journal of {joint} once a turn, {turns} turns: dots in the circle of the clearance {clearance}."),
         &name_of("once-a-turn", joint),
         (html! { path.dots d=(dots) {} }, caption),
-        None,
+        Some(&sections_csv(journal, writer)),
     )
+}
+
+/// The dots, a row for each turn that is drawn.
+fn sections_csv(journal: &JournalOrbit, writer: &NumberWriter) -> String {
+    let symbol = writer.symbol(&SiUnit::LENGTH);
+    let heads = ["turn".to_owned(), with_unit("x", &symbol), with_unit("y", &symbol)].map(|head| csv_text(&head));
+    let mut table = format!("{}\n", heads.join(","));
+    for turn in drawn_samples(journal) {
+        let [x, y] =
+            [journal.x_m[turn], journal.y_m[turn]].map(|value_m| csv_number(writer.scaled(value_m, &SiUnit::LENGTH)));
+        table.push_str(&format!("{},{x},{y}\n", turn + 1));
+    }
+    table
 }
 
 /// The circle of a clearance with what is drawn in it, and a bar of a round length below.
@@ -282,8 +304,23 @@ pub(super) fn percent_of(value: f64, from: f64, to: f64) -> String {
     format!("{:.3}%", 100.0 * share)
 }
 
-/// Bars over a logarithmic axis.
-pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup, alternative: &str) -> Markup {
+/// Width and height of a histogram in its own units; a unit is about a pixel.
+const HISTOGRAM: [f64; 2] = [600.0, 190.0];
+/// Room at the sides of a histogram, height of its highest bar, and where its axis is.
+const HISTOGRAM_SIDE: f64 = 40.0;
+const HISTOGRAM_BAR: f64 = 120.0;
+const HISTOGRAM_AXIS: f64 = 135.0;
+/// Room between two bars.
+const HISTOGRAM_GAP: f64 = 1.5;
+
+/// Bars of the numbers of runs over a logarithmic axis of `what`, a pure number.
+pub(super) fn histogram_figure(
+    bins: &[HistogramBin],
+    name: &str,
+    what: &str,
+    caption: Markup,
+    alternative: String,
+) -> Markup {
     // A logarithmic axis has no place for anything else, and its decades are counted below.
     let bins: Vec<&HistogramBin> = bins
         .iter()
@@ -294,29 +331,36 @@ pub(super) fn histogram_figure(bins: &[HistogramBin], id: &str, caption: Markup,
     let (from, to) = (first.from.log10(), last.to.log10());
     let decades: Vec<i32> = (from.ceil() as i32..=to.floor() as i32).collect();
     let every = decades.len().div_ceil(8).max(1);
-    html! {
-        figure.histogram id=(id) {
-            svg width="100%" height="170" role="img" aria-label=(alternative) {
-                @for bin in &bins {
-                    @let share = bin.count as f64 / most;
-                    @let left = (bin.from.log10() - from) / (to - from) * 94.0 + 3.0;
-                    @let width = (bin.to.log10() - bin.from.log10()) / (to - from) * 94.0;
-                    rect.bar x=(format!("{left:.3}%")) width=(format!("{:.3}%", (width - 0.25).max(0.1)))
-                        y=(format!("{:.2}", 130.0 - 115.0 * share)) height=(format!("{:.2}", 115.0 * share)) {
-                        title { (bin.count) @if bin.count == 1 { " run" } @else { " runs" } }
-                    }
-                }
-                line.axis x1="3%" x2="97%" y1="130" y2="130" {}
-                @for decade in decades.iter().step_by(every) {
-                    @let place = (f64::from(*decade) - from) / (to - from) * 94.0 + 3.0;
-                    text x=(format!("{place:.3}%")) y="150" text-anchor="middle" {
-                        "10" tspan dy="-5" font-size="10" { (decade.to_string().replace('-', "−")) }
-                    }
-                }
+    let [width, height] = HISTOGRAM;
+    let (left, right) = (HISTOGRAM_SIDE, width - HISTOGRAM_SIDE);
+    let place = |power: f64| left + (power - from) / (to - from) * (right - left);
+    let drawn = html! {
+        @for bin in &bins {
+            @let (start, end) = (place(bin.from.log10()), place(bin.to.log10()));
+            @let high = HISTOGRAM_BAR * bin.count as f64 / most;
+            rect.bar x=(format!("{start:.2}")) width=(format!("{:.2}", (end - start - HISTOGRAM_GAP).max(0.5)))
+                y=(format!("{:.2}", HISTOGRAM_AXIS - high)) height=(format!("{high:.2}")) {
+                title { (bin.count) @if bin.count == 1 { " run" } @else { " runs" } }
             }
-            figcaption { (caption) }
         }
-    }
+        line.axis x1=(left) x2=(right) y1=(HISTOGRAM_AXIS) y2=(HISTOGRAM_AXIS) {}
+        @for decade in decades.iter().step_by(every) {
+            text x=(format!("{:.2}", place(f64::from(*decade)))) y=(HISTOGRAM_AXIS + 20.0) text-anchor="middle" {
+                "10" tspan dy="-5" font-size="80%" { (decade.to_string().replace('-', "−")) }
+            }
+        }
+        text x=(0.5 * width) y=(height - 8.0) text-anchor="middle" { (what) }
+    };
+    let rows = bins.iter().map(|bin| format!("{},{},{}\n", csv_number(bin.from), csv_number(bin.to), bin.count));
+    let table = format!(
+        "{},{},runs\n{}",
+        csv_text(&format!("{what} from")),
+        csv_text(&format!("{what} to")),
+        rows.collect::<String>()
+    );
+    let view = [0.0, 0.0, width, height];
+    Picture { name: name.to_owned(), class: "histogram", view, below: 0.0, alternative, drawn }
+        .figure(caption, Some(&table))
 }
 
 #[cfg(test)]
@@ -395,5 +439,7 @@ mod tests {
         let many = |count: usize| JournalOrbit { x_m: vec![0.0; count], y_m: vec![0.0; count], ..orbit() };
         assert_eq!(drawn_samples(&many(ORBIT_POINTS)).count(), ORBIT_POINTS);
         assert!(drawn_samples(&many(ORBIT_POINTS + 1)).count() <= ORBIT_POINTS);
+        assert!(!figure(&many(ORBIT_POINTS)).contains("samples is drawn"));
+        assert!(figure(&many(2 * ORBIT_POINTS + 1)).contains("One of 3 samples is drawn."));
     }
 }

@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::axes::{Axes, Axis};
-use super::figure::{Picture, name_of};
+use super::axes::{Axes, Axis, with_unit};
+use super::figure::{Picture, csv_number, csv_text, name_of};
 use super::number::{NumberWriter, plain_name};
 use super::wording::{deviation_words, output_words, place_words};
 use loosepin_result::study::{ResponsePoint, StudyResult, SurrogateOutput, SurrogatePicture};
@@ -54,6 +54,13 @@ pub(super) fn surrogate_figure(
         "{} training runs of {name} against the {input}, and the surrogate with its band.",
         picture.run_input_si.len()
     );
+    let csv = csv(
+        picture,
+        [&low, &high],
+        [with_unit(&input, &across.symbol), with_unit(&subject, &up.symbol)],
+        writer,
+        output,
+    );
     let drawn = html! {
                 (axes.grid())
                 path.irregular.dots d=(dots) {}
@@ -69,5 +76,28 @@ pub(super) fn surrogate_figure(
     };
     let name = name_of("surrogate", &format!("{} {} {}", output.output, output.of.word(), index + 1));
     Picture { name, class: "section", view: [0.0, 0.0, WIDTH, HEIGHT], below: 0.0, alternative, drawn }
-        .figure(caption, None)
+        .figure(caption, Some(&csv))
+}
+
+/// The runs, then the surrogate: a row for each, where it has no value empty.
+fn csv(
+    picture: &SurrogatePicture,
+    [low, high]: [&[f64]; 2],
+    [input, subject]: [String; 2],
+    writer: &NumberWriter,
+    output: &SurrogateOutput,
+) -> String {
+    let x = |value_si: f64| csv_number(writer.scaled(value_si, &picture.input_unit));
+    let y = |value_si: f64| csv_number(writer.scaled(value_si, &output.unit));
+    let of = |what: &str| csv_text(&format!("{what}, {subject}"));
+    let heads = [csv_text(&input), of("run"), of("surrogate"), of("surrogate lower"), of("surrogate upper")];
+    let mut table = format!("{}\n", heads.join(","));
+    for (at, value) in picture.run_input_si.iter().zip(&picture.run_output_si) {
+        table.push_str(&format!("{},{},,,\n", x(*at), y(*value)));
+    }
+    let ends = low.iter().zip(high);
+    for ((at, value), (low, high)) in picture.input_si.iter().zip(&picture.output_si).zip(ends) {
+        table.push_str(&format!("{},,{},{},{}\n", x(*at), y(*value), y(*low), y(*high)));
+    }
+    table
 }

@@ -2,10 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::figure::Picture;
+use super::figure::{Picture, csv_number};
 use super::mechanism_shapes::MM_PER_M;
 use super::number::{NumberWriter, Rounding};
-use super::script_data::round_to_digits;
 use loosepin_result::study::{CurveRange, Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
 
@@ -151,8 +150,7 @@ fn zone_csv(curve: &DeviationCurve, path: &PathCurve, band: &CurveRange, writer:
             band.lower_si.get(k).map(|value| own.from_si(*value)),
             band.upper_si.get(k).map(|value| own.from_si(*value)),
         ];
-        let cells =
-            cells.map(|cell| cell.and_then(|value| round_to_digits(value, 9)).map_or(String::new(), |v| v.to_string()));
+        let cells = cells.map(|cell| cell.map_or(String::new(), csv_number));
         text.push_str(&cells.join(","));
         text.push('\n');
     }

@@ -97,13 +97,14 @@ pub(super) fn energy(energy: &EnergyResiduals, writer: &NumberWriter) -> Markup 
         (histogram_figure(
             &energy.histogram,
             "energy-residuals",
+            "relative energy residual",
             html! {
                 strong { "Energy residuals of the runs. " }
                 "Half lie below " (share(energy.median)) ", 90 % below " (share(energy.quantile_90)) ", 99 % below "
                 (share(energy.quantile_99)) "; the largest is " (share(energy.maximum)) ". Bars: number of runs, over the \
                  relative residual."
             },
-            &alternative,
+            alternative,
         ))
     }
 }

@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 
 use loosepin::report::{figures, motion_page, simulation_page, study_excerpt, study_page};
+use loosepin::simulate::record::DriveSense;
 
 use crate::report_fixture;
 
 /// Names that must not change: scripts and papers call figures by them.
 const NAMES: [(&str, &[&str]); 4] = [
-    ("study", &["mechanism", "deviation.slider", "orbit.gudgeon", "distribution.slider"]),
+    ("study", &["mechanism", "deviation.slider", "orbit.gudgeon", "distribution.slider", "energy-residuals"]),
     ("simulation", &["mechanism", "deviation.slider", "output.slider", "orbit.gudgeon"]),
     ("motion", &["mechanism", "clearance.slider", "scatter.slider", "position.slider", "velocity.slider"]),
     ("four_bar", &["mechanism"]),
@@ -66,6 +67,36 @@ fn identity_the_table_of_a_band_has_all_its_numbers() {
             assert!((cell - due).abs() <= 1e-5 * due.abs(), "row {row}: {cell} and {due}");
         }
     }
+}
+
+#[test]
+fn identity_a_histogram_has_its_counts() {
+    let result = report_fixture::study::worn_pin();
+    let figures = figures(&study_page(&result));
+    let csv = figures.iter().find(|figure| figure.name == "energy-residuals").and_then(|figure| figure.to_csv());
+    let csv = csv.expect("a histogram has numbers");
+    let rows: Vec<Vec<f64>> =
+        csv.lines().skip(2).map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect()).collect();
+    let bins = result.energy.expect("the fixture has residuals").histogram;
+    assert_eq!(rows.len(), bins.len());
+    for (row, bin) in rows.iter().zip(&bins) {
+        assert_eq!(row[2], bin.count as f64);
+        // Nine digits.
+        assert!((row[0] / bin.from - 1.0).abs() < 1e-8 && (row[1] / bin.to - 1.0).abs() < 1e-8, "{row:?}");
+    }
+}
+
+#[test]
+fn a_mechanism_tells_signs_that_it_has() {
+    let mut record = report_fixture::motion::worn_pin();
+    let page = motion_page(&record);
+    assert!(page.contains(" Arrow: drive.") && page.contains(" Flag: output."));
+    for drive in &mut record.drawing.drives {
+        drive.sense = DriveSense::Still;
+    }
+    record.drawing.output_points.clear();
+    let page = motion_page(&record);
+    assert!(!page.contains("Arrow: drive.") && !page.contains("Flag: output."));
 }
 
 #[test]
