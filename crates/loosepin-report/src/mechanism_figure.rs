@@ -11,7 +11,7 @@ use super::mechanism_shapes::{
 use super::mechanism_signs::{DriveSign, drive_sign, scale, scale_width_mm};
 use super::script_data::{round_to_digits, script_json};
 use super::styles::{COLOURS, MECHANISM_STYLE};
-use loosepin_result::simulation::{Drawing, PoseTable};
+use loosepin_result::simulation::{Drawing, DriveSense, PoseTable};
 use loosepin_text::units;
 
 /// Name of the figure.
@@ -152,12 +152,18 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
                 } @else {
                     "The mechanism over one turn."
                 }
-                @if !drawing.drives.is_empty() { " Arrow: drive." }
-                @if !drawing.output_points.is_empty() { " Flag: output." }
+                @if has_arrow(drawing, reference, sizes.pin) { " Arrow: drive." }
+                @if labels.iter().any(Label::is_output) { " Flag: output." }
             }
             script type="application/json" data-for=(NAME) { (script_json(&motion)) }
         }
     }
+}
+
+/// Whether any drive has an arrow: one that rests has none, nor one of a joint without a sign.
+fn has_arrow(drawing: &Drawing, poses: &PoseTable, pin: f64) -> bool {
+    let moving = drawing.drives.iter().filter(|drive| drive.sense != DriveSense::Still);
+    moving.filter_map(|drive| drive_sign(drawing, drive, poses, pin)).next().is_some()
 }
 
 /// The mechanism in the pose that is shown first, with the dashed ideal one where there is one.

@@ -166,6 +166,11 @@ pub(super) fn frame_with(
 }
 
 impl Label {
+    /// Whether it is the flag of an output.
+    pub fn is_output(&self) -> bool {
+        self.kind == Kind::Output
+    }
+
     fn places(&self, sizes: Sizes) -> Vec<Place> {
         let Sizes { pin, font_mm } = sizes;
         let place = |x: f64, y: f64, anchor| Place { x, y, anchor, pole: 0.0 };
