@@ -295,7 +295,8 @@
     const path = (places: number[], ys: number[], isMoved: boolean): string => {
       let isDown = isMoved;
       return places.map((place) => {
-        const [x, y] = [xs[place] ?? NaN, ys[place] ?? NaN];
+        // After the last pose comes the first one, a turn later.
+        const [x, y] = place < xs.length ? [xs[place] ?? NaN, ys[place] ?? NaN] : [(xs[0] ?? NaN) + 360, ys[0] ?? NaN];
         if (!isFinite(x) || !isFinite(y)) {
           isDown = false;
           return '';
@@ -316,7 +317,7 @@
       if (!first) return;
       columnsOfEntry[entry] = ends ?? first.columns;
       if (ends) {
-        const places = xs.map((_, place) => place);
+        const places = [...xs.map((_, place) => place), ...(holder.dataset.closed === undefined ? [] : [xs.length])];
         const [lower, upper] = ends;
         const lines = drawn.filter((one) => one.classList.contains('line'));
         ends.forEach((ys, side) => lines[side]?.setAttribute('d', path(places, ys, false)));

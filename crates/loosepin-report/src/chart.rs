@@ -6,6 +6,9 @@ use super::number::NumberWriter;
 use super::script_data::{rounded, rounded_apart};
 use loosepin_text::units::SiUnit;
 
+/// A turn of a drive, degrees.
+pub(super) const TURN_DEG: f64 = 360.0;
+
 /// Kind of the horizontal axis; decides on the ticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum HorizontalAxis {
@@ -151,6 +154,8 @@ pub(super) struct Chart {
     pub y_symbol: String,
     /// Fixed ends of the vertical axis, where it has any.
     pub y_range: Option<[f64; 2]>,
+    /// Whether the values of a turn whose last pose is a step before its end come back: curves are then drawn to the end of the turn.
+    pub is_periodic: bool,
     pub entries: Vec<Entry>,
     /// Single points beside the curves.
     pub dots: Vec<Dots>,
@@ -181,6 +186,7 @@ impl Chart {
             y_label: String::new(),
             y_symbol: String::new(),
             y_range: None,
+            is_periodic: false,
             entries: Vec::new(),
             dots: Vec::new(),
             marks: Vec::new(),
@@ -200,5 +206,34 @@ impl Chart {
     /// Whether it is over angles of a drive in degrees: those have ticks of their own, and follow the cursor of the page.
     pub fn is_in_degrees(&self) -> bool {
         self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°"
+    }
+
+    /// Whether it is over one turn whose last pose is a step before its end.
+    pub fn is_open_turn(&self) -> bool {
+        let finite: Vec<f64> = self.x.iter().copied().flatten().collect();
+        let ([first, ..], [.., before, last]) = (&finite[..], &finite[..]) else { return false };
+        let step = last - before;
+        // Poses are rounded to their own digits.
+        self.is_in_degrees() && step > 0.0 && (last + step - first - TURN_DEG).abs() < 1e-2 * step
+    }
+
+    /// Adds the first pose once more at the end of the turn, where all values come back there: none of them leaps more than from pose to
+    /// pose. Says whether it did.
+    pub fn close_turn(&mut self) -> bool {
+        let comes_back = |list: &&Vec<Option<f64>>| {
+            let leap = |from: Option<f64>, to: Option<f64>| Some((to? - from?).abs());
+            let largest = list.windows(2).filter_map(|pair| leap(pair[0], pair[1])).fold(0.0, f64::max);
+            let [Some(first), Some(last)] = [list.first(), list.last()] else { return false };
+            leap(*last, *first).is_some_and(|leap| leap <= largest)
+        };
+        let lists: Vec<&Vec<Option<f64>>> = self.entries.iter().flat_map(|entry| entry.values.lists()).collect();
+        let is_closed = self.is_periodic && self.is_open_turn() && !lists.is_empty() && lists.iter().all(comes_back);
+        if is_closed {
+            self.x.push(self.x.first().copied().flatten().map(|first| first + TURN_DEG));
+            for list in self.entries.iter_mut().flat_map(|entry| entry.values.lists_mut()) {
+                list.push(list.first().copied().flatten());
+            }
+        }
+        is_closed
     }
 }

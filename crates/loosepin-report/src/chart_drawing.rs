@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::axes::{BELOW, HALF_DIGIT, MARGIN, NAME_ABOVE_EDGE, NUMBERS_BELOW, NUMBERS_BESIDE, UPRIGHT_NAME, with_unit};
-use super::chart::{Chart, Dots, Entry, EntryValues};
+use super::chart::{Chart, Dots, Entry, EntryValues, TURN_DEG};
 use super::ticks::{tick_text, ticks};
 
 /// Width of a picture; a unit is about a pixel. The script fits it to the width of the page.
@@ -80,7 +80,7 @@ pub(super) fn drawing(chart: &Chart) -> Drawn {
     let plot = Plot { left, top: ABOVE, width: WIDTH - left - MARGIN, height: plot_height, x: x_range(chart), y };
     let least = (plot.x[1] - plot.x[0]) * LEAST_ACROSS / plot.width;
     let (x_ticks, x_step) = ticks(plot.x[0], plot.x[1], least, chart.is_in_degrees());
-    let told = |angle: f64| if is_one_turn(chart, &plot) { angle.rem_euclid(360.0) } else { angle };
+    let told = |angle: f64| if is_one_turn(chart, &plot) { angle.rem_euclid(TURN_DEG) } else { angle };
     let bottom = plot.top + plot.height;
     let clip = format!("clip-{}", chart.id);
     let at = |number: f64| format!("{number:.1}");
@@ -172,13 +172,9 @@ fn line_class(entry: &Entry) -> String {
 
 /// The ends of the horizontal axis. One turn whose last pose is a step before its end is shown to its end.
 fn x_range(chart: &Chart) -> [f64; 2] {
-    let finite: Vec<f64> = chart.x.iter().copied().flatten().collect();
-    let [from, to] = range(finite.iter().copied());
-    if chart.is_in_degrees()
-        && let [.., before, last] = finite[..]
-        && (to + (last - before) - from - 360.0).abs() < 1e-6
-    {
-        return [from, from + 360.0];
+    let [from, to] = range(chart.x.iter().copied().flatten());
+    if chart.is_open_turn() {
+        return [from, from + TURN_DEG];
     }
     if to > from { [from, to] } else { [from - 0.5, from + 0.5] }
 }
@@ -200,7 +196,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 
 /// One turn that does not begin at 0° is still told in angles from 0° to 360°.
 fn is_one_turn(chart: &Chart, plot: &Plot) -> bool {
-    chart.is_in_degrees() && (plot.x[1] - plot.x[0] - 360.0).abs() < 1e-3 && plot.x[0] != 0.0
+    chart.is_in_degrees() && (plot.x[1] - plot.x[0] - TURN_DEG).abs() < 1e-3 && plot.x[0] != 0.0
 }
 
 /// A line through points; it breaks where there is none.
@@ -270,6 +266,29 @@ mod tests {
         // 360° is told as 0°.
         let text = drawn.into_string();
         assert!(text.contains(">90</text>") && text.contains(">0</text>") && !text.contains(">360</text>"), "{text}");
+    }
+
+    #[test]
+    fn analytic_values_that_come_back_are_drawn_to_the_end_of_the_turn() {
+        let angles: Vec<f64> = (0..180).map(|pose| 2.0 * f64::from(pose)).collect();
+        let cosine: Vec<f64> = angles.iter().map(|angle| angle.to_radians().cos()).collect();
+        let mut periodic = Chart { is_periodic: true, ..chart(&angles, &cosine) };
+        assert!(periodic.close_turn());
+        assert_eq!((periodic.x.len(), periodic.x[180]), (181, Some(360.0)));
+        let list = periodic.entries[0].values.lists()[0];
+        assert_eq!((list.len(), list[180]), (181, list[0]));
+        let Drawn { plot, .. } = drawing(&periodic);
+        assert_eq!(plot.x, [0.0, 360.0]);
+        let path = line(&periodic, &plot, list);
+        assert!(path.ends_with(&format!("L{:.1} {:.1}", plot.left + plot.width, plot.up(1.0))), "{path}");
+        // Not where nobody says so, where the values do not come back, for a part of a turn, nor with a gap at an end.
+        assert!(!chart(&angles, &cosine).close_turn());
+        assert!(!Chart { is_periodic: true, ..chart(&angles, &angles) }.close_turn());
+        assert!(!Chart { is_periodic: true, ..chart(&angles[..170], &cosine[..170]) }.close_turn());
+        let whole: Vec<f64> = (0..=180).map(|pose| 2.0 * f64::from(pose)).collect();
+        assert!(!Chart { is_periodic: true, ..chart(&whole, &whole) }.close_turn());
+        let gapped: Vec<f64> = std::iter::once(f64::NAN).chain(cosine[1..].iter().copied()).collect();
+        assert!(!Chart { is_periodic: true, ..chart(&angles, &gapped) }.close_turn());
     }
 
     #[test]

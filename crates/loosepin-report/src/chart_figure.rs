@@ -22,13 +22,15 @@ impl Chart {
         self.thin_out(MOST_ROWS);
         let mut drawn = self.clone();
         drawn.thin_out(MOST_POINTS);
+        // In the picture alone: the table has the poses of the record.
+        let is_closed = drawn.close_turn();
         let Drawn { view, below, plot, drawn } = drawing(&drawn);
         let name = self.id.clone();
         let picture = Picture { name, class: "chart", view, below, alternative: self.alternative.clone(), drawn };
         html! {
             figure.chart id=(self.id) data-figure=(self.id) {
                 div.plot data-chart=(self.id) data-plot=(plot.to_attribute()) data-x-name=(self.x_label) data-x-unit=(self.x_symbol)
-                    data-y-unit=(self.y_symbol) data-angle[self.is_in_degrees()] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
+                    data-y-unit=(self.y_symbol) data-angle[self.is_in_degrees()] data-closed[is_closed] data-fixed[self.y_range.is_some()] role="group" aria-label=(self.alternative) {
                     (picture.svg())
                 }
                 div.readout {

@@ -121,6 +121,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         y_symbol: writer.symbol(&curve.unit),
         entries,
         height: 380,
+        is_periodic: is_periodic(result, curve),
         caption: html! {
             strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
             "At each angle, " (share) " of mechanisms lie inside the orange band for all unknown values"
@@ -148,6 +149,12 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         ),
         ..Chart::over_angle(curve_name(curve), &result.cycle.drive, &curve.pose_rad, writer)
     }
+}
+
+/// Whether the last pose of a turn is followed by the first one: not where the runs begin with the recorded part, in a position without
+/// play that they do not come back to. The ideal motion does.
+fn is_periodic(result: &StudyResult, curve: &DeviationCurve) -> bool {
+    result.cycle.recorded_turns == 1.0 && (result.cycle.transient_turns >= 1.0 || curve.of == Deviation::Dimensional)
 }
 
 /// Whether several intervals share what is known of an input.
