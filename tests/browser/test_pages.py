@@ -5,9 +5,15 @@ import pathlib
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from chromium import Chromium  # noqa: E402
+
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 BUILT = REPOSITORY / "target" / "debug"
 CHECK = REPOSITORY / "tests" / "browser" / "check_pages.py"
+# Heights of a phone's screen down to the first table that is seen.
+FIRST_TABLE = """[...document.querySelectorAll('table')].find((table) => table.getBoundingClientRect().height > 0 && !table.closest('details'))
+    .getBoundingClientRect().top / innerHeight"""
 
 
 def run(program, *arguments):
@@ -35,3 +41,7 @@ def test_pages_of_a_real_run(tmp_path):
     swept = "joint.gudgeon.radial_clearance=0.1mm..0.5mm"
     run("loosepin", "sweep", model, "--over", swept, "--points", "6", "--transient", "0", "--turns", "4", "--out", tmp_path / "sweep")
     check([tmp_path / kind / "report.html" for kind in ("simulation", "motion", "sweep")])
+    with Chromium() as browser:
+        browser.view(400, 800, reduced_motion=True)
+        browser.open(str(tmp_path / "simulation" / "report.html"))
+        assert browser.evaluate(FIRST_TABLE) < 6

@@ -41,6 +41,10 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         };
         sections.push(Section::new("orbits", "The journal in its bearing", markup));
     }
+    // The numbers before the charts: on a narrow screen those are several screens high.
+    if !record.extremes.is_empty() {
+        sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));
+    }
     sections.push(Section::new("outputs", "Outputs", outputs(record, &writer)));
     if record.outputs.iter().filter(|output| !output.deviation_si.is_empty()).count() > 1 {
         sections.push(Section::new(
@@ -51,9 +55,6 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if !record.measured.is_empty() {
         sections.push(Section::new("measured", "Measured against computed", measured_figures(record, &writer)));
-    }
-    if !record.extremes.is_empty() {
-        sections.push(Section::new("extremes", "Smallest and largest values", extremes(record, &writer)));
     }
     if let Some(spectra) = spectrum_section(record, &writer) {
         sections.push(Section::new("spectra", "Oscillations", spectra));
