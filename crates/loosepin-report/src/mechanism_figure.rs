@@ -57,6 +57,8 @@ struct Moving {
     picture: Picture,
     motion: Motion,
     has_play: bool,
+    /// Which signs are drawn, for the caption: the arrow of a drive, the flag of an output.
+    has_signs: [bool; 2],
 }
 
 /// The mechanism in its first pose, or nothing where the record holds no poses. Gaps are magnified where the poses with play are
@@ -99,7 +101,8 @@ fn moving(drawing: &Drawing, drive: &str, is_gap_shown: bool) -> Option<Moving> 
     };
     let view = [view.left, view.top, view.width, view.height];
     let picture = Picture { name: NAME.to_owned(), class: "mechanism", view, below: 0.0, alternative, drawn };
-    Some(Moving { picture, motion, has_play })
+    let has_signs = [has_arrow(drawing, reference, sizes.pin), labels.iter().any(Label::is_output)];
+    Some(Moving { picture, motion, has_play, has_signs })
 }
 
 /// A drawing of a mechanism for a page that moves it by itself.
@@ -120,7 +123,7 @@ pub fn moving_drawing(drawing: &Drawing, drive: &str) -> Option<MovingDrawing> {
 
 /// The figure, or nothing where the record holds no poses.
 pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
-    let Some(Moving { picture, motion, has_play }) = moving(drawing, drive, false) else { return html! {} };
+    let Some(Moving { picture, motion, has_play, has_signs }) = moving(drawing, drive, false) else { return html! {} };
     let magnification = motion.magnification;
     html! {
         figure.mechanism id=(NAME) data-mechanism=(NAME) data-figure=(NAME) {
@@ -152,8 +155,8 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
                 } @else {
                     "The mechanism over one turn."
                 }
-                @if has_arrow(drawing, reference, sizes.pin) { " Arrow: drive." }
-                @if labels.iter().any(Label::is_output) { " Flag: output." }
+                @if has_signs[0] { " Arrow: drive." }
+                @if has_signs[1] { " Flag: output." }
             }
             script type="application/json" data-for=(NAME) { (script_json(&motion)) }
         }
