@@ -41,7 +41,18 @@ file-pages:
 
 # Builds the scripts of the report pages from TypeScript; the built files are checked in.
 page-scripts:
-    cd crates/loosepin-report/scripts && npm ci --silent --no-audit --no-fund && npm run --silent build
+    #!/usr/bin/env bash
+    set -euo pipefail
+    # ./test may have put npm into .venv.
+    export PATH="$PATH:{{ justfile_directory() }}/.venv/bin"
+    command -v npm >/dev/null || {
+        echo "error: npm is not on the PATH" >&2
+        echo "hint: install Node 20 or newer, or call ./test --install-only" >&2
+        exit 2
+    }
+    cd crates/loosepin-report/scripts
+    npm ci --silent --no-audit --no-fund
+    npm run --silent build
 
 # The built scripts of the report pages are those of their sources, byte for byte.
 page-scripts-check:
@@ -90,8 +101,8 @@ python-tests: (tool "pytest") programs
     "{{ python }}" tools/python/install.py target/debug
     "{{ python }}" -m pytest --quiet crates/loosepin-python/tests
 
-# Loads the pages that people see in headless Chromium (its path in CHROMIUM).
-browser-tests: (tool "pytest") programs
+# Loads the pages that people see in headless Chromium (its path in CHROMIUM), with axe-core, which comes with the scripts.
+browser-tests: (tool "pytest") page-scripts programs
     #!/usr/bin/env bash
     set -euo pipefail
     if [ ! -d tests/browser ]; then

@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tarfile
 from xml.etree import ElementTree
 
 import pytest
@@ -53,6 +54,32 @@ def test_the_page_saves_what_the_library_writes(pages, browser, name):
         # The table of an orbit has its poses, and no curve for each column.
         if root.get("class") == "figure chart":
             columns_are_drawn(root, table, figure)
+
+
+# Clicks every button below the input files, and gives the name and the bytes of what is saved.
+SAVED_FILES = """(async () => {
+  const saved = [], blobs = new Map(), made = URL.createObjectURL, clicked = HTMLAnchorElement.prototype.click;
+  URL.createObjectURL = (blob) => { const url = made.call(URL, blob); blobs.set(url, blob); return url; };
+  HTMLAnchorElement.prototype.click = function () { saved.push([this.download, blobs.get(this.href)]); };
+  document.querySelectorAll('.save.plain button').forEach((button) => button.click());
+  URL.createObjectURL = made;
+  HTMLAnchorElement.prototype.click = clicked;
+  return Promise.all(saved.map(async ([name, blob]) => [name, [...new Uint8Array(await blob.arrayBuffer())]]));
+})()"""
+
+
+def test_the_page_saves_its_input_files_byte_for_byte_and_in_their_folders(pages, browser):
+    browser.open(str(pages / "study.html"))
+    saved = {name: bytes(content) for name, content in browser.evaluate(SAVED_FILES)}
+    archive = saved.pop("inputs.tar")
+    with tarfile.open(fileobj=io.BytesIO(archive)) as opened:
+        members = {member.name: opened.extractfile(member).read() for member in opened.getmembers()}
+    assert members == {
+        "study.toml": b'name = "worn pin"\n',
+        "model.toml": b'name = "slider-crank"\r\n# mm\r\n',
+        "parts/rod.csv": b"\nrod [mm]\n119.98\n<120.01>",
+    }
+    assert saved == {name.rpartition("/")[2]: content for name, content in members.items()}
 
 
 def columns_are_drawn(root, table, figure):

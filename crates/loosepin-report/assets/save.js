@@ -67,17 +67,64 @@ const savedFigures = (() => {
             button('CSV', () => download(name + '.csv', new Blob([kept.csv ?? ''], { type: 'text/csv' })));
         figure.append(row);
     });
+    /** A tape archive (ustar) of texts by path: every system unpacks it into folders, which a saved file cannot name. */
+    function archive(files) {
+        const block = 512;
+        const encoder = new TextEncoder();
+        const parts = [];
+        for (const [name, text] of files) {
+            const content = encoder.encode(text);
+            const path = encoder.encode(name);
+            // A name of more than 100 bytes is parted at a slash.
+            const slash = 0x2f;
+            const cut = path.length > 100 ? path.indexOf(slash, path.length - 101) : -1;
+            const header = new Uint8Array(block);
+            const write = (at, bytes) => header.set(bytes, at);
+            const octal = (at, digits, value) => write(at, encoder.encode(value.toString(8).padStart(digits, '0')));
+            write(0, path.subarray(cut + 1, cut + 101));
+            octal(100, 7, 0o644);
+            octal(108, 7, 0);
+            octal(116, 7, 0);
+            octal(124, 11, content.length);
+            octal(136, 11, 0);
+            // The sum counts its own place as spaces; a file; the format.
+            write(148, encoder.encode('        0'));
+            write(257, encoder.encode('ustar\u000000'));
+            write(345, path.subarray(0, Math.max(0, Math.min(cut, 155))));
+            octal(148, 6, header.reduce((sum, byte) => sum + byte, 0));
+            header[154] = 0;
+            const padded = new Uint8Array(Math.ceil(content.length / block) * block);
+            padded.set(content);
+            parts.push(header, padded);
+        }
+        parts.push(new Uint8Array(2 * block));
+        return new Blob(parts, { type: 'application/x-tar' });
+    }
     // The files that the result was computed from.
-    document.querySelectorAll('[data-input]').forEach((details) => {
-        const text = details.querySelector('pre')?.textContent ?? '';
+    function saveButton(label, name, content, after) {
         const button = document.createElement('button');
         button.type = 'button';
-        button.textContent = 'Save ' + (details.dataset.input ?? '');
-        button.addEventListener('click', () => download(details.dataset.input ?? 'input.toml', new Blob([text], { type: 'text/plain' })));
+        button.textContent = label;
+        button.addEventListener('click', () => download(name, content()));
         const row = document.createElement('div');
         row.className = 'save plain';
         row.append(button);
-        details.after(row);
+        after.after(row);
+    }
+    const inputs = [...document.querySelectorAll('[data-input]')];
+    const files = inputs.map((details) => {
+        const shown = details.querySelector('pre')?.textContent ?? '';
+        const { input = 'input.toml', exact } = details.dataset;
+        return [input, exact === undefined ? shown : String(JSON.parse(exact))];
+    });
+    const last = inputs[inputs.length - 1];
+    if (last && files.length > 1)
+        saveButton('Save all', 'inputs.tar', () => archive(files), last);
+    files.forEach(([name, text], index) => {
+        const details = inputs[index];
+        if (!details)
+            return;
+        saveButton('Save ' + name, name.split('/').pop() ?? name, () => new Blob([text], { type: 'text/plain' }), details);
     });
     return texts;
 })();

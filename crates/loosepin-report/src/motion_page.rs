@@ -10,8 +10,8 @@ use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::repeat_section::repeat_section;
 use super::still_figures::percent_of;
-use super::wording::named_words;
-use loosepin_result::motion::{EffortMotion, MotionRecord, OutputMotion};
+use super::wording::{listed, named_words};
+use loosepin_result::motion::{EffortMotion, GuideOverhang, MotionRecord, OutputMotion};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
@@ -120,7 +120,27 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             position.words
         ));
     }
+    sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
     sentences
+}
+
+/// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`
+fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &NumberWriter) -> String {
+    let spans: Vec<String> = overhang
+        .spans_rad
+        .iter()
+        .map(|[from_rad, to_rad]| {
+            let [from, to] = [from_rad, to_rad].map(|angle_rad| turn_angle(record, *angle_rad, 3, writer));
+            if from == to { from } else { format!("{from} to {to}") }
+        })
+        .collect();
+    format!(
+        "Joint {}: the block may overhang an end of its guide at {} of {}. It can tilt further there than the worst case assumes, so \
+         that the effect of play may be larger than stated.",
+        overhang.joint,
+        listed(&spans),
+        record.drive
+    )
 }
 
 /// What moves in words: the output, or for an error of a path the point along or across it.

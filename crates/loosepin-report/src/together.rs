@@ -77,14 +77,15 @@ pub(super) fn together_sentences(result: &StudyResult, one: &TogetherRecord, wri
                 .collect();
             vec![
                 format!(
-                    "One against the other: {} and {} together may be at most {}. All requirements are met with each pair that was run, \
-                     also with other random numbers.",
+                    "One against the other: {} and {} together may be at most {}. All requirements are met with each of these pairs that \
+                     was run, also with other random numbers.",
                     x.0,
                     y.0,
                     pairs.join("; ")
                 ),
                 format!(
-                    "Looser is taken to be never better: a pair that is tighter than a met one was not run itself. {spent}"
+                    "Looser is taken to be never better: a pair that is tighter in both than a met one counts as met, and one that is \
+                     looser in both than a refused one as not shown to be met. Such pairs were not run. {spent}"
                 ),
             ]
         }
@@ -122,10 +123,10 @@ fn shares(one: &TogetherRecord, values_si: &[f64], writer: &NumberWriter) -> Str
     })
 }
 
-/// `they are not met (93 %, required 95 %)`; a combination that is looser than a refused one was not run itself.
+/// `they are not met (93 %, required 95 %)`; a combination that is looser than a refused one is not run itself.
 fn refused(one: &TogetherRecord, values_si: &[f64], writer: &NumberWriter) -> String {
     of(one, values_si).last().map_or_else(
-        || "they are not met, since a tighter combination is not".to_owned(),
+        || "they are not shown to be met, as at a tighter combination that was run".to_owned(),
         |check| format!("they are {} ({})", verdict_words(check.answer.verdict), shares(one, values_si, writer)),
     )
 }
@@ -134,37 +135,46 @@ fn of<'a>(one: &'a TogetherRecord, values_si: &'a [f64]) -> impl Iterator<Item =
     one.checks.iter().filter(move |check| check.values_si == values_si)
 }
 
-/// The frontier of two inputs: what is met below the line, what is refused above the other.
+/// The frontier of two inputs as steps: no more than what was met, and what follows from it, is drawn as met.
+///
+/// With the pairs (a_k, b_k) that are met and (a_k, r_k) that are refused, a rising, the requirements are met at a pair that is tighter
+/// than a met one: up to b_(k+1) over (a_k, a_(k+1)]. They are not shown to be met at one that is looser than a refused one: from r_k on over
+/// [a_k, a_(k+1)). So each a has two rows, what is to its left and what is to its right.
 pub(super) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &NumberWriter) -> Option<Chart> {
     let is_curve = one.how == Together::Frontier && one.allowed_si.len() > 1;
     let [x, y] = <&[_; 2]>::try_from(&one.inputs[..]).ok().filter(|_| is_curve)?;
-    let first_si: Vec<f64> = one.allowed_si.iter().map(|pair| pair[0]).collect();
-    let met_si: Vec<f64> = one.allowed_si.iter().map(|pair| pair[1]).collect();
-    let refused_si: Vec<f64> = first_si
-        .iter()
-        .map(|first| one.beyond_si.iter().find(|pair| pair[0] == *first).map_or(f64::NAN, |pair| pair[1]))
-        .collect();
+    let refused_si =
+        |first_si: f64| one.beyond_si.iter().find(|pair| pair[0] == first_si).map_or(f64::NAN, |pair| pair[1]);
+    let mut rows_si: Vec<[f64; 3]> = Vec::new();
+    for (column, pair) in one.allowed_si.iter().enumerate() {
+        let before = &one.allowed_si[column.saturating_sub(1)];
+        let after = one.allowed_si.get(column + 1).unwrap_or(pair);
+        rows_si.push([pair[0], pair[1], refused_si(before[0])]);
+        rows_si.push([pair[0], after[1], refused_si(pair[0])]);
+    }
+    let column_si = |index: usize| -> Vec<f64> { rows_si.iter().map(|row| row[index]).collect() };
     let [x_words, y_words] = [x, y].map(|input| subject(result, &input.path, input.what));
     let in_page = |values_si: &[f64]| scaled(values_si, &y.unit, writer);
-    let least = vec![y.least_si; met_si.len()];
-    let mut chart = Chart::over("frontier".to_owned(), &x_words, &first_si, &x.unit, writer);
+    let least = vec![y.least_si; rows_si.len()];
+    let mut chart = Chart::over("frontier".to_owned(), &x_words, &column_si(0), &x.unit, writer);
     chart.y_label = y_words.clone();
     chart.y_symbol = writer.symbol(&y.unit);
     chart.entries = vec![
-        Entry::new("requirements met", Role::Random, false, EntryValues::band(&in_page(&least), &in_page(&met_si))),
         Entry::new(
-            "next looser value, not shown to be met",
-            Role::Limit,
-            true,
-            EntryValues::line(&in_page(&refused_si)),
+            "requirements met",
+            Role::Random,
+            false,
+            EntryValues::band(&in_page(&least), &in_page(&column_si(1))),
         ),
+        Entry::new("from here on not shown to be met", Role::Limit, true, EntryValues::line(&in_page(&column_si(2)))),
     ];
     chart.caption = html! {
         strong { "One against the other." }
-        " How large the " (y_words) " may be, over the " (x_words) ", so that every requirement holds, at "
-        (first_si.len()) " values of it."
+        " How large the " (y_words) " may be, over the " (x_words) ", so that every requirement holds. "
+        (one.allowed_si.len()) " values of it were tested; between two of them the next larger one counts. Between both lines nothing is known."
     };
-    chart.alternative =
-        format!("Chart of the largest allowed {y_words} over the {x_words}; it never rises from left to right.");
+    chart.alternative = format!(
+        "Chart of the largest allowed {y_words} over the {x_words}, in steps; it never rises from left to right."
+    );
     Some(chart)
 }

@@ -29,6 +29,9 @@ pub struct MotionRecord {
     pub mobility: String,
     /// Positions at which the ideal mechanism is singular, or nearly so.
     pub singular_positions: Vec<SingularPosition>,
+    /// Joints whose block may reach over an end of its guide. The quasi-static answer takes it as held over its whole length.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub guide_overhangs: Vec<GuideOverhang>,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Angle of the drive over one cycle, increasing.
@@ -52,6 +55,16 @@ pub struct SingularPosition {
     pub drive_angle_rad: f64,
     /// What happens there, in words.
     pub words: String,
+}
+
+/// A block that may reach over an end of its guide.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct GuideOverhang {
+    /// Name of the joint.
+    pub joint: String,
+    /// Angles of the drive, from and to, between which each recorded position overhangs.
+    #[serde(with = "extended")]
+    pub spans_rad: Vec<[f64; 2]>,
 }
 
 /// Ideal motion of one output and what clearance does to it quasi-statically.

@@ -6,6 +6,7 @@ use super::drawing::{add_pose, skeleton};
 use super::engine::{least_evaluations, run};
 use super::failure::RunFailure;
 use super::flight::FlightClock;
+use super::input_files::input_files;
 use super::lyapunov::{ExponentPlan, largest_exponent};
 use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
@@ -641,6 +642,5 @@ fn repeat(model: &Model, plan: &Plan) -> Repeat {
     if plan.with_states {
         arguments.push("--states".to_owned());
     }
-    let sources = std::iter::once(model.source()).chain(model.tables());
-    Repeat::new("simulate", &arguments, sources.map(|source| &**source))
+    Repeat::new("simulate", &arguments, input_files(model))
 }

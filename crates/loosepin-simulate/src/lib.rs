@@ -20,6 +20,7 @@ mod free_motion;
 mod gap;
 mod history;
 mod ideal_curve;
+mod input_files;
 mod lane;
 mod lyapunov;
 mod memory;
@@ -62,6 +63,7 @@ pub use follow::{
 pub use free_motion::FreeMotion;
 pub use history::{BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_until};
 pub use ideal_curve::{IdealCurve, IdealNodes};
+pub use input_files::input_files;
 pub use loosepin_mechanics::mechanism::Mechanism;
 pub use loosepin_mechanics::model::Model;
 pub use loosepin_result::simulation::REPEAT_SHARE;

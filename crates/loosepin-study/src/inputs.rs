@@ -2,8 +2,10 @@
 
 use super::Study;
 use loosepin_mechanics::model::Model;
-use loosepin_result::repeat::Repeat;
+use loosepin_result::repeat::{InputRole, Repeat};
+use loosepin_simulate::input_files;
 use loosepin_store::results::{InputsHash, InputsHasher, ResultKind};
+use loosepin_text::diagnostics::Source;
 
 /// Adds a model file, and the tables that it names, to what a result is computed from.
 pub fn add_model(hasher: &mut InputsHasher, model: &Model) {
@@ -23,9 +25,15 @@ pub fn add_study(hasher: &mut InputsHasher, study: &Study) {
 
 /// How the result of `study` is made again.
 pub(super) fn repeat(study: &Study) -> Repeat {
-    let of_study = std::iter::once(study.source()).chain(study.tables());
-    let of_model = std::iter::once(study.model.source()).chain(study.model.tables());
-    Repeat::new("study", study.stated(), of_study.chain(of_model).map(|source| &**source))
+    Repeat::new("study", study.stated(), study.input_files())
+}
+
+impl Study {
+    /// The files of the study, and those of its model.
+    pub fn input_files(&self) -> impl Iterator<Item = (InputRole, &Source)> {
+        let tables = self.tables().iter().map(|table| (InputRole::Table, &**table));
+        std::iter::once((InputRole::Study, &**self.source())).chain(tables).chain(input_files(&self.model))
+    }
 }
 
 /// The hash of everything that the result of `study` is computed from: its files, those of its model, and what is stated beside them.

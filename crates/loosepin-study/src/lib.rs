@@ -50,6 +50,7 @@ pub mod runs;
 mod runs_table;
 mod saved_surrogates;
 mod sheet;
+mod simulate_command;
 mod simultaneous;
 mod surrogate;
 mod texts;

@@ -28,7 +28,9 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let record = &shards.record;
     let path = arguments.study.as_ref().unwrap_or(&record.study);
     let (mut study, inputs) = read_stated(path, &record.accuracy, record.budget.as_deref())?;
-    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
+    if let Some(share) = arguments.most_failed {
+        study.set_most_failed(share);
+    }
     if inputs.to_string() != record.inputs_blake3 {
         let expected = record.inputs_blake3.chars().take(8).collect();
         return Err(Failure::of(&ShardsError::Changed { study: path.clone(), found: inputs.short(), expected }));

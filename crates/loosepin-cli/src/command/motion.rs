@@ -5,6 +5,7 @@ use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
+use loosepin::simulate::input_files;
 use loosepin::study::InputFile;
 
 use super::inputs::{add_model, add_study, warn};
@@ -40,14 +41,11 @@ impl StoredResult for MotionRecord {
 
 /// How the result is made again.
 fn repeat(file: &InputFile, set: &[String]) -> Repeat {
-    let model = file.model();
-    let of_model = std::iter::once(model.source()).chain(model.tables());
-    let of_study = match file {
-        InputFile::Model(_) => Vec::new(),
-        InputFile::Study(study) => std::iter::once(study.source()).chain(study.tables()).collect(),
-    };
     let arguments: Vec<String> = set.iter().flat_map(|set| ["--set".to_owned(), set.clone()]).collect();
-    Repeat::new("motion", &arguments, of_study.into_iter().chain(of_model).map(|source| &**source))
+    match file {
+        InputFile::Model(model) => Repeat::new("motion", &arguments, input_files(model)),
+        InputFile::Study(study) => Repeat::new("motion", &arguments, study.input_files()),
+    }
 }
 
 fn inputs(model: &Model, file: &InputFile, arguments: &MotionArguments) -> InputsHash {

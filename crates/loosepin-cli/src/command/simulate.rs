@@ -64,6 +64,9 @@ fn simulated(
 ) -> Ending {
     let model = &mechanism.model;
     let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
+    for table in measured {
+        simulation.record.repeat.add_measured("--measured", table.source());
+    }
     // A run that failed is written as it is, without what follows from it.
     if simulation.failure.is_none() {
         check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;

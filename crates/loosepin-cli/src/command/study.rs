@@ -26,7 +26,9 @@ use crate::progress::Bar;
 pub fn run(arguments: &StudyArguments) -> Ending {
     let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
     // No input of the results: it says only when the study is given up.
-    study.sampling.most_failed = arguments.most_failed.unwrap_or(study.sampling.most_failed);
+    if let Some(share) = arguments.most_failed {
+        study.set_most_failed(share);
+    }
     let claim = claim(ResultKind::Study, &study.name, inputs, &arguments.output);
     if let Some(shard) = arguments.shard {
         return shard::run(arguments, shard, &study, claim);

@@ -5,8 +5,8 @@ use loosepin::model::{Model, Rule, SetValues, SettingError, measured_argument};
 use loosepin::report::{sweep_page, sweep_text};
 use loosepin::result::repeat::Repeat;
 use loosepin::results::{InputsHash, InputsHasher, ResultKind};
-use loosepin::simulate::Settings;
 use loosepin::simulate::record::Override;
+use loosepin::simulate::{Settings, input_files};
 use loosepin::study::Progress;
 use loosepin::sweep::record::SweepRecord;
 use loosepin::sweep::{SECTIONS_FILE, SWEEP_FILE, SweepError, SweepPlan, sections_csv, sweep, sweep_csv};
@@ -95,8 +95,7 @@ fn repeat(model: &Model, arguments: &SweepArguments) -> Repeat {
     stated.extend(["--transient".to_owned(), arguments.transient.to_string()]);
     stated.extend(["--turns".to_owned(), arguments.turns.to_string()]);
     stated.extend(["--tolerance".to_owned(), arguments.tolerance.clone()]);
-    let sources = std::iter::once(model.source()).chain(model.tables());
-    Repeat::new("sweep", &stated, sources.map(|source| &**source))
+    Repeat::new("sweep", &stated, input_files(model))
 }
 
 fn inputs(arguments: &SweepArguments, model: &Model, plan: &SweepPlan) -> InputsHash {

@@ -1,11 +1,7 @@
 //! Runs that fail: a limit on their share, and a command that repeats one.
 #![cfg(unix)]
 
-use std::ffi::OsString;
-use std::path::Path;
-use std::process::{Command, Stdio};
-
-use super::command_line::{Desk, Said};
+use super::command_line::Desk;
 
 /// A crank that in some samples is longer than the rod: the ideal mechanism, with which the deviation is measured, jams at a right
 /// angle.
@@ -73,17 +69,6 @@ fn desk(study: &str) -> Desk {
     desk
 }
 
-/// Pastes a command into a shell in the folder.
-fn paste(desk: &Desk, command: &str) -> Said {
-    let program = Path::new(env!("CARGO_BIN_EXE_loosepin")).parent().expect("a folder");
-    let mut path = OsString::from(program);
-    path.push(":");
-    path.push(std::env::var_os("PATH").unwrap_or_default());
-    let mut shell = Command::new("sh");
-    shell.args(["-c", command]).current_dir(desk.path("")).env("PATH", path).stdin(Stdio::null());
-    shell.output().expect("a shell").into()
-}
-
 /// The most frequent reason of a finished study.
 fn commonest(desk: &Desk, folder: &str) -> serde_json::Value {
     let summary: serde_json::Value = serde_json::from_str(&desk.read(&format!("{folder}/summary.json"))).expect("JSON");
@@ -106,7 +91,7 @@ fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
     assert!(message.contains(" of them: the links cannot close at "), "{message}");
     let (command, rest) = hint.split_once("` repeats one; ").expect("a command");
     assert_eq!(rest, "--resume --most-failed SHARE goes on with the runs that are kept\n");
-    let again = paste(&desk, command);
+    let again = desk.paste(command);
     assert_eq!(again.status, 2);
     assert!(again.messages.contains("error[E0704]: the links cannot close at "), "{}", again.messages);
     assert!(desk.path("bounds/runs.parquet").exists() && desk.path("bounds/runs.sqlite").exists());
@@ -130,7 +115,7 @@ fn identity_the_printed_command_fails_in_the_same_way_at_the_same_instant() {
     // The same bits: the words name the instant and the depth.
     assert!(words.contains("is pressed"), "{words}");
     assert!(said.output.contains(&format!("again: {command}\n")), "{}", said.output);
-    let again = paste(&desk, &format!("{command} --out again"));
+    let again = desk.paste(&format!("{command} --out again"));
     assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
 }
 
@@ -153,7 +138,7 @@ fn runs_in_which_a_law_gains_energy_are_failed_runs_by_name() {
     let words = reason["words"].as_str().expect("words");
     assert!(words.starts_with("friction in joint 'gudgeon' gave "), "{words}");
     let command = reason["example"]["command"].as_str().expect("a command");
-    let again = paste(&desk, &format!("{command} --out again"));
+    let again = desk.paste(&format!("{command} --out again"));
     assert!(again.status == 2 && again.messages.contains(words), "{words}\n{}", again.messages);
     assert!(desk.path("again/history.csv").exists(), "what was computed is kept");
 }

@@ -60,6 +60,10 @@ fn measured_curves_enter_hash_page_and_summary() {
     assert!(with.output.contains("residual: measured minus computed") && !bare.output.contains("residual"));
     let summary: serde_json::Value = serde_json::from_str(&desk.read("with/summary.json")).expect("JSON");
     assert_eq!(summary["measured"][0]["output"], "slider");
+    assert_eq!(summary["repeat"]["command"], "loosepin simulate model.toml --turns 0.1 --measured measured.csv");
+    let last = &summary["repeat"]["files"][1];
+    assert_eq!((last["name"].as_str(), last["role"].as_str()), (Some("measured.csv"), Some("measured")));
+    assert_eq!(last["text"], desk.read("measured.csv"));
     assert!(!desk.read("bare/summary.json").contains("measured"));
     // The same folder with other measured values holds something else.
     desk.write("measured.csv", "crank [deg], slider [mm]\n0, 170.2\n");

@@ -9,6 +9,7 @@ mod figures;
 mod import;
 mod pages;
 mod paths;
+mod repeat;
 mod resume;
 mod shards;
 mod simulate;

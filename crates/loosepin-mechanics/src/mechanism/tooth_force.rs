@@ -6,7 +6,8 @@
 //! pinion is pushed from the rim towards the middle of the ring.
 //!
 //! Torques alone move the mechanism in the same way: at the centres of ideal joints a force does no work. It adds to what these two
-//! joints carry, and to nothing else, since torque and force on the body that carries both wheels are the same.
+//! joints carry, and to nothing else, since torque and force on the body that carries both wheels are the same. That is exact
+//! where the distance of the centres fits the pitch radii; else the couple of the forces differs by the same share as the distance.
 
 use super::error::MechanismError;
 use super::joint_geometry::JointGeometry;

@@ -208,6 +208,10 @@ problems! {
             says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' has friction; how that grows with the \
                   force of teeth is not computed"),
             hint("leave pressure_angle out, or the friction of that joint");
+        ForceOnSlot { entry: String, joint: String } => Code::TeethNotPossible,
+            says("{entry}: 'pressure_angle' cannot be used where joint '{joint}' is a slot; a slot does not keep \
+                  the rack parallel to its line"),
+            hint("leave pressure_angle out, or guide the rack in a prismatic joint");
         NotForFlanks {
             entry: String,
             contact: String,

@@ -62,6 +62,15 @@ pub enum WitnessValue {
     Choice(String),
 }
 
+/// How the mechanism of a witness is run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WitnessCommand {
+    /// The epistemic inputs.
+    pub witness: Witness,
+    /// The command, to be given in the folder in which the input files are; random inputs are as in the model.
+    pub command: String,
+}
+
 /// Numerical error of a bound in its three parts, in the unit of the bound, each >= 0.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct NumericalError {

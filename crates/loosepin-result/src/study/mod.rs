@@ -24,7 +24,7 @@ pub use allowances::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
     LoosenedInput, Together, TogetherCheck, TogetherRecord,
 };
-pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessValue};
+pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessCommand, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use deviation::Deviation;
 pub use draft::Draft;
@@ -140,6 +140,9 @@ pub struct StudyResult {
     /// How it is made again; empty in records of older versions.
     #[serde(default, skip_serializing_if = "Repeat::is_empty")]
     pub repeat: Repeat,
+    /// Commands that run one mechanism at witnesses of requirements and of single bounds, the most important first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub witness_commands: Vec<WitnessCommand>,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Deviation curves over the cycle.

@@ -2,13 +2,13 @@
 
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
+use super::overhang::overhanging;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{ExactWorstCase, exact_worst_case};
 use loosepin_math::Vec2;
-use loosepin_mechanics::dynamics::PlayMotion;
-use loosepin_mechanics::mechanism::{IdealMotion, Kinematics, Mechanism, PlayGeometry, PlayShape, Sample, SliderBlock};
-use loosepin_mechanics::model::{PlayId, Values};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayGeometry, PlayShape, Sample};
+use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{QuasiStaticShare, SimulationRecord};
 use loosepin_text::units::SiUnit;
 
@@ -56,7 +56,7 @@ pub fn quasi_static_check(
     for (row, time_s) in record.time_s.iter().enumerate() {
         ideal.move_to(*time_s)?;
         loops.set_position(ideal.coordinates());
-        if overhangs(mechanism, &sample, ideal.kinematics()) {
+        if overhanging(mechanism, &sample, &reaches, ideal.kinematics()).next().is_some() {
             compared.iter_mut().for_each(Compared::leave_out);
             continue;
         }
@@ -80,22 +80,6 @@ pub fn check_quasi_static(
 ) -> Result<(), AccuracyError> {
     record.quasi_static_check = quasi_static_check(mechanism, values, record)?;
     Ok(())
-}
-
-/// Whether the block of a slider with play reaches over an end of its guide in the ideal position, or as near to it as its play.
-fn overhangs(mechanism: &Mechanism, sample: &Sample<f64>, kinematics: &Kinematics<f64>) -> bool {
-    mechanism.plays.iter().zip(&sample.plays).any(|(play, numbers)| {
-        let PlayShape::Slider(SliderBlock { ends_m: Some([first_m, last_m]), half_length_m, .. }) = numbers.shape
-        else {
-            return false;
-        };
-        let PlayId::Joint(joint) = *play else { return false };
-        let slots = mechanism.model.joints[joint.0].kind.bodies().map(|body| mechanism.ideal.slot_of_body[body.0]);
-        let motion = PlayMotion::between(kinematics, slots, numbers);
-        let along_m = motion.directions[0].dot(motion.eccentricity_m);
-        let reach_m = half_length_m + numbers.clearance_m;
-        along_m - reach_m < first_m || last_m < along_m + reach_m
-    })
 }
 
 /// One output on its way through the samples.

@@ -11,6 +11,7 @@ mod efforts;
 mod error;
 mod loops;
 mod motion;
+mod overhang;
 mod part;
 mod play_reach;
 mod position;

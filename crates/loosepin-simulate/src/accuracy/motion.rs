@@ -5,6 +5,7 @@ use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
+use super::overhang::{Overhangs, overhanging};
 use super::part::{Part, PartKind};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
@@ -89,13 +90,16 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
 
     let outputs = position_outputs(mechanism);
     let jets: Vec<Vec<[f64; 3]>> = cycle.states.iter().map(|state| jets(mechanism, values, &outputs, state)).collect();
-    let mut recorder = Recorder::new(mechanism, values, &sample, reaches, (&outputs, &jets), plan, &directions);
+    let mut overhangs = Overhangs::default();
+    let mut recorder = Recorder::new(mechanism, values, &sample, reaches.clone(), (&outputs, &jets), plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
     for (state, jets) in cycle.states.iter().zip(&jets) {
         let angle_rad = input.angle_rad(state.time_s());
         drive_angle_rad.push(angle_rad);
         recorder.record(state, jets)?;
+        let over = overhanging(mechanism, &sample, &reaches, state.kinematics());
+        overhangs.record(angle_rad, over.map(|play| mechanism.model.play_name(mechanism.plays[play]).to_owned()));
         add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
     }
     drawing.ideal_poses = Default::default();
@@ -106,6 +110,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
         drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
+        guide_overhangs: overhangs.into_found(),
         drive: input.name,
         repeat: Repeat::default(),
         display_units: mechanism.model.shown_in(DisplayUnits::default()),

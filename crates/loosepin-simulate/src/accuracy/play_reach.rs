@@ -116,6 +116,13 @@ impl PlayReach {
         }
     }
 
+    /// How far along its guide a slider may reach from its ideal centre, m: a + b sin θ_max, since a corner at the tilt θ is
+    /// a cos θ + b |sin θ| from the centre, and the clearance c, by which the centre itself may be off. None for other joints.
+    pub(super) fn along_guide_m(&self) -> Option<f64> {
+        let Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad } = *self else { return None };
+        Some(half_length_m + half_height_m * sin_cos(largest_tilt_rad).0 + clearance_m)
+    }
+
     /// The displacement nearby that the clearance allows: between two ends a guide is narrower than the straight line.
     pub(super) fn within(&self, displacement: Vec2<f64>) -> Vec2<f64> {
         match *self {
@@ -190,6 +197,24 @@ mod tests {
         }
         assert_eq!(largest_tilt_rad(0.031, 0.05, 0.025), None, "0.056 m of height for a diagonal of 0.0559 m");
         assert!(largest_tilt_rad(0.0308, 0.05, 0.025).is_some());
+    }
+
+    #[test]
+    fn identity_no_corner_reaches_further_along_its_guide() {
+        /// Share of b c/a, the reach by tilt to first order, that θ² terms take or give for c/a = 0.02.
+        const HIGHER_ORDER: f64 = 0.03;
+        let (c, a, b) = (0.001, 0.05, 0.085);
+        let largest_tilt_rad = largest_tilt_rad(c, a, b).expect("it cannot turn over");
+        let guide = PlayReach::Guide { clearance_m: c, half_length_m: a, half_height_m: b, largest_tilt_rad };
+        let reach_m = guide.along_guide_m().expect("a guide");
+        for k in -50..=50 {
+            let tilt_rad = largest_tilt_rad * f64::from(k) / 50.0;
+            let corner_m = a * tilt_rad.cos() + b * tilt_rad.sin().abs();
+            assert!(corner_m + c <= reach_m, "{corner_m} {reach_m}");
+        }
+        let by_tilt_m = reach_m - a - c;
+        assert!((by_tilt_m / (b * c / a) - 1.0).abs() < HIGHER_ORDER, "{by_tilt_m}");
+        assert_eq!(PlayReach::Disc { radius_m: c }.along_guide_m(), None);
     }
 
     #[test]

@@ -100,6 +100,11 @@ impl MeasuredTable {
         self.source.text()
     }
 
+    /// The file.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
     /// The name that the file is reported by.
     pub fn file(&self) -> &str {
         self.source.name()

@@ -1,11 +1,10 @@
 //! A slider that overhangs the ends of its guide (`docs/notation.md`): the edge of the guide on the face of the block.
 
+use crate::case::{Case, case};
+use crate::elements::file;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::{ContactForce, Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::Model;
 use loosepin_simulate::{Observer, RunFailure, RunReport, Settings, Step, Window, run};
-use std::path::Path;
 
 const HALF_LENGTH_M: f64 = 0.043;
 const HALF_HEIGHT_M: f64 = 0.012;
@@ -20,21 +19,7 @@ const MIDDLE_M: [f64; 2] = [0.5e-3, 0.7e-3];
 const CENTRE_M: [f64; 2] = [3e-3, 2e-3];
 
 fn text() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/block_over_the_end.toml");
-    std::fs::read_to_string(path).expect("the file is there")
-}
-
-struct Case {
-    mechanism: Mechanism,
-    sample: Sample<f64>,
-}
-
-fn case(text: &str) -> Case {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let nominal = model.quantities.nominal();
-    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{error}"));
-    let sample = Sample::new(&mechanism, &nominal).expect("the nominal sample fits");
-    Case { mechanism, sample }
+    file("block_over_the_end.toml")
 }
 
 /// Coordinates of the block whose middle is at `[x_m, y_m]` in the guide, turned by `tilt_rad`.
@@ -176,7 +161,7 @@ impl Observer for Seen {
 }
 
 fn observed(text: &str, end_s: f64) -> (Result<RunReport, RunFailure>, Seen) {
-    let Case { mechanism, sample } = case(text);
+    let Case { mechanism, sample, .. } = case(text);
     let mut seen = Seen::default();
     let window = Window { start_s: 0.0, end_s };
     let report = run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut seen);

@@ -1,9 +1,10 @@
 //! A slider with play in its guide (`docs/notation.md`): its corners, their forces, and the case of Flores, Leine and Glocker.
 
+use crate::case::{Case, case};
+use crate::elements::file;
 use loosepin_math::{Dual, Numbers};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::Model;
+use loosepin_mechanics::mechanism::Sample;
 use loosepin_simulate::{Observer, Onset, RunFailure, RunReport, Separation, Settings, Step, Window, run};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,25 +12,6 @@ use std::path::Path;
 fn read(file: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_guide").join(file);
     std::fs::read_to_string(path).expect("the case is there")
-}
-
-/// A model of `tests/files`.
-fn file(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files").join(name);
-    std::fs::read_to_string(path).expect("the file is there")
-}
-
-struct Case {
-    mechanism: Mechanism,
-    sample: Sample<f64>,
-}
-
-fn case(text: &str) -> Case {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let nominal = model.quantities.nominal();
-    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{error}"));
-    let sample = Sample::new(&mechanism, &nominal).expect("the nominal sample fits");
-    Case { mechanism, sample }
 }
 
 /// Value and tolerance of an expected number, SI.
@@ -145,7 +127,7 @@ fn analytic_free_phase_and_first_impact_of_both_upper_corners() {
     assert!((ordinate_m - 1e-3).abs() < 2e-12, "{ordinate_m}");
     assert_expected("impact_speed", rate_m_s);
 
-    let Case { mechanism, sample } = case(&read("model.toml"));
+    let Case { mechanism, sample, .. } = case(&read("model.toml"));
     let mut seen = Seen::default();
     let window = Window { start_s: 0.0, end_s: 2.8e-3 };
     run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut seen).expect("the run is sound");
@@ -233,7 +215,7 @@ fn analytic_corner_just_below_at_and_just_above_contact() {
     /// K of the case: steel on steel, corners of 5 mm, N/m^1.5, to its seven digits.
     const STIFFNESS: f64 = 1.072316e10;
     const DIGITS: f64 = 1e-6;
-    let Case { mechanism, sample } = case(&read("model.toml"));
+    let Case { mechanism, sample, .. } = case(&read("model.toml"));
     let mut dynamics = Dynamics::new(&mechanism, &sample);
     let mut states = vec![PlayState::flight(); mechanism.contacts.len()];
     let corner = 1;
@@ -259,7 +241,7 @@ fn analytic_corner_just_below_at_and_just_above_contact() {
 
 #[test]
 fn analytic_slider_jams_on_two_opposite_corners() {
-    let Case { mechanism, sample } = case(&read("model.toml"));
+    let Case { mechanism, sample, .. } = case(&read("model.toml"));
     let mut dynamics = Dynamics::new(&mechanism, &sample);
     let guide = mechanism.contacts_of(0);
     let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.3, effective_mass_kg: f64::NAN };
@@ -291,7 +273,7 @@ fn identity_derivatives_of_gaps_and_powers_of_corners_and_of_edges() {
 fn derivatives_and_powers(text: &str) {
     /// Round-off over the largest term.
     const ROUND_OFF: f64 = 1e-11;
-    let Case { mechanism, sample } = case(text);
+    let Case { mechanism, sample, .. } = case(text);
     let n = mechanism.real.free;
     assert_eq!(n, 3, "place and angle of the block");
     let (start, start_rates) = mechanism.start(&sample).expect("it closes");
@@ -359,7 +341,7 @@ fn ambrosio(speed_m_s: f64) -> f64 {
 fn analytic_friction_of_each_corner_at_stick_and_slip() {
     /// Round-off over the force.
     const ROUND_OFF: f64 = 1e-9;
-    let Case { mechanism, sample } = case(&file("slider_on_a_turning_guide.toml"));
+    let Case { mechanism, sample, .. } = case(&file("slider_on_a_turning_guide.toml"));
     let mut dynamics = Dynamics::new(&mechanism, &sample);
     let (start, _) = mechanism.start(&sample).expect("it closes");
     let state = PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.3, effective_mass_kg: f64::NAN };
@@ -412,7 +394,7 @@ fn speeds_on_a_slope_m_s(slope_deg: f64) -> [f64; 2] {
         }
     }
     let text = file("block_on_a_slope.toml").replace("-10 deg", &format!("{slope_deg} deg"));
-    let Case { mechanism, sample } = case(&text);
+    let Case { mechanism, sample, .. } = case(&text);
     let mut speeds = Speeds::default();
     let window = Window { start_s: 0.0, end_s: 0.5 };
     run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut speeds).expect("the run is sound");
@@ -446,7 +428,7 @@ fn text_of_a_slider_that_leaves_its_guide_and_identity_of_one_that_does_not() {
     assert_eq!((free, seen_free.onsets), (held, seen_held.onsets), "the same bits");
 
     // The rear overhangs the start from the beginning; then the front passes it too.
-    let Case { mechanism, sample } = with_ends("start = \"60 mm\", end = \"300 mm\"");
+    let Case { mechanism, sample, .. } = with_ends("start = \"60 mm\", end = \"300 mm\"");
     let window = Window { start_s: 0.0, end_s: 0.07 };
     let failure = run(&mechanism, &sample, &window, &Settings::for_simulation(), &mut Seen::default());
     let Err(RunFailure::BeyondGuide { contact, joint, along_m, ends_m, time_s }) = failure else {

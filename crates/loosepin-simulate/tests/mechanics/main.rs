@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod balance;
+mod case;
 mod contact_laws;
 mod elements;
 mod films;

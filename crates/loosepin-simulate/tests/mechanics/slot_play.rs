@@ -1,42 +1,24 @@
 //! A pin with play in a straight slot with round ends (`docs/notation.md`).
 
+use crate::case::{Case, case};
+use crate::elements::file;
 use loosepin_math::{Dual, Numbers, Vec2};
 use loosepin_mechanics::contact::{compliance_1_pa, cylinder_stiffness_n_m1_5};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayShape, Sample};
-use loosepin_mechanics::model::{JointId, Model, Values};
+use loosepin_mechanics::mechanism::{IdealMotion, PlayShape, Sample};
+use loosepin_mechanics::model::JointId;
 use loosepin_simulate::accuracy::{
     DisplacedLoops, PlayReach, exact_worst_case, position_outputs, quasi_static_check, starts_on_borders,
 };
 use loosepin_simulate::{Observer, Plan, RunReport, Settings, Step, Window, run, simulate};
-use std::path::Path;
 
 const END_RADIUS_M: f64 = 0.010;
 const CLEARANCE_M: f64 = 1e-4;
 const HALF_LENGTH_M: f64 = 0.055;
 
-fn file(name: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files").join(name);
-    std::fs::read_to_string(path).expect("the file is there")
-}
-
 /// A driven arm that carries the slot, and a disc that is free but for it.
 fn disc_in_a_turning_slot() -> String {
     file("disc_in_a_turning_slot.toml")
-}
-
-struct Case {
-    mechanism: Mechanism,
-    values: Values,
-    sample: Sample<f64>,
-}
-
-fn case(text: &str) -> Case {
-    let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let values = model.quantities.nominal();
-    let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
-    let sample = Sample::new(&mechanism, &values).expect("the nominal sample fits");
-    Case { mechanism, values, sample }
 }
 
 fn observed(case: &Case, end_s: f64, observer: &mut impl Observer) -> RunReport {

@@ -112,37 +112,21 @@ fn simultaneous(material: &Material<'_>, bands: &[CurveBand], planned: &PlannedA
 #[cfg(test)]
 mod tests {
     use super::curves;
-    use crate::assemble::{Material, drawing};
-    use crate::file::Study;
-    use crate::problem::problem;
-    use crate::response::StudyResponse;
-    use loosepin_bounds::{DoubleLoop, SampleTable, execute};
-    use std::path::Path;
+    use crate::assemble::drawing;
+    use crate::assemble::few_runs::FewRuns;
 
     #[test]
     fn a_pose_without_a_bound_keeps_its_place() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let text = "name = \"curve\"\nmodel = \"model.toml\"\n\
-             [cycle]\ntransient_turns = 0\nrecorded_turns = 1\nsamples_per_turn = 6\n[sampling]\nouter = 4\ninner = 32\n\
-             [random]\n\"parameter.crank_length\" = { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }\n\
-             [[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
-        let study = Study::from_text_at(&path.display().to_string(), text);
-        let study = study.unwrap_or_else(|complaints| panic!("{complaints}"));
-        let response = StudyResponse::new(&study).unwrap();
-        let plan = DoubleLoop::try_new(problem(&study, &response)).unwrap();
-        let mut table = SampleTable::new(response.row_length());
-        execute(plan.next_round(&table).unwrap(), &response, &mut table).unwrap();
-        let bounds = plan.results(&table).unwrap();
-        let columns = &response.shared.plan.asks[0].columns;
-        let known: Vec<_> = bounds.pairs.iter().filter(|pair| pair.column != columns[2]).cloned().collect();
+        let runs = FewRuns::after(0);
+        let columns = &runs.response.shared.plan.asks[0].columns;
+        let known: Vec<_> = runs.bounds.pairs.iter().filter(|pair| pair.column != columns[2]).cloned().collect();
         let ends = |pairs| {
-            let (study, response, table, bounds) = (&study, &response, &table, &bounds);
-            let material = Material { study, response, table, bounds, pairs, rare: &[] };
+            let material = runs.material(pairs);
             let curve = curves(&material, &drawing::pictures(&material), &[]).remove(0);
             assert_eq!(curve.pose_rad.len(), 6);
             curve.mixed.lower_si.into_iter().zip(curve.mixed.upper_si).collect::<Vec<_>>()
         };
-        let mut whole = ends(&bounds.pairs);
+        let mut whole = ends(&runs.bounds.pairs);
         assert!(whole.iter().all(|(lower, upper)| lower <= upper && upper.is_finite()), "{whole:?}");
         whole[2] = (f64::NEG_INFINITY, f64::INFINITY);
         assert_eq!(ends(&known), whole);

@@ -100,32 +100,13 @@ fn thin(drawing: &mut Drawing, offset_rad: f64) {
 #[cfg(test)]
 mod tests {
     use super::{ORBIT_SAMPLES, pictures};
-    use crate::assemble::Material;
-    use crate::file::Study;
-    use crate::problem::problem;
-    use crate::response::StudyResponse;
-    use loosepin_bounds::{DoubleLoop, SampleTable, execute};
+    use crate::assemble::few_runs::FewRuns;
     use std::f64::consts::TAU;
-    use std::path::Path;
 
     #[test]
     fn identity_orbits_and_poses_count_the_recorded_turn_from_zero() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
-        let text = "name = \"orbit\"\nmodel = \"model.toml\"\n\
-             [cycle]\ntransient_turns = 1\nrecorded_turns = 1\nsamples_per_turn = 6\n[sampling]\nouter = 4\ninner = 32\n\
-             [random]\n\"parameter.crank_length\" = { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }\n\
-             [[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
-        let study = Study::from_text_at(&path.display().to_string(), text);
-        let study = study.unwrap_or_else(|complaints| panic!("{complaints}"));
-        let response = StudyResponse::new(&study).unwrap();
-        let plan = DoubleLoop::try_new(problem(&study, &response)).unwrap();
-        let mut table = SampleTable::new(response.row_length());
-        execute(plan.next_round(&table).unwrap(), &response, &mut table).unwrap();
-        let bounds = plan.results(&table).unwrap();
-        let pairs = &bounds.pairs;
-        let material =
-            Material { study: &study, response: &response, table: &table, bounds: &bounds, pairs, rare: &[] };
-        let found = pictures(&material);
+        let runs = FewRuns::after(1);
+        let found = pictures(&runs.material(&runs.bounds.pairs));
         assert_eq!(found.drawing.drives.len(), 1);
         assert!(!found.drawing.output_points.is_empty());
         let orbit = &found.orbits[0];

@@ -7,6 +7,8 @@ mod contributors;
 mod curves;
 mod describe;
 mod drawing;
+#[cfg(test)]
+mod few_runs;
 pub(super) mod material;
 mod promise;
 mod rare;
@@ -15,6 +17,7 @@ mod summary;
 mod surrogate;
 mod treatments;
 mod value_bands;
+mod witness_commands;
 
 pub(super) use bounds::asked_bounds;
 pub(super) use material::Material;
@@ -73,7 +76,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         promise::promise_record(material, &promised)
     });
     let pictures = drawing::pictures(material);
-    StudyResult {
+    let mut result = StudyResult {
         format: FORMAT,
         name: study.name.clone(),
         model: study.model.name.clone(),
@@ -103,10 +106,13 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         energy: summary::energy(material),
         impacts: summary::impacts(material),
         repeat: repeat(material.study),
+        witness_commands: Vec::new(),
         display_units: material.study.model.shown_in(DisplayUnits::default()),
         curves: curves::curves(material, &pictures, &curve_bands),
         boxes: boxes::boxes(material),
         orbits: pictures.orbits,
         drawing: pictures.drawing,
-    }
+    };
+    result.witness_commands = witness_commands::witness_commands(study, &result);
+    result
 }

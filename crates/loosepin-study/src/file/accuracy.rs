@@ -144,6 +144,12 @@ impl Study {
         Ok(())
     }
 
+    /// Replaces the share of runs that may fail, in [0, 1], by that of the command line.
+    pub fn set_most_failed(&mut self, share: f64) {
+        self.sampling.most_failed = share;
+        self.stated.extend(["--most-failed".to_owned(), share.to_string()]);
+    }
+
     fn parse_accuracy(&self, text: &str) -> Result<AccuracyTarget, (AccuracyProblem, Range<usize>)> {
         let asked = askable(&self.asks, |output| self.outputs[output].dimension);
         let (named, value) = match text.split_once('=') {

@@ -134,7 +134,7 @@ impl Study {
         &self.source
     }
 
-    /// Arguments of the command line that state accuracy and budget beside the file.
+    /// Arguments of the command line that state accuracy, budget and failed runs beside the file.
     pub fn stated(&self) -> &[String] {
         &self.stated
     }

@@ -321,7 +321,8 @@ that may lift off its cam slides in a prismatic joint."
     TeethNotPossible "E0641" "forces of teeth are not possible"
 "With `pressure_angle` the two joints of gears, or of a rack and its pinion, carry the force of the teeth: the torque over the pitch \
 radius along the pitch circles, and tan(pressure angle) of that apart. So it needs pitch radii, which must fit the distance of the \
-centres, and joints whose motion does not depend on what they carry: without play and without friction."
+centres, and joints whose motion does not depend on what they carry: without play and without friction. A rack needs a prismatic \
+joint: a slot does not keep it parallel to its line."
 
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \

@@ -1,6 +1,7 @@
 //! Pages, tables and files of results.
 
 mod figures;
+mod frontier;
 mod measured;
 mod report_answer;
 mod report_fixture;

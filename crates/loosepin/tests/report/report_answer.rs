@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use loosepin::accuracy::record::GuideOverhang;
 use loosepin::report::{motion_page, motion_text, simulation_text, study_page, study_text};
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
@@ -414,6 +415,21 @@ fn a_mechanism_without_play_says_so() {
     assert!(text.contains("No joint has play and no part scatters: the motion is ideal."), "{text}");
     assert!(!text.contains("not known"), "{text}");
     assert!(!motion_page(&record).contains("Effect of part scatter"));
+}
+
+#[test]
+fn a_block_that_overhangs_its_guide_is_named_with_the_angles() {
+    let mut record = report_fixture::motion::worn_pin();
+    let overhang = "overhang";
+    assert!(!motion_text(&record).contains(overhang));
+    let spans_rad = [[20.0_f64, 50.0], [200.0, 200.0]].map(|span| span.map(f64::to_radians)).to_vec();
+    record.guide_overhangs = vec![GuideOverhang { joint: "rail".to_owned(), spans_rad }];
+    let due = "Joint rail: the block may overhang an end of its guide at 20° to 50° and 200° of crank. It can tilt further there than \
+               the worst case assumes, so that the effect of play may be larger than stated.";
+    let text = one_line(&motion_text(&record));
+    assert!(text.contains(due), "{text}");
+    let page = motion_page(&record).replace('\u{202f}', " ");
+    assert!(page.contains(due));
 }
 
 /// The curve of the study from `lowest_m` to `highest_m`, half as far in the middle of the ranges, and nothing else to answer with.

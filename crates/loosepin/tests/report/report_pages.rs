@@ -339,6 +339,26 @@ fn text_from_files_is_escaped_everywhere() {
     assert_harmless("motion", &motion_page(&motion), harmless);
 }
 
+#[test]
+fn identity_a_page_gives_its_input_files_back_byte_for_byte() {
+    let study = report_fixture::study::worn_pin();
+    let page = parsed("study", &study_page(&study));
+    let details = select(&page, "[data-input]");
+    assert_eq!(details.len(), study.repeat.files.len());
+    for (details, file) in details.iter().zip(&study.repeat.files) {
+        let attribute = |name: &str| details.value().attr(name).map(str::to_owned);
+        assert_eq!(attribute("data-input").as_deref(), Some(file.name.as_str()));
+        let shown = details.text().collect::<String>();
+        let shown = shown.strip_prefix(&file.name).expect("the summary, then the text");
+        // As the script of the page reads it.
+        let text = match attribute("data-exact") {
+            Some(exact) => serde_json::from_str(&exact).expect("JSON"),
+            None => shown.to_owned(),
+        };
+        assert_eq!(text, file.text, "{}", file.name);
+    }
+}
+
 fn assert_harmless(name: &str, text: &str, scripts: usize) {
     let page = parsed(name, text);
     assert_eq!(select(&page, "script").len(), scripts, "{name}: a name became a script");

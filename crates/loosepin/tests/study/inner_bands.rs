@@ -59,6 +59,15 @@ fn check_curve(name: &str, curve: &DeviationCurve) {
     let (beyond, places) = outside(&curve.random, &curve.mixed);
     assert!(places > 1, "{name}: a curve without places");
     assert_eq!(beyond, 0, "{name}, {:?}: scatter alone lies outside of the band of all unknown values", curve.of);
+    for each in &curve.at_values {
+        assert_eq!(
+            outside(&each.band, &curve.mixed).0,
+            0,
+            "{name}, {:?}: the band at {:?} lies outside",
+            curve.of,
+            each.at
+        );
+    }
     for each in curve.simultaneous.iter().filter(|each| !each.band.lower_si.is_empty()) {
         let pointwise = curve.probabilities[1] - curve.probabilities[0];
         if each.share >= pointwise {
@@ -136,6 +145,8 @@ fn identity_scatter_alone_lies_inside_whatever_is_known_of_the_inputs() {
         let model = loosepin::templates::find_template("slider-crank").expect("a template").model;
         let result = conducted(what, model, &text, false);
         let [curve] = &result.curves[..] else { panic!("{what}: one curve is asked for") };
+        // Of evidence the band of all values holds for shares of them, not at each.
+        assert_eq!(curve.at_values.is_empty(), what == "evidence", "{what}");
         if has_scatter {
             check_curve(what, curve);
         } else {

@@ -70,6 +70,18 @@ impl Desk {
         self.command(arguments).output().expect("the command starts").into()
     }
 
+    /// Pastes a command into a shell in the folder.
+    #[cfg(unix)]
+    pub fn paste(&self, command: &str) -> Said {
+        let program = Path::new(env!("CARGO_BIN_EXE_loosepin")).parent().expect("a folder");
+        let mut path = std::ffi::OsString::from(program);
+        path.push(":");
+        path.push(std::env::var_os("PATH").unwrap_or_default());
+        let mut shell = Command::new("sh");
+        shell.args(["-c", command]).current_dir(self.folder.path()).env("PATH", path).stdin(Stdio::null());
+        shell.output().expect("a shell").into()
+    }
+
     /// Runs the command, which must succeed.
     pub fn succeed(&self, arguments: &[&str]) -> Said {
         let said = self.run(arguments);

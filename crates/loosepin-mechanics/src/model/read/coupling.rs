@@ -8,7 +8,7 @@ use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::keys::coupling::{CAM_KEYS, COUPLING_KINDS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::Stiffness;
+use crate::model::topology::{JointKind, Stiffness};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -95,6 +95,12 @@ impl ModelReader {
                 continue;
             };
             return self.reader.refuse(&problem, entry.key_span);
+        }
+        // Only the second joint of a rack can be a slot: gears need joints with an angle.
+        let second = &self.joints[joints[1].0];
+        if matches!(second.kind, JointKind::Slot { .. }) {
+            let problem = ModelProblem::ForceOnSlot { entry: described(), joint: second.name.clone() };
+            return self.reader.refuse(&problem, table.get("second").map_or(table.span, |entry| entry.span));
         }
         let [a, b] = joints.map(|joint| self.joints[joint.0].kind.bodies());
         // The common body carries both; a wheel is the other one.

@@ -1,19 +1,20 @@
 //! The quasi-static answer of a slider with play in its guide.
 
 use super::{Built, build_text, ideal_at};
+use crate::elements::file;
 use loosepin_math::Vec2;
+use loosepin_mechanics::model::Cycle;
 use loosepin_simulate::accuracy::{
     DisplacedLoops, PlayReach, exact_worst_case, play_gradients, position_outputs, quasi_static_check,
     starts_on_borders, worst_case_si,
 };
+use loosepin_simulate::record::SimulationRecord;
 use loosepin_simulate::{Plan, Settings, simulate};
-use std::path::Path;
 
 const CLEARANCE_M: f64 = 2e-4;
 
 fn text() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/slider_with_play_in_its_guide.toml");
-    std::fs::read_to_string(path).expect("the file is there")
+    file("slider_with_play_in_its_guide.toml")
 }
 
 /// The model with its guide as a cut of the tree, as a link of it, and as a link whose guide hangs on the slider.
@@ -164,11 +165,10 @@ fn identity_exact_worst_case_holds_against_a_grid_of_all_places() {
     }
 }
 
-#[test]
-fn identity_a_run_stays_within_the_quasi_static_worst_case_of_the_guide() {
-    let built = build_text(&text());
+/// A part of a turn in time.
+fn simulated(built: &Built) -> SimulationRecord {
     let model = &built.mechanism.model;
-    let cycle = loosepin_mechanics::model::Cycle { recorded_turns: 0.7, samples_per_turn: 150, ..model.cycle.clone() };
+    let cycle = Cycle { recorded_turns: 0.7, samples_per_turn: 150, ..model.cycle.clone() };
     let plan = Plan {
         cycle,
         settings: Settings::for_study(),
@@ -176,10 +176,16 @@ fn identity_a_run_stays_within_the_quasi_static_worst_case_of_the_guide() {
         lyapunov_turns: None,
         overrides: Vec::new(),
     };
-    let simulation = simulate(&built.mechanism, &built.values, &plan).expect("the run is sound");
-    assert!(simulation.record.orbits.is_empty(), "a slider has no orbit");
-    assert_eq!(simulation.record.contact_forces.len(), 4);
-    let shares = quasi_static_check(&built.mechanism, &built.values, &simulation.record).expect("it is ideal");
+    simulate(&built.mechanism, &built.values, &plan).expect("the run is sound").record
+}
+
+#[test]
+fn identity_a_run_stays_within_the_quasi_static_worst_case_of_the_guide() {
+    let built = build_text(&text());
+    let record = simulated(&built);
+    assert!(record.orbits.is_empty(), "a slider has no orbit");
+    assert_eq!(record.contact_forces.len(), 4);
+    let shares = quasi_static_check(&built.mechanism, &built.values, &record).expect("it is ideal");
     assert_eq!(shares.len(), 3, "two coordinates and an angle");
     for share in shares {
         assert!(!share.is_exceeded && share.samples_without_worst_case == 0, "{share:?}");
@@ -187,44 +193,93 @@ fn identity_a_run_stays_within_the_quasi_static_worst_case_of_the_guide() {
     }
 }
 
-#[test]
-fn identity_samples_in_which_the_slider_overhangs_have_no_worst_case() {
-    /// Half-length of the block and play, m.
-    const REACH_M: f64 = 0.028 + CLEARANCE_M;
-    const END_M: f64 = 0.09;
-    let ends = format!("angle = \"12 deg\", start = \"-90 mm\", end = \"{} mm\" }}", 1e3 * END_M);
-    let built = build_text(&text().replace("angle = \"12 deg\" }", &ends));
-    let model = &built.mechanism.model;
-    let cycle = loosepin_mechanics::model::Cycle { recorded_turns: 0.7, samples_per_turn: 150, ..model.cycle.clone() };
-    let plan = Plan {
-        cycle,
-        settings: Settings::for_study(),
-        with_states: false,
-        lyapunov_turns: None,
-        overrides: Vec::new(),
-    };
-    let simulation = simulate(&built.mechanism, &built.values, &plan).expect("it is not out of its guide");
-    let sample = built.sample();
+/// Half-length and half-height of the block, m.
+const BLOCK_M: [f64; 2] = [0.028, 0.013];
+
+/// How far the block's corners reach along the guide from its ideal centre at any tilt, the centre being off by the play, m.
+fn reach_m(play_m: f64) -> f64 {
+    let [a, b] = BLOCK_M;
+    // a sin θ + b cos θ = √(a² + b²) cos(θ - atan(a/b)) = b + c at the largest tilt.
+    let tilt_rad = f64::atan2(a, b) - f64::acos((b + play_m) / f64::hypot(a, b));
+    a + b * tilt_rad.sin() + play_m
+}
+
+/// The model whose guide ends there.
+fn with_end(end_m: f64) -> Built {
+    let ends = format!("angle = \"12 deg\", start = \"-90 mm\", end = \"{} mm\" }}", 1e3 * end_m);
+    build_text(&text().replace("angle = \"12 deg\" }", &ends))
+}
+
+/// Where the slider is along its guide in the ideal motion, m.
+fn along_m(built: &Built, time_s: f64) -> f64 {
+    let (model, sample) = (&built.mechanism.model, built.sample());
     let guide = model.joints.iter().find(|joint| joint.name == "guide").expect("there is one");
     let [rail, middle] = guide.kind.points();
     let line = Vec2::new(12f64.to_radians().cos(), 12f64.to_radians().sin());
-    let along_m = |time_s: f64| {
-        let state = ideal_at(&built, &sample, time_s);
-        let at = |point: loosepin_mechanics::model::PointId| {
-            let slot = built.mechanism.ideal.slot_of_body[point.body.0];
-            let arm = loosepin_mechanics::mechanism::point_m(model, &built.values, point);
-            state.kinematics().poses[slot].point_m(arm)
-        };
-        line.dot(at(middle) - at(rail))
+    let state = ideal_at(built, &sample, time_s);
+    let at = |point: loosepin_mechanics::model::PointId| {
+        let slot = built.mechanism.ideal.slot_of_body[point.body.0];
+        let arm = loosepin_mechanics::mechanism::point_m(model, &built.values, point);
+        state.kinematics().poses[slot].point_m(arm)
     };
-    let over = simulation.record.time_s.iter().filter(|&&time_s| along_m(time_s) > END_M - REACH_M).count();
-    let all = simulation.record.time_s.len();
-    assert!(over > 5 && over < all - 5, "{over} of {all} overhang");
-    let shares = quasi_static_check(&built.mechanism, &built.values, &simulation.record).expect("it is ideal");
+    line.dot(at(middle) - at(rail))
+}
+
+/// Samples of a run that have no worst case, by the check; the run stays within it in the others.
+fn without_worst_case(built: &Built, record: &SimulationRecord) -> usize {
+    let shares = quasi_static_check(&built.mechanism, &built.values, record).expect("it is ideal");
+    let without = shares[0].samples_without_worst_case;
     for share in shares {
-        assert_eq!(share.samples_without_worst_case, over, "{share:?}");
-        assert!(!share.is_exceeded, "{share:?}");
+        assert!(!share.is_exceeded && share.samples_without_worst_case == without, "{share:?}");
     }
+    without
+}
+
+#[test]
+fn identity_samples_in_which_the_slider_overhangs_have_no_worst_case() {
+    const END_M: f64 = 0.09;
+    let built = with_end(END_M);
+    let record = simulated(&built);
+    let reach_m = reach_m(CLEARANCE_M + record.joints[0].largest_penetration_m);
+    let over = record.time_s.iter().filter(|&&time_s| along_m(&built, time_s) > END_M - reach_m).count();
+    let all = record.time_s.len();
+    assert!(over > 5 && over < all - 5, "{over} of {all} overhang");
+    assert_eq!(without_worst_case(&built, &record), over);
+}
+
+#[test]
+fn identity_a_slider_that_overhangs_by_its_tilt_alone_has_no_worst_case() {
+    let free = build_text(&text());
+    let record = simulated(&free);
+    let furthest_m = record.time_s.iter().map(|time_s| along_m(&free, *time_s)).fold(f64::NEG_INFINITY, f64::max);
+    let play_m = CLEARANCE_M + record.joints[0].largest_penetration_m;
+    // Untilted, the block stays within the end even with its play; its corners pass the end as it tilts.
+    let by_tilt_m = reach_m(play_m) - BLOCK_M[0] - play_m;
+    assert!(by_tilt_m > 9e-5, "{by_tilt_m}");
+    let built = with_end(furthest_m + BLOCK_M[0] + play_m + 0.5 * by_tilt_m);
+    assert!(without_worst_case(&built, &simulated(&built)) > 0);
+    let beyond = with_end(furthest_m + reach_m(play_m) + 1e-6);
+    assert_eq!(without_worst_case(&beyond, &simulated(&beyond)), 0);
+}
+
+#[test]
+fn identity_the_angles_at_which_a_block_overhangs_are_named() {
+    const END_M: f64 = 0.09;
+    let built = with_end(END_M);
+    let record = super::motion::motion_of(&built, 72);
+    let [overhang] = &record.guide_overhangs[..] else { panic!("{:?}", record.guide_overhangs) };
+    assert_eq!(overhang.joint, "guide");
+    let start_rad = record.drive_angle_rad[0];
+    let mut over = 0;
+    for angle_rad in &record.drive_angle_rad {
+        let is_over =
+            along_m(&built, (angle_rad - start_rad) / built.input().speed_rad_s) > END_M - reach_m(CLEARANCE_M);
+        let is_named = overhang.spans_rad.iter().any(|span_rad| (span_rad[0]..=span_rad[1]).contains(angle_rad));
+        assert_eq!(is_named, is_over, "{angle_rad}");
+        over += usize::from(is_over);
+    }
+    assert!(over > 5 && over < 60, "{over}");
+    assert!(super::motion::motion_of(&build_text(&text()), 72).guide_overhangs.is_empty(), "no ends");
 }
 
 #[test]

@@ -45,6 +45,7 @@ pub fn worn_pin() -> MotionRecord {
             drive_angle_rad: 0.0,
             words: "dead centre: the slider cannot drive the crank here".to_owned(),
         }],
+        guide_overhangs: Vec::new(),
         display_units: DisplayUnits::default(),
         outputs: vec![OutputMotion {
             name: "slider".to_owned(),
@@ -184,6 +185,7 @@ pub fn four_bar() -> MotionRecord {
             dimensional_contributors: Vec::new(),
         }],
         singular_positions: Vec::new(),
+        guide_overhangs: Vec::new(),
         drive_angle_rad: angles,
         ..worn_pin()
     }

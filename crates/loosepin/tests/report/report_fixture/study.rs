@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use loosepin::result::repeat::{InputText, Repeat};
+use loosepin::result::repeat::{InputRole, InputText, Repeat};
 use loosepin::study::result::*;
 use loosepin::study::runs::{RunColumn, RunData, RunsTable};
 use loosepin::units::{DisplayUnits, SiUnit};
@@ -171,10 +171,16 @@ pub fn worn_pin() -> StudyResult {
         energy: Some(energy()),
         repeat: Repeat {
             command: "loosepin study study.toml".to_owned(),
-            files: [("study.toml", "name = \"worn pin\"\n"), ("model.toml", "name = \"slider-crank\"\n")]
-                .map(|(name, text)| InputText { name: name.to_owned(), text: text.to_owned() })
-                .to_vec(),
+            // Line ends of all kinds, and a last line without one.
+            files: [
+                ("study.toml", InputRole::Study, "name = \"worn pin\"\n"),
+                ("model.toml", InputRole::Model, "name = \"slider-crank\"\r\n# mm\r\n"),
+                ("parts/rod.csv", InputRole::Table, "\nrod [mm]\n119.98\n<120.01>"),
+            ]
+            .map(|(name, role, text)| InputText { name: name.to_owned(), role, text: text.to_owned() })
+            .to_vec(),
         },
+        witness_commands: Vec::new(),
         impacts: vec![JointImpacts {
             joint: "gudgeon".to_owned(),
             impacts_per_turn: [9.0, 13.0, 21.0],
