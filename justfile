@@ -17,7 +17,7 @@ test:
     ./test
 
 # The steps of ./test, once the tools are there.
-everything: format-check lint docs page-scripts-check rust-tests python-tests browser-tests
+everything: format-check lint docs page-scripts-check studio-front-check rust-tests python-tests browser-tests
 
 # Rewrites the sources in the house format.
 format:
@@ -40,19 +40,7 @@ file-pages:
     LOOSEPIN_REWRITE_PAGES=1 cargo test --locked --package loosepin --test documents tables_of_the_pages
 
 # Builds the scripts of the report pages from TypeScript; the built files are checked in.
-page-scripts:
-    #!/usr/bin/env bash
-    set -euo pipefail
-    # ./test may have put npm into .venv.
-    export PATH="$PATH:{{ justfile_directory() }}/.venv/bin"
-    command -v npm >/dev/null || {
-        echo "error: npm is not on the PATH" >&2
-        echo "hint: install Node 20 or newer, or call ./test --install-only" >&2
-        exit 2
-    }
-    cd crates/loosepin-report/scripts
-    npm ci --silent --no-audit --no-fund
-    npm run --silent build
+page-scripts: (npm "crates/loosepin-report/scripts" "build")
 
 # The built scripts of the report pages are those of their sources, byte for byte.
 page-scripts-check:
@@ -73,6 +61,22 @@ page-scripts-check:
             exit 1
         }
     done
+
+# Builds the front end of the studio from TypeScript and Svelte; the built files are checked in.
+studio-front: (npm "crates/loosepin-studio/front" "check" "build")
+
+# The front end of the studio has no fault of types or access, and its built files are those of its sources, byte for byte.
+studio-front-check:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    kept=$(mktemp -d)
+    trap 'rm -rf "$kept"' EXIT
+    cp -r crates/loosepin-studio/assets/. "$kept"
+    just studio-front
+    diff --recursive --brief crates/loosepin-studio/assets "$kept" || {
+        echo "error: crates/loosepin-studio/assets is not what its sources give; it is built now: look at it, and commit it" >&2
+        exit 1
+    }
 
 # The documentation as a site with search: target/site/book/index.html.
 site:
@@ -155,6 +159,22 @@ study:
 [private]
 programs:
     cargo build --locked --workspace --lib --bins --example report_pages
+
+# Installs what a folder of TypeScript needs, and runs scripts of its package.json.
+[private]
+npm FOLDER +SCRIPTS:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    # ./test may have put npm into .venv.
+    export PATH="$PATH:{{ justfile_directory() }}/.venv/bin"
+    command -v npm >/dev/null || {
+        echo "error: npm is not on the PATH" >&2
+        echo "hint: install Node 20.19 or newer, or call ./test --install-only" >&2
+        exit 2
+    }
+    cd "{{ FOLDER }}"
+    npm ci --silent --no-audit --no-fund --ignore-scripts
+    for script in {{ SCRIPTS }}; do npm run --silent "$script"; done
 
 # A tool of .venv is there, or a message says how to get it.
 [private]

@@ -130,7 +130,8 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
         .spans_rad
         .iter()
         .map(|[from_rad, to_rad]| {
-            let [from, to] = [from_rad, to_rad].map(|angle_rad| turn_angle(record, *angle_rad, 3, writer));
+            let [from, to] =
+                [from_rad, to_rad].map(|angle_rad| writer.value_trimmed(told_rad(record, *angle_rad), &SiUnit::ANGLE));
             if from == to { from } else { format!("{from} to {to}") }
         })
         .collect();

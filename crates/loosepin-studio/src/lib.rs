@@ -32,6 +32,7 @@ mod refusal;
 mod routes;
 mod server;
 mod socket;
+mod studio;
 mod texts;
 mod tickets;
 mod token;

@@ -16,7 +16,7 @@ use crate::gallery::cards;
 use crate::listing::listing;
 use crate::page;
 use crate::refusal::{Refusal, json};
-use crate::server::Studio;
+use crate::studio::Studio;
 use crate::texts::{model_beside, plain};
 
 /// What a report may do in its frame: show itself and save figures. It has an origin of its own, so that it cannot ask the studio.

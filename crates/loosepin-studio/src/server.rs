@@ -20,7 +20,7 @@ use crate::guard::guard;
 use crate::jobs::Jobs;
 use crate::routes;
 use crate::socket;
-use crate::tickets::Tickets;
+use crate::studio::Studio;
 use crate::token::Token;
 
 /// Largest body of a request: a text, each letter escaped.
@@ -43,16 +43,6 @@ problems! {
         System { source: io::Error } => Code::FolderNotUsable,
             says("the system does not let the studio run: {source}");
     }
-}
-
-/// What all connections share.
-#[derive(Clone)]
-pub struct Studio {
-    pub token: Token,
-    pub folder: Folder,
-    pub jobs: Arc<Jobs>,
-    pub tickets: Arc<Tickets>,
-    pub seats: Arc<Semaphore>,
 }
 
 /// A server that is about to serve.

@@ -17,7 +17,7 @@ use crate::look::look;
 use crate::mailbox::Mailbox;
 use crate::messages::{FromPage, Look, ToPage};
 use crate::refusal::Refusal;
-use crate::server::Studio;
+use crate::studio::Studio;
 
 /// Time for the first message.
 const PATIENCE: Duration = Duration::from_secs(2);

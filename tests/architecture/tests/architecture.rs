@@ -48,7 +48,8 @@ fn own_dependencies(manifest: &toml::Value) -> BTreeSet<String> {
 }
 
 /// The crates that are products and wrap the library; what they depend on is the library alone.
-const AROUND_THE_LIBRARY: [&str; 4] = ["loosepin", "loosepin-bench", "loosepin-cli", "loosepin-python"];
+const AROUND_THE_LIBRARY: [&str; 5] =
+    ["loosepin", "loosepin-bench", "loosepin-cli", "loosepin-python", "loosepin-studio"];
 
 #[test]
 fn the_page_shows_which_crate_stands_on_which() {

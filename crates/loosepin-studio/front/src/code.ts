@@ -78,7 +78,7 @@ export function codeIn({ parent, text, label, nonce, changed }: Options): Code {
         syntaxHighlighting(classHighlighter),
         lintGutter(),
         keymap.of([...lintKeymap, ...defaultKeymap]),
-        EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', autocapitalize: 'off' }),
+        EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0', spellcheck: 'false', autocapitalize: 'off' }),
         theme,
         EditorView.updateListener.of((update) => {
           if (!update.docChanged || update.transactions.some((transaction) => transaction.annotation(fromOutside))) return;

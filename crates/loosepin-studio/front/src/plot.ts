@@ -27,3 +27,23 @@ export function angleAt(plot: Plot, svg: SVGSVGElement, clientX: number, clientY
   const share = (at.x - plot.left) / plot.width;
   return plot.first + Math.min(Math.max(share, 0), 1) * (plot.last - plot.first);
 }
+
+export interface LegendEntry {
+  /** The meaning of its colour, such as `random` or `mixed`. */
+  role: string;
+  words: string;
+}
+
+const roles = ['mixed', 'random', 'worst', 'nominal', 'mean', 'probability', 'limit'];
+
+/** Takes the legend out of a chart: beside it the words can wrap, and keep their size in a narrow window. */
+export function takeLegend(svg: SVGSVGElement): LegendEntry[] {
+  const key = svg.querySelector('.key');
+  key?.remove();
+  const signs = [...(key?.querySelectorAll('.fill') ?? [])];
+  const texts = [...(key?.querySelectorAll('text') ?? [])];
+  return texts.map((text, index) => ({
+    role: roles.find((role) => signs[index]?.classList.contains(role)) ?? '',
+    words: text.textContent ?? '',
+  }));
+}

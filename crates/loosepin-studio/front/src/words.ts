@@ -132,6 +132,7 @@ export const words = {
   band: {
     heading: 'Deviation over one turn, without dynamics',
     output: 'Output',
+    chart: 'Chart of the band',
     none: 'No output has a deviation: add play to a joint, or scatter to a number.',
     hover: 'Point at the chart to move the mechanism.',
     parts: 'Which tolerance and which play make the band',

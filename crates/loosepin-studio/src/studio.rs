@@ -1,0 +1,25 @@
+//! What all connections of a server share.
+
+use std::sync::Arc;
+
+use tokio::sync::Semaphore;
+
+use crate::folder::Folder;
+use crate::jobs::Jobs;
+use crate::tickets::Tickets;
+use crate::token::Token;
+
+/// What all connections share.
+#[derive(Clone)]
+pub struct Studio {
+    /// The secret of its address.
+    pub token: Token,
+    /// What is served.
+    pub folder: Folder,
+    /// Studies in the background.
+    pub jobs: Arc<Jobs>,
+    /// Tickets for reports.
+    pub tickets: Arc<Tickets>,
+    /// Live connections that may still be opened.
+    pub seats: Arc<Semaphore>,
+}

@@ -1,0 +1,202 @@
+"""The studio as a person uses it, in a real browser before the real program: what is done with the mouse stands in the files."""
+
+import pathlib
+import subprocess
+import sys
+import time
+
+import pytest
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from check_pages import AXE, seen_by_axe  # noqa: E402
+from chromium import Chromium  # noqa: E402
+
+PROGRAM = REPOSITORY / "target/debug/loosepin"
+# The middle of the first visible element that a selector finds and whose text contains some words.
+PLACE = """((selector, words) => {
+    const found = [...document.querySelectorAll(selector)].find((one) => one.getClientRects().length > 0 && one.textContent.includes(words));
+    if (!found) return null;
+    found.scrollIntoView({ block: 'center' });
+    const box = found.getBoundingClientRect();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+})(%s, %s)"""
+# The field of a number by its name.
+FIELD = """((name) => [...document.querySelectorAll('.field')].find((field) => field.querySelector('label')?.textContent.replace('↔', '').trim() === name))(%s)"""
+BAND = "document.querySelector('svg.chart .fill')?.getAttribute('d') ?? ''"
+LARGEST = "document.querySelector('.band .largest').innerText"
+PROBLEMS = "document.querySelector('.problems').innerText"
+
+
+class Studio:
+    """A server of a folder, and the browser in front of it."""
+
+    def __init__(self, folder, browser):
+        self.folder, self.browser = folder, browser
+        command = [PROGRAM, "serve", folder, "--no-open"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+        assert self.address.startswith("http://127.0.0.1:"), self.process.stderr.read()
+        self.clicks = 0
+
+    def close(self):
+        self.browser.call("Page.navigate", url="about:blank")
+        self.process.terminate()
+        _, messages = self.process.communicate(timeout=60)
+        assert "panicked" not in messages, messages
+        assert self.process.returncode == 0, messages
+
+    def open(self):
+        self.browser.call("Page.navigate", url="about:blank")
+        self.browser.events.clear()
+        self.browser.call("Page.navigate", url=self.address)
+        self.wait("document.querySelectorAll('svg.mechanism').length >= 11")
+
+    def wait(self, condition, timeout_s=60.0):
+        """Until a condition in the page is true."""
+        deadline = time.monotonic() + timeout_s
+        while time.monotonic() < deadline:
+            if self.browser.evaluate(f"Boolean({condition})"):
+                return
+            time.sleep(0.05)
+        raise AssertionError(f"not within {timeout_s} s: {condition}\n{self.browser.evaluate('document.body.innerText')}")
+
+    def click(self, selector, words=""):
+        self.wait(PLACE % (repr(selector), repr(words)))
+        x, y = self.browser.evaluate(PLACE % (repr(selector), repr(words)))
+        self.clicks += 1
+        for kind in ("mousePressed", "mouseReleased"):
+            self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+    def key(self, key, modifiers=0):
+        code = {"Enter": 13, "z": 90, "a": 65}[key]
+        for kind in ("rawKeyDown", "keyUp"):
+            self.browser.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, modifiers=modifiers,
+                              code="Enter" if key == "Enter" else f"Key{key.upper()}")
+
+    def type_number(self, name, text):
+        """Replaces what stands in the field of a number."""
+        self.wait(FIELD % repr(name))
+        self.browser.evaluate(f"(({FIELD % repr(name)}).querySelector('input').focus(), true)")
+        self.browser.evaluate(f"(({FIELD % repr(name)}).querySelector('input').select(), true)")
+        self.browser.call("Input.insertText", text=text)
+        self.key("Enter")
+
+    def number(self, name):
+        return self.browser.evaluate(f"({FIELD % repr(name)})?.querySelector('input').value")
+
+    def take(self, template):
+        """Begins with a template, whose title has these words."""
+        self.open()
+        self.click("button.card", template)
+        self.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with Chromium() as browser:
+        browser.view(1280, reduced_motion=True)
+        yield browser
+
+
+@pytest.fixture
+def studio(tmp_path, browser):
+    browser.view(1280, reduced_motion=True)
+    studio = Studio(tmp_path, browser)
+    yield studio
+    studio.close()
+
+
+def test_from_the_gallery_to_a_report_by_eight_clicks(studio):
+    studio.take("rank, rod and slider")
+    before = studio.browser.evaluate(BAND)
+    studio.type_number("rod_length", "150 mm")
+    studio.wait(f"({BAND}) !== {before!r}")
+    studio.click("button", "Save and run")
+    studio.wait("[...document.querySelectorAll('button, a')].some((one) => one.textContent.includes('Open the report'))", 300)
+    studio.click("button, a", "Open the report")
+    studio.wait("document.querySelector('iframe')?.getAttribute('src')?.includes('/view/')")
+    assert studio.clicks <= 8
+    assert studio.browser.complaints() == []
+    model = studio.folder / "slider-crank/model.toml"
+    assert 'rod_length = "150 mm"' in model.read_text()
+    # The command on the saved files gives the same bytes.
+    found = list((studio.folder / "results").glob("*/*/summary.json"))
+    assert len(found) == 1
+    out = studio.folder / "by_command"
+    command = [PROGRAM, "study", "slider-crank/study.toml", "--out", out]
+    done = subprocess.run(command, cwd=studio.folder, capture_output=True, text=True)
+    assert done.returncode in (0, 1), done.stderr
+    assert (out / "summary.json").read_bytes() == found[0].read_bytes()
+
+
+def test_a_wrong_unit_is_told_at_its_place_and_undone(studio):
+    studio.take("rank, coupler and rocker")
+    first = studio.number("crank_length")
+    largest = studio.browser.evaluate(LARGEST)
+    studio.type_number("crank_length", "80 mn")
+    studio.wait(f"({PROBLEMS}).includes('mn')")
+    assert studio.browser.evaluate("document.querySelector('svg.mechanism') !== null"), "the last good drawing stays"
+    studio.browser.evaluate("document.activeElement.blur()")
+    studio.click("button", "Undo")
+    studio.wait(f"({FIELD % repr('crank_length')})?.querySelector('input').value === {first!r}")
+    studio.wait(f"!({PROBLEMS}).includes('mn') && ({LARGEST}) === {largest!r}")
+    studio.click("[role=tab]", "model.toml")
+    studio.wait("document.querySelector('.cm-content')")
+    assert "80 mn" not in studio.browser.evaluate("document.querySelector('.cm-content').innerText")
+    assert studio.browser.complaints() == []
+
+
+def test_a_number_that_is_dragged_moves_the_band_and_is_one_step_to_undo(studio):
+    studio.take("rank, coupler and rocker")
+    first = studio.number("rocker_length")
+    name = repr("rocker_length")
+    studio.browser.evaluate(f"(({FIELD % name}).scrollIntoView({{block: 'center'}}), true)")
+    x, y = studio.browser.evaluate(f"""(() => {{
+        const box = ({FIELD % name}).querySelector('label').getBoundingClientRect();
+        return [box.x + box.width - 8, box.y + box.height / 2];
+    }})()""")
+    bands = {studio.browser.evaluate(BAND)}
+    studio.browser.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left", clickCount=1)
+    for step in range(1, 31):
+        studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + 2 * step, y=y, button="left", buttons=1)
+        time.sleep(0.02)
+        bands.add(studio.browser.evaluate(BAND))
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x + 60, y=y, button="left", clickCount=1)
+    assert studio.number("rocker_length") != first
+    assert len(bands) > 3, "the band follows while the number is dragged"
+    studio.click("button", "Undo")
+    studio.wait(f"({FIELD % name})?.querySelector('input').value === {first!r}")
+    assert studio.browser.complaints() == []
+
+
+def test_names_of_files_are_shown_as_text(studio):
+    folder = studio.folder / "mine"
+    subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
+    study = folder / "study.toml"
+    text = study.read_text()
+    hostile = '<img src=x onerror="window.isBroken = true"><script>window.isBroken = true</script>'
+    study.write_text(text.replace('name = "', "name = '" + hostile, 1).replace('\nmodel', "'\nmodel", 1).replace("\"'", "'", 1))
+    assert hostile in study.read_text()
+    studio.open()
+    studio.wait("document.body.innerText.includes('onerror')")
+    studio.click("a, button", "onerror")
+    studio.wait("document.querySelector('svg.chart')")
+    assert studio.browser.evaluate("document.body.innerText.includes('onerror') && window.isBroken === undefined")
+    assert studio.browser.complaints() == []
+
+
+@pytest.mark.parametrize("width", [1280, 400])
+@pytest.mark.parametrize("dark", [False, True])
+def test_every_screen_is_accessible(studio, width, dark):
+    axe = AXE.read_text()
+    studio.browser.view(width, dark=dark, reduced_motion=True)
+    studio.open()
+    assert seen_by_axe(studio.browser, axe) == [], "gallery"
+    studio.click("button.card", "rank, coupler and rocker")
+    studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+    assert seen_by_axe(studio.browser, axe) == [], "editor"
+    studio.click("[role=tab]", "study.toml")
+    studio.wait("document.querySelector('.cm-content')")
+    assert seen_by_axe(studio.browser, axe) == [], "text"
+    assert studio.browser.complaints() == []
