@@ -171,7 +171,7 @@ CURSOR_USE = "(async () => {" + CURSOR + """
         if (pose() === before) problems.push(holder.dataset.chart + ': an arrow key does not move the mechanism');
         problems.push(...unlike(at(holder), 'while ' + holder.dataset.chart + ' shows'));
         await wait(250);
-        const address = /^#a=(-?[\d.]+)$/.exec(location.hash);
+        const address = /^#a=(-?[\\d.]+)$/.exec(location.hash);
         if (!address || apart(Number(address[1]), at(holder)) > 0.06) problems.push(holder.dataset.chart + ': the address has ' + location.hash + ' at ' + at(holder) + '°');
     }
     return problems;
