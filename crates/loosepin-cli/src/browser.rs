@@ -28,10 +28,10 @@ impl Door {
         std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
         let door = options.open(&path).map(|file| (file, Self(path)));
         let (mut file, door) = door?;
-        write!(
+        writeln!(
             file,
             "<!doctype html><meta charset=\"utf-8\"><title>loosepin</title>\
-             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>\n"
+             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>"
         )?;
         let [program, before @ ..] = opener else { return Err(io::Error::other("there is no desktop")) };
         let quiet = Stdio::null;

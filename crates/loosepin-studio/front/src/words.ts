@@ -136,6 +136,7 @@ export const words = {
     none: 'No output has a deviation: add play to a joint, or scatter to a number.',
     hover: 'Point at the chart to move the mechanism.',
     parts: 'Which tolerance and which play make the band',
+    sentences: 'All outputs, in sentences',
     play: 'play',
     part: 'tolerance',
   },
@@ -199,6 +200,7 @@ export const words = {
     cancel: 'Cancel',
     open: 'Open the report',
     hide: (title: string): string => `Hide the run of ${title}`,
+    more: (number: number): string => `${count(number, 'more sentence', 'more sentences')}`,
     verdict: (verdict: Verdict): string => `Requirements: ${words.verdict(verdict)}`,
   },
 
