@@ -1,8 +1,10 @@
-//! Complaints as the page shows them: places in UTF-16 units, as browsers count.
+//! Complaints as the page shows them.
 
-use loosepin::diagnostics::{Complaint, Complaints, Place, Source};
+use loosepin::diagnostics::{Complaint, Complaints, Place};
 
-use crate::messages::{Document, SeenComplaint, SeenLabel, Stretch};
+use crate::fixes::fix;
+use crate::messages::{Document, SeenComplaint, SeenLabel};
+use crate::places::stretch;
 use crate::texts::Texts;
 
 /// All complaints in the order of their places.
@@ -27,7 +29,7 @@ fn one(complaint: &Complaint, texts: &Texts) -> SeenComplaint {
         hint: complaint.hint.clone(),
         stretch: place.map(stretch),
         labels: labels.collect(),
-        fix: None,
+        fix: fix(complaint, document),
     }
 }
 
@@ -39,32 +41,5 @@ fn document(place: &Place, texts: &Texts) -> Option<Document> {
         Some(Document::Study)
     } else {
         None
-    }
-}
-
-fn stretch(place: &Place) -> Stretch {
-    let (line, column) = place.line_and_column();
-    let range = place.source.clamp(place.span);
-    let [from, to] = [range.start, range.end].map(|byte| utf16_units(&place.source, byte));
-    Stretch { line, column, from, to }
-}
-
-/// UTF-16 units before a byte, which begins a character.
-pub fn utf16_units(source: &Source, byte: usize) -> usize {
-    source.text()[..byte].encode_utf16().count()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_are_counted_as_browsers_count() {
-        let source = Source::new("model.toml", "a = \"µ𝛼\" # ü\nb = 1\n");
-        // µ has two bytes and one unit, 𝛼 four bytes and two units.
-        let byte = source.text().find("b =").unwrap();
-        assert_eq!(utf16_units(&source, byte), "a = \"µ𝛼\" # ü\n".encode_utf16().count());
-        let found = stretch(&Place::new(&source, byte..byte + 1));
-        assert_eq!((found.line, found.column, found.to - found.from), (2, 1, 1));
     }
 }

@@ -1,20 +1,28 @@
 //! Who may ask. A page of another origin, and a name that somebody else's name server points to this machine, may not.
 
+use std::time::Duration;
+
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
+use tokio::time::timeout;
 
 use crate::refusal::Refusal;
 use crate::studio::Studio;
 
+/// Time for the body of a request and for its answer.
+const PATIENCE: Duration = Duration::from_secs(10);
 /// Names of this machine to itself.
 const LOOPBACK: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
 /// Refuses requests of other hosts and origins, and of the interface without the token; puts the headers of safety on every answer.
 pub async fn guard(State(studio): State<Studio>, request: Request, next: Next) -> Response {
     let mut response = match admitted(&studio, &request) {
-        Ok(()) => next.run(request).await,
+        Ok(()) => match timeout(PATIENCE, next.run(request)).await {
+            Ok(response) => response,
+            Err(_) => Refusal::new(StatusCode::REQUEST_TIMEOUT, "this request took longer than 10 s").into_response(),
+        },
         Err(refusal) => refusal.into_response(),
     };
     for (name, value) in [

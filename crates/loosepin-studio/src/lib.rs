@@ -5,11 +5,11 @@
 //!
 //! | What | File |
 //! |---|---|
-//! | the server, its routes and limits | `server.rs`, `routes.rs` |
+//! | the server, its connections, what they share, its routes | `server.rs`, `connections.rs`, `studio.rs`, `routes.rs` |
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
-//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `quantities.rs` |
+//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `places.rs`, `quantities.rs` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs` |
 //! | studies in the background | `jobs.rs`, `job.rs` |
 //! | messages | `messages.rs` |
@@ -17,6 +17,8 @@
 //! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
 
 mod complaints;
+mod connections;
+mod fixes;
 mod folder;
 mod gallery;
 mod guard;
@@ -27,6 +29,7 @@ mod look;
 mod mailbox;
 mod messages;
 mod page;
+mod places;
 mod quantities;
 mod refusal;
 mod routes;

@@ -5,8 +5,8 @@ use loosepin::document::{describe_path, parse_toml};
 use loosepin::model::Model;
 use std::sync::Arc;
 
-use crate::complaints::utf16_units;
 use crate::messages::{Document, SeenQuantity};
+use crate::places::utf16_units;
 use crate::texts::Texts;
 
 /// Tables of a study whose entries say what is known of a number, and how the page calls them.

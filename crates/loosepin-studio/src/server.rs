@@ -15,6 +15,7 @@ use loosepin::diagnostics::{Code, problems};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
+use crate::connections::accept;
 use crate::folder::{Folder, LARGEST_TEXT};
 use crate::guard::guard;
 use crate::jobs::Jobs;
@@ -77,9 +78,10 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
         let address = format!("http://{bound}/#token={}", studio.token.text());
         ready(&Serving { address, folder: studio.folder.root() });
         tokio::select! {
-            served = axum::serve(listener, router(studio.clone())) => served.map_err(system),
-            () = stopped(stop) => Ok(()),
+            () = accept(listener, router(studio.clone())) => {}
+            () = stopped(stop) => {}
         }
+        Ok(())
     });
     jobs.close();
     // A study that runs keeps its runs before the program ends.

@@ -10,7 +10,7 @@ use super::command_line::{Desk, case_text};
 /// Laws and a play that are unknown; line ends of another system, and no last one.
 const STUDY: &str = "name = \"which law\"\r\nmodel = \"../models/crank.toml\"\r\n\
     [cycle]\r\ntransient_turns = 0\r\nrecorded_turns = 0.125\r\nsamples_per_turn = 40\r\n\
-    [sampling]\r\nouter = 3\r\ninner = 16\r\n\
+    [sampling]\r\nouter = 8\r\ninner = 16\r\n\
     [random]\r\n\"parameter.rod_length\" = { samples = \"data/rods.csv\" }\r\n\
     [epistemic]\r\n\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\"] }\r\n\
     \"joint.gudgeon.radial_clearance\" = { interval = [\"0.3 mm\", \"0.5 mm\"] }\r\n\

@@ -97,3 +97,38 @@ fn names_of_files_are_only_ever_text() {
     assert!(seen["view"].is_null());
     assert!(!seen["complaints"].as_array().unwrap().is_empty());
 }
+
+#[test]
+fn each_fix_mends_its_complaint() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin/tests/bad/model");
+    let mut fixes = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let Some(text) = std::fs::read_to_string(&path).ok().filter(|_| path.extension().is_some_and(|e| e == "toml"))
+        else {
+            continue;
+        };
+        // Under the limit on messages a second.
+        live = if fixes % 50 == 0 { server.live() } else { live };
+        let seen = live.look(1, ("model.toml", &text), None);
+        for complaint in seen["complaints"].as_array().unwrap().iter().filter(|one| one["fix"].is_object()) {
+            let fix = &complaint["fix"];
+            let units: Vec<u16> = text.encode_utf16().collect();
+            let [from, to] = ["from", "to"].map(|end| fix[end].as_u64().unwrap() as usize);
+            let part = |range: &[u16]| String::from_utf16(range).unwrap();
+            let mended = part(&units[..from]) + fix["insert"].as_str().unwrap() + &part(&units[to..]);
+            let again = live.look(2, ("model.toml", &mended), None);
+            let is_there = again["complaints"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .any(|one| one["message"] == complaint["message"] && one["line"] == complaint["line"]);
+            assert!(!is_there, "{}: {complaint}\n{mended}", path.display());
+            fixes += 1;
+        }
+    }
+    assert!(fixes >= 10, "{fixes} fixes");
+}

@@ -1,0 +1,41 @@
+//! Changes that mend a complaint: a word that was probably meant, in place of the one that is written.
+
+use loosepin::diagnostics::{Complaint, Source};
+
+use crate::messages::{Document, Fix};
+use crate::places::utf16_units;
+
+/// Marks in which messages set what is written and what was probably meant.
+const MARKS: [char; 2] = ['\'', '"'];
+
+/// The change that the hint of a complaint proposes; nothing where it proposes more than one word in place of another, or where that word
+/// does not stand exactly once at the place of the complaint.
+pub fn fix(complaint: &Complaint, document: Option<Document>) -> Option<Fix> {
+    let place = complaint.place.as_ref()?;
+    let proposed = complaint.hint.as_ref()?.strip_prefix("did you mean ")?.strip_suffix('?')?;
+    let (meant, mark) = MARKS.into_iter().find_map(|mark| Some((inside(proposed, mark)?, mark)))?;
+    let (_, rest) = complaint.message.split_once(mark)?;
+    let (written, _) = rest.split_once(mark)?;
+    let range = place.source.clamp(place.span);
+    let from = range.start + only(&place.source.text()[range], written)?;
+    let units = |byte: usize| utf16_units(&place.source as &Source, byte);
+    Some(Fix {
+        document: document?,
+        from: units(from),
+        to: units(from + written.len()),
+        insert: meant.to_owned(),
+        words: format!("Write {meant} in place of {written}"),
+    })
+}
+
+/// What a text is between two marks, where there is nothing else.
+fn inside(text: &str, mark: char) -> Option<&str> {
+    text.strip_prefix(mark)?.strip_suffix(mark).filter(|word| !word.is_empty() && !word.contains(mark))
+}
+
+/// Where a word stands in a text that has it once.
+fn only(text: &str, word: &str) -> Option<usize> {
+    let mut found = text.match_indices(word).filter(|_| !word.is_empty());
+    let (first, _) = found.next()?;
+    found.next().is_none().then_some(first)
+}

@@ -1,0 +1,33 @@
+//! Places in texts as browsers count them: in UTF-16 units.
+
+use loosepin::diagnostics::{Place, Source};
+
+use crate::messages::Stretch;
+
+/// Where a place is.
+pub fn stretch(place: &Place) -> Stretch {
+    let (line, column) = place.line_and_column();
+    let range = place.source.clamp(place.span);
+    let [from, to] = [range.start, range.end].map(|byte| utf16_units(&place.source, byte));
+    Stretch { line, column, from, to }
+}
+
+/// UTF-16 units before a byte, which begins a character.
+pub fn utf16_units(source: &Source, byte: usize) -> usize {
+    source.text()[..byte].encode_utf16().count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_counted_as_browsers_count() {
+        let source = Source::new("model.toml", "a = \"µ𝛼\" # ü\nb = 1\n");
+        // µ has two bytes and one unit, 𝛼 four bytes and two units.
+        let byte = source.text().find("b =").unwrap();
+        assert_eq!(utf16_units(&source, byte), "a = \"µ𝛼\" # ü\n".encode_utf16().count());
+        let found = stretch(&Place::new(&source, byte..byte + 1));
+        assert_eq!((found.line, found.column, found.to - found.from), (2, 1, 1));
+    }
+}
