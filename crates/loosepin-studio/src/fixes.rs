@@ -1,6 +1,7 @@
 //! Changes that mend a complaint: a word that was probably meant, in place of the one that is written.
 
 use loosepin::diagnostics::{Complaint, Source};
+use strsim::osa_distance;
 
 use crate::messages::{Document, Fix};
 use crate::places::utf16_units;
@@ -14,10 +15,13 @@ pub fn fix(complaint: &Complaint, document: Option<Document>) -> Option<Fix> {
     let place = complaint.place.as_ref()?;
     let proposed = complaint.hint.as_ref()?.strip_prefix("did you mean ")?.strip_suffix('?')?;
     let (meant, mark) = MARKS.into_iter().find_map(|mark| Some((inside(proposed, mark)?, mark)))?;
-    let (_, rest) = complaint.message.split_once(mark)?;
-    let (written, _) = rest.split_once(mark)?;
     let range = place.source.clamp(place.span);
-    let from = range.start + only(&place.source.text()[range], written)?;
+    let text = &place.source.text()[range.clone()];
+    // Of the words that the message quotes, the one that was mistaken for the one that was meant.
+    let quoted = complaint.message.split(mark).skip(1).step_by(2);
+    let here = quoted.filter_map(|word| Some((word, only(text, word)?)));
+    let (written, at) = here.min_by_key(|(word, _)| osa_distance(word, meant))?;
+    let from = range.start + at;
     let units = |byte: usize| utf16_units(&place.source as &Source, byte);
     Some(Fix {
         document: document?,
