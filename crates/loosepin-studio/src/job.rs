@@ -58,6 +58,10 @@ pub fn run(
     stop: &AtomicBool,
     threads: usize,
 ) -> Result<Outcome, Vec<String>> {
+    // A link of that name may lead out of the folder.
+    if folder.root().join(RESULTS).symlink_metadata().is_ok() {
+        folder.existing(RESULTS).map_err(|refusal| vec![refusal.message])?;
+    }
     conducted(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
 }
 

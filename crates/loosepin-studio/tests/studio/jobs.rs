@@ -97,3 +97,19 @@ fn what_cannot_be_run_says_why() {
     live.send(&json!({"kind": "run", "study": "../elsewhere/study.toml"}));
     assert_eq!(ended(&mut live, |_| {})["state"], "failed");
 }
+
+#[cfg(unix)]
+#[test]
+fn results_are_not_written_through_a_link_that_leads_out() {
+    let desk = tempfile::tempdir().unwrap();
+    let served = desk.path().join("served");
+    std::fs::create_dir(&served).unwrap();
+    std::fs::create_dir(desk.path().join("elsewhere")).unwrap();
+    std::os::unix::fs::symlink("../elsewhere", served.join("results")).unwrap();
+    let study = written(&served);
+    let server = Server::of(&served);
+    let mut live = server.live();
+    live.send(&json!({"kind": "run", "study": study}));
+    assert_eq!(ended(&mut live, |_| {})["state"], "failed");
+    assert_eq!(std::fs::read_dir(desk.path().join("elsewhere")).unwrap().count(), 0);
+}
