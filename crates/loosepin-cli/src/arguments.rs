@@ -360,7 +360,7 @@ pub struct ReportArguments {
     pub width: String,
 }
 
-/// Open the studio: edit mechanisms and studies in the browser, with the band at every change
+/// Open the studio: edit mechanisms and studies in the browser
 #[cfg(feature = "studio")]
 #[derive(Debug, Args)]
 #[command(

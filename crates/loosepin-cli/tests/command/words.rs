@@ -127,9 +127,20 @@ fn version_and_help() {
     }
     assert_eq!(desk.succeed(&["--help"]).output, include_str!("../expected/help.txt"));
     assert_eq!(desk.succeed(&["simulate", "--help"]).output, include_str!("../expected/help_simulate.txt"));
-    for command in
-        ["new", "check", "motion", "study", "sweep", "cases", "report", "schema", "explain", "completions", "manual"]
-    {
+    for command in [
+        "new",
+        "check",
+        "motion",
+        "study",
+        "sweep",
+        "cases",
+        "report",
+        "schema",
+        "explain",
+        "completions",
+        "manual",
+        "serve",
+    ] {
         let help = desk.succeed(&[command, "--help"]).output;
         assert!(help.contains("Example"), "{command} --help ends with examples");
     }
