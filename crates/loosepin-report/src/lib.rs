@@ -80,3 +80,4 @@ pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
 pub use terminal::{motion_text, simulation_text, study_text, sweep_text};
 pub use terminal_table::TERMINAL_COLUMNS;
+pub use wording::verdict_words;

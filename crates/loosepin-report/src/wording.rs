@@ -122,7 +122,8 @@ pub(super) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> St
     }
 }
 
-pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
+/// A verdict in a word or two: `met`, `not met`, `undecided`, `promised`.
+pub fn verdict_words(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Met => "met",
         Verdict::Promised => "promised",

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::SystemTime;
 
 use loosepin::diagnostics::Complaints;
-use loosepin::report::{study_page, study_sentences};
+use loosepin::report::{study_page, study_sentences, verdict_words};
 use loosepin::results::{Claim, Place, ResultKind};
 use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::read_summary;
@@ -16,7 +16,6 @@ use loosepin::study::{
 };
 
 use crate::folder::Folder;
-use crate::listing::verdict_word;
 use crate::texts::Texts;
 
 /// Folder below the served one in which results get a folder of their own.
@@ -101,18 +100,11 @@ fn finished(folder: &Folder, results: &Path, result: &StudyResult) -> Outcome {
     Outcome::Finished {
         result: below.display().to_string(),
         words: study_sentences(result),
-        verdict: result.verdict().map(verdict_word),
+        verdict: result.verdict().map(verdict_words),
     }
 }
 
+/// As the command prints them, one by one.
 fn words(complaints: &Complaints) -> Vec<String> {
-    let told = complaints.sorted().into_iter().map(|complaint| {
-        let hint = complaint.hint.as_ref().map(|hint| format!(" ({hint})")).unwrap_or_default();
-        let place = complaint.place.as_ref().map(|place| {
-            let (line, column) = place.line_and_column();
-            format!("{}:{line}:{column}: ", place.source.name())
-        });
-        format!("{}{}{hint}", place.unwrap_or_default(), complaint.message)
-    });
-    told.collect()
+    complaints.sorted().into_iter().map(ToString::to_string).collect()
 }

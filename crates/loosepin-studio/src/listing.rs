@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::UNIX_EPOCH;
 
 use loosepin::diagnostics::Source;
+use loosepin::report::verdict_words;
 use loosepin::results::{MARKER_FILE, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
@@ -148,15 +149,5 @@ fn verdict(summary: &Path) -> Option<&'static str> {
     }
     let reader = std::io::BufReader::new(fs::File::open(summary).ok()?);
     let summary: Summary = serde_json::from_reader(reader).ok()?;
-    Verdict::of_all(summary.requirements.into_iter().map(|requirement| requirement.verdict)).map(verdict_word)
-}
-
-/// A verdict as the page shows it.
-pub fn verdict_word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Met => "met",
-        Verdict::NotMet => "not met",
-        Verdict::Undecided => "undecided",
-        Verdict::Promised => "promised",
-    }
+    Verdict::of_all(summary.requirements.into_iter().map(|requirement| requirement.verdict)).map(verdict_words)
 }
