@@ -31,6 +31,8 @@ export class Desk {
   answers = $state(0);
   quantities = $state.raw<Quantity[]>([]);
   isStale = $state(false);
+  /** The view is of the texts as they are, at the most positions. */
+  isSettled = $state(false);
   output = $state<string | null>(null);
   reveal = $state.raw<Reveal | null>(null);
   changedOnDisk = $state.raw<Which[]>([]);
@@ -41,7 +43,7 @@ export class Desk {
     this.looker = new Looker(
       () => this.look(),
       (look) => session.send(look),
-      (seen, version) => this.hear(seen, version),
+      (seen, version, isFinest) => this.hear(seen, version, isFinest),
     );
   }
 
@@ -54,6 +56,7 @@ export class Desk {
         opened: () => this.looker.again(),
       }),
       this.documents.listen((step) => {
+        this.isSettled = false;
         this.quantities = moveAll(this.quantities, step.document, step.change);
         this.complaints = moveAll(this.complaints, step.document, step.change);
         this.looker.soon(typingPauseMs);
@@ -106,8 +109,9 @@ export class Desk {
     return { look: { model, study, output: this.output, at_deg: null }, version: this.documents.version };
   }
 
-  private hear(seen: Seen, version: number): void {
+  private hear(seen: Seen, version: number, isFinest: boolean): void {
     const { documents } = this;
+    this.isSettled = isFinest && version === documents.version;
     this.complaints = seen.complaints.map((complaint) => {
       const { document, from, to } = complaint;
       const fix = complaint.fix && documents.moved(complaint.fix.document, complaint.fix, version);

@@ -23,7 +23,7 @@ export class Looker {
   constructor(
     private readonly make: () => { look: Omit<Look, 'kind' | 'seq' | 'positions'>; version: number } | null,
     private readonly send: (look: Look) => boolean,
-    private readonly hear: (seen: Seen, version: number) => void,
+    private readonly hear: (seen: Seen, version: number, isFinest: boolean) => void,
   ) {}
 
   /** At the next frame: for drags, where each frame counts. */
@@ -58,7 +58,7 @@ export class Looker {
     const { version, positions } = this.flight;
     this.land();
     if (positions !== finest) this.adapt(seen.cost_ms);
-    this.hear(seen, version);
+    this.hear(seen, version, positions === finest);
     this.flush();
   }
 
