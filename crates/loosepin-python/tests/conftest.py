@@ -7,6 +7,9 @@ from pathlib import Path
 import loosepin as lp
 import pytest
 
+# Pages have the date when they are written; here it is always the same.
+os.environ["SOURCE_DATE_EPOCH"] = "0"
+
 REPOSITORY = Path(__file__).resolve().parents[3]
 MODEL = REPOSITORY / "cases/slider_crank_worn_pin/model.toml"
 

@@ -1,5 +1,8 @@
 //! The frame of every page: head with embedded style and scripts, title, sections, foot. Nothing is loaded.
 
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use loosepin_text::date::date_for_reading;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::figure::with_unique_names;
@@ -60,6 +63,7 @@ pub(super) struct Page {
 
 impl Page {
     pub fn into_html(self) -> String {
+        let date = written_at();
         let page = html! {
             (DOCTYPE)
             html lang="en" data-origin=(format!("{} (loosepin {})", self.identity, self.version)) {
@@ -79,7 +83,7 @@ impl Page {
                 body {
                     a.skip href="#content" { "Skip to the answer" }
                     header {
-                        p.kicker { (self.kicker) }
+                        p.kicker { (self.kicker) @if let Some(date) = &date { span.date { " · " (date) } } }
                         h1 { (self.title) }
                         p.subtitle { (self.subtitle) }
                     }
@@ -117,6 +121,16 @@ impl Page {
         };
         with_unique_names(&page.into_string())
     }
+}
+
+/// When the page is written, to the minute. `SOURCE_DATE_EPOCH`, in seconds since 1970, sets the clock, so that a page can be made again
+/// byte for byte (<https://reproducible-builds.org/specs/source-date-epoch/>). Nothing where neither gives a date.
+fn written_at() -> Option<String> {
+    let now = match std::env::var("SOURCE_DATE_EPOCH") {
+        Ok(seconds) => UNIX_EPOCH.checked_add(Duration::from_secs(seconds.parse().ok()?))?,
+        Err(_) => SystemTime::now(),
+    };
+    date_for_reading(now)
 }
 
 /// The foot of every printed sheet: what was computed on the left, the number of the sheet on the right.

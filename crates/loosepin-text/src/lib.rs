@@ -1,6 +1,7 @@
 //! From files to numbers: text with units to SI and back ([`units`]), TOML files walked by hand
-//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]).
+//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]). Dates the other way ([`date`]).
 
+pub mod date;
 pub mod diagnostics;
 pub mod document;
 pub mod units;

@@ -5,6 +5,8 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use loosepin_text::date::date;
+
 use super::error::ResultsError;
 
 /// Name of the file that is locked while somebody writes into a folder of results. It says who that is.
@@ -113,8 +115,7 @@ fn holder(mut file: File) -> Option<String> {
 
 /// `, since DATE`, where the clock of the machine shows a date that has a form.
 fn since(now: SystemTime) -> String {
-    let is_set = now.duration_since(SystemTime::UNIX_EPOCH).is_ok();
-    if is_set { format!(", since {}", humantime::format_rfc3339_seconds(now)) } else { String::new() }
+    date(now).map_or_else(String::new, |date| format!(", since {date}"))
 }
 
 /// ` on NAME`, where the machine says its name: a folder may be shared by several.

@@ -475,7 +475,7 @@ pub(super) static STATISTIC_KEYS: Keys = Keys::new(
 .with_exactly_one(&[&STATISTICS]);
 
 const DEVIATION_DOC: &str =
-    "value: the output itself; dimensional: from lengths alone; clearance: from play alone; total: both";
+    "value: the output itself; its deviation: dimensional, by lengths alone; clearance, by play alone; total, by both";
 const COMPONENT_DOC: &str = "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
     contour: its distance from the path whatever the timing";
 const POSES: Kind = Kind::Values(&Kind::List(&Kind::AnyQuantity));

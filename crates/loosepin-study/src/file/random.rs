@@ -10,7 +10,7 @@ use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{Entry, Table, read_beside};
-use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
+use loosepin_text::units::{Dimension, Rule, format_apart, format_number, format_value, parse_quantity};
 use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
 
 /// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
@@ -46,7 +46,7 @@ impl StudyReader {
         let stated = if let Some(entry) = table.get("samples") {
             self.samples(table, &entry, dimension)
         } else if let Some(entry) = table.get("tolerance") {
-            self.tolerance(table, &entry, dimension)
+            self.tolerance(table, &entry, quantity)
         } else if let Some(entry) = table.get("fit") {
             self.fit_scatter(table, &entry, quantity, path)
         } else {
@@ -264,11 +264,21 @@ impl StudyReader {
     }
 
     /// Reads a value with its tolerance: normal about the middle of the limits, which lie 3 Cp standard deviations away.
-    fn tolerance(&mut self, table: &Table<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
+    fn tolerance(&mut self, table: &Table<'_>, entry: &Entry<'_>, quantity: QuantityId) -> Option<Stated> {
+        let dimension = self.model.quantities[quantity].dimension;
         let [cp, cpk] = ["cp", "cpk"].map(|key| table.get(key).map(|entry| (self.capability(table, key), entry)));
         let text = self.reader.text(entry)?;
         let Some(tolerance) = parse_tolerance(text) else {
-            let problem = RandomProblem::NoTolerance { entry: entry.path.describe(), text: text.to_owned() };
+            let nominal_si = self.model.quantities.nominal()[quantity];
+            let is_limit = parse_quantity(text).is_ok_and(|limit| {
+                limit.dimension == dimension && limit.value_si > 0.0 && limit.value_si < 0.5 * nominal_si.abs()
+            });
+            let nominal = || format_value(nominal_si, dimension);
+            let problem = RandomProblem::NoTolerance {
+                entry: entry.path.describe(),
+                text: text.to_owned(),
+                nominal: is_limit.then(nominal),
+            };
             return self.refused(&problem, entry.span);
         };
         if !self.reader.measures(entry, tolerance.limits[0].dimension, dimension) {

@@ -37,12 +37,13 @@ problems! {
             says("{entry}: the fitted {family} distribution is far from the column '{column}': Anderson-Darling \
                   distance {distance}, which samples of this family exceed in less than 5 % of cases"),
             hint("try another family, or leave fitted out to take the sample as it is");
-        /// Text that is no value with a tolerance.
-        NoTolerance { entry: String, text: String } => Code::BadTolerance,
+        /// Text that is no value with a tolerance. `nominal` is the value of the model where the text is a limit alone.
+        NoTolerance { entry: String, text: String, nominal: Option<String> } => Code::BadTolerance,
             says("{entry}: '{text}' is not a nominal value with its limits"),
-            hint_of(Some(match text.contains(',') {
-                true => format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")),
-                false => "write the nominal value and its limits: for 50 mm, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
+            hint_of(Some(match nominal {
+                _ if text.contains(',') => format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")),
+                Some(nominal) => format!("write the nominal value too; that of the model is {nominal}: \"{nominal} ± {text}\""),
+                None => "write the nominal value and its limits: for 50 mm, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
             }));
         /// Limits that leave nothing between them.
         NoRoom { entry: String, lower: String, upper: String } => Code::BadTolerance,

@@ -44,6 +44,17 @@ fn pages_are_well_formed_and_small() {
 }
 
 #[test]
+fn pages_have_the_date_when_they_are_written() {
+    for (name, text) in pages() {
+        let page = parsed(name, &text);
+        let date = select(&page, "header .date").first().map(|date| date.text().collect::<String>()).expect("a date");
+        // ` · 2026-11-25 17:00 UTC`
+        let pattern = date.replace(|c: char| c.is_ascii_digit(), "0");
+        assert_eq!(pattern, " · 0000-00-00 00:00 UTC", "{name}: {date}");
+    }
+}
+
+#[test]
 fn pages_load_nothing() {
     for (name, text) in pages() {
         let page = parsed(name, &text);

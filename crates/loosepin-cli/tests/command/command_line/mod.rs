@@ -62,6 +62,8 @@ impl Desk {
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_loosepin"));
         command.args(arguments).current_dir(self.folder.path()).stdin(Stdio::null()).env("COLUMNS", "100");
+        // Pages have the date when they are written.
+        command.env("SOURCE_DATE_EPOCH", "0");
         command
     }
 
