@@ -89,19 +89,26 @@ class Chromium:
 
     def call(self, method, **parameters):
         """Sends one command and returns its answer; events that come meanwhile are kept in `events`."""
+        number = self._send(method, parameters)
+        while True:
+            answer = self._message()
+            if answer.get("id") == number:
+                if "error" in answer:
+                    raise BrowserError(f"{method}: {answer['error']['message']}")
+                return answer["result"]
+            if answer.get("method") == "Page.javascriptDialogOpening":
+                # Nobody is there to say whether unsaved texts may go: without an answer the page would wait for ever.
+                self._send("Page.handleJavaScriptDialog", {"accept": True})
+            if "method" in answer:
+                self.events.append(answer)
+
+    def _send(self, method, parameters):
         message = {"id": self.next_id, "method": method, "params": parameters}
         if getattr(self, "session", None) and not method.startswith("Target."):
             message["sessionId"] = self.session
         self.next_id += 1
         os.write(self.command_write, json.dumps(message).encode() + b"\0")
-        while True:
-            answer = self._message()
-            if answer.get("id") == message["id"]:
-                if "error" in answer:
-                    raise BrowserError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-            if "method" in answer:
-                self.events.append(answer)
+        return message["id"]
 
     def _message(self):
         while b"\0" not in self.buffer:

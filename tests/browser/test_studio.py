@@ -23,6 +23,11 @@ PLACE = """((selector, words) => {
 })(%s, %s)"""
 # The field of a number by its name.
 FIELD = """((name) => [...document.querySelectorAll('.field')].find((field) => field.querySelector('label')?.textContent.replace('↔', '').trim() === name))(%s)"""
+# Where a pin of the drawing is on the screen.
+PIN = """((name) => {
+    const place = [...document.querySelectorAll('.drawing .grip')].find((grip) => grip.dataset.joint === name).getScreenCTM();
+    return [place.e, place.f];
+})(%s)"""
 BAND = "document.querySelector('svg.chart .fill')?.getAttribute('d') ?? ''"
 LARGEST = "document.querySelector('.band .largest').innerText"
 PROBLEMS = "document.querySelector('.problems').innerText"
@@ -69,10 +74,37 @@ class Studio:
             self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
 
     def key(self, key, modifiers=0):
-        code = {"Enter": 13, "z": 90, "a": 65}[key]
+        code = {"Enter": 13, "Escape": 27, "ArrowRight": 39, "z": 90, "a": 65}[key]
         for kind in ("rawKeyDown", "keyUp"):
             self.browser.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, modifiers=modifiers,
-                              code="Enter" if key == "Enter" else f"Key{key.upper()}")
+                              code=f"Key{key.upper()}" if len(key) == 1 else key)
+
+    def pin(self, joint):
+        """Where a pin of the drawing is on the screen."""
+        return self.browser.evaluate(PIN % repr(joint))
+
+    def drag(self, joint, by, steps=15, is_let_go=True):
+        """Takes a pin and moves it by pixels of the screen."""
+        (x, y), (right, down) = self.pin(joint), by
+        mouse = lambda kind, share, **more: self.browser.call(  # noqa: E731
+            "Input.dispatchMouseEvent", type=kind, x=x + share * right, y=y + share * down, button="left", **more)
+        mouse("mousePressed", 0, clickCount=1)
+        for step in range(1, steps + 1):
+            mouse("mouseMoved", step / steps, buttons=1)
+            time.sleep(0.02)
+        if is_let_go:
+            mouse("mouseReleased", 1, clickCount=1)
+        return x + right, y + down
+
+    def texts(self):
+        """Both texts of the editor."""
+        texts = []
+        for name in ("model.toml", "study.toml"):
+            self.click("[role=tab]", name)
+            self.wait("document.querySelector('.panel:not([hidden]) .cm-content')")
+            texts.append(self.browser.evaluate("document.querySelector('.panel:not([hidden]) .cm-content').innerText"))
+        self.click("[role=tab]", "Numbers")
+        return texts
 
     def type_number(self, name, text):
         """Replaces what stands in the field of a number."""
@@ -174,6 +206,79 @@ def test_a_number_that_is_dragged_moves_the_band_and_is_one_step_to_undo(studio)
     assert len(bands) > 3, "the band follows while the number is dragged"
     studio.click("button", "Undo")
     studio.wait(f"({FIELD % name})?.querySelector('input').value === {first!r}")
+    assert studio.browser.complaints() == []
+
+
+def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
+    studio.take("rank, coupler and rocker")
+    before = studio.texts()
+    others = {joint: studio.pin(joint) for joint in ("crank_pivot", "rocker_pin", "rocker_pivot")}
+    x, y = studio.drag("crank_pin", (45, -30), is_let_go=False)
+    # What counts first is the text, and only then the picture.
+    crank, coupler = (f"{name}_length" for name in ("crank", "coupler"))
+    studio.wait(f"document.querySelector('.drawing .over')?.innerText.includes('{coupler} 205 mm')")
+    found = studio.pin("crank_pin")
+    # Lengths are round to a step of four pixels.
+    assert abs(found[0] - x) < 4 and abs(found[1] - y) < 4
+    for joint, (left, top) in others.items():
+        found = studio.pin(joint)
+        assert abs(found[0] - left) < 4 and abs(found[1] - top) < 4, joint
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, button="left", clickCount=1)
+    studio.wait("document.querySelector('.drawing .over') === null")
+    studio.settle()
+    assert (studio.number(crank), studio.number(coupler)) == ("120 mm", "205 mm")
+    after = studio.texts()
+    # The model has two other numbers, the study one: the mean of the length that scatters. All else stays, comments too.
+    changed = [[(old, new) for old, new in zip(first.split("\n"), second.split("\n"), strict=True) if old != new]
+               for first, second in zip(before, after, strict=True)]
+    assert [len(lines) for lines in changed] == [2, 1]
+    assert all(new == old.replace("80 mm", "120 mm").replace("260 mm", "205 mm") for lines in changed for old, new in lines), changed
+    assert "No problems" in studio.browser.evaluate(PROBLEMS)
+    studio.click("button", "Undo")
+    studio.settle()
+    assert studio.texts() == before, "one drag is one step to undo"
+    assert studio.browser.complaints() == []
+
+
+def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
+    studio.take("rank, coupler and rocker")
+    before = studio.texts()
+    x, y = studio.drag("crank_pin", (45, -30), is_let_go=False)
+    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank_length')")
+    studio.key("Escape")
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, button="left", clickCount=1)
+    studio.wait("document.querySelector('.bar').innerText.includes('· saved')")
+    studio.settle()
+    assert studio.texts() == before
+    focus = "[...document.querySelectorAll('.drawing .grip')].find((grip) => grip.dataset.joint === 'rocker_pivot')"
+    first = studio.number("base_length")
+    studio.browser.evaluate(f"({focus}.focus(), true)")
+    lengths = [first]
+    for _ in range(3):
+        studio.key("ArrowRight")
+        studio.wait(f"({FIELD % repr('base_length')})?.querySelector('input').value !== {lengths[-1]!r}")
+        lengths.append(studio.number("base_length"))
+    assert sorted(lengths) == lengths, "the pin goes to the right"
+    assert studio.browser.evaluate(f"document.activeElement === {focus}"), "the keyboard stays at its pin"
+    studio.browser.evaluate("document.activeElement.blur()")
+    while studio.number("base_length") != first:
+        studio.click("button", "Undo")
+        studio.settle()
+    assert studio.browser.complaints() == []
+
+
+def test_a_link_that_is_taken_turns_the_mechanism(studio):
+    studio.take("rank, coupler and rocker")
+    (x, y), (right, bottom) = studio.pin("crank_pivot"), studio.pin("crank_pin")
+    middle = [(x + right) / 2, (y + bottom) / 2]
+    angle = "document.querySelector('.play-bar .angle').innerText"
+    first = studio.browser.evaluate(angle)
+    for kind, by in (("mousePressed", 0), ("mouseMoved", 15), ("mouseMoved", 30), ("mouseReleased", 30)):
+        studio.browser.call("Input.dispatchMouseEvent", type=kind, x=middle[0] + by, y=middle[1], button="left", buttons=1, clickCount=1)
+    assert studio.browser.evaluate(angle) != first
+    assert studio.pin("crank_pin")[0] > right + 10, "the crank goes with the mouse"
+    studio.settle()
+    assert "unsaved" not in studio.browser.evaluate("document.querySelector('.bar').innerText"), "no text changes"
     assert studio.browser.complaints() == []
 
 

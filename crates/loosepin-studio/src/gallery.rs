@@ -27,7 +27,7 @@ pub fn cards(folder: &Folder) -> Vec<Card> {
 
 fn card(folder: &Folder, template: &Template) -> Card {
     let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
-    let texts = Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS });
+    let texts = Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS, grip: None });
     let record = texts.read().and_then(|file| file.ideal_motion(POSITIONS, &[]));
     Card {
         name: template.name,

@@ -10,6 +10,7 @@
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `places.rs`, `quantities.rs` |
+//! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs` |
 //! | studies in the background | `jobs.rs`, `job.rs` |
 //! | messages | `messages.rs` |
@@ -18,6 +19,7 @@
 
 mod complaints;
 mod connections;
+mod edit;
 mod fixes;
 mod folder;
 mod gallery;

@@ -1,33 +1,46 @@
 //! From texts to what the page shows of them.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::model::Model;
 use loosepin::report::{live_bands, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
-use loosepin::result::simulation::{DrawnJoint, DrawnJointKind};
+use loosepin::result::simulation::{Drawing, DrawnJoint, DrawnJointKind};
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
 use crate::complaints::seen;
+use crate::edit::{gripped, shown_angle_deg};
 use crate::folder::Folder;
-use crate::messages::{Look, Outline, Seen, SeenJoint, SeenOutput, View};
+use crate::messages::{Look, Outline, Seen, SeenJoint, SeenOutput, SeenPin, View};
 use crate::quantities::quantities;
 use crate::texts::Texts;
 
+const MM_PER_M: f64 = 1e3;
 /// Fewest and most positions in a turn.
 const POSITIONS: [usize; 2] = [12, 720];
 
-/// Reads the texts of the page. A study that cannot be read does not hide its model.
+/// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
 pub fn look(folder: &Folder, look: &Look) -> Seen {
     let began = Instant::now();
-    let texts = Texts::sent(folder, look);
+    let mut texts = Texts::sent(folder, look);
+    let drag = look.grip.as_ref().and_then(|grip| {
+        // A drag begins where the texts could be read; while they cannot, they are looked at as they are.
+        let model = Model::from_source(Arc::clone(&texts.model)).ok()?;
+        Some(gripped(&model, &texts, grip))
+    });
+    if let Some(drag) = &drag {
+        texts = texts.with(folder, drag.model.as_deref(), drag.study.as_deref());
+    }
     let mut complaints = Complaints::new();
     let file = texts.read().or_else(|found| {
         complaints.extend(found);
         // Reading the model alone: its own complaints are told already.
         Texts { model: texts.model.clone(), study: None }.read()
     });
+    let mut reshaped = drag.as_ref().map(|drag| drag.reshaped.clone());
     let view = file.ok().and_then(|file| {
         let warnings = match &file {
             InputFile::Model(model) => &model.warnings,
@@ -36,7 +49,12 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
         warnings.iter().for_each(|warning: &Complaint| complaints.push(warning.clone()));
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
         match file.ideal_motion(positions, &[]) {
-            Ok(record) => Some(view(&file, &record, &texts)),
+            Ok(record) => {
+                if let (Some(reshaped), Some(drag)) = (&mut reshaped, &drag) {
+                    reshaped.angle_deg = shown_angle_deg(drag, &record.drawing);
+                }
+                Some(view(&file, &record, &texts))
+            }
             Err(found) => {
                 complaints.extend(found);
                 None
@@ -44,7 +62,7 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
         }
     });
     let complaints = seen(&complaints, &texts);
-    Seen { seq: look.seq, complaints, view, cost_ms: began.elapsed().as_secs_f64() * 1e3 }
+    Seen { seq: look.seq, complaints, view, reshaped, cost_ms: began.elapsed().as_secs_f64() * 1e3 }
 }
 
 fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
@@ -70,14 +88,16 @@ fn outline(record: &MotionRecord) -> Outline {
     let outputs = outputs.chain(record.efforts.iter().map(|effort| (&effort.name, &effort.words)));
     Outline {
         bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
-        joints: drawing.joints.iter().map(joint).collect(),
+        joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
         drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
         outputs: outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect(),
     }
 }
 
-fn joint(joint: &DrawnJoint) -> SeenJoint {
+fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> SeenJoint {
     let has_play = joint.radial_clearance_m > 0.0;
+    let is_pin = matches!(joint.kind, DrawnJointKind::Revolute | DrawnJointKind::RevoluteWithClearance);
+    let point = drawing.bodies.get(joint.first.body).and_then(|body| body.points.get(joint.first.point));
     SeenJoint {
         name: joint.name.clone(),
         kind: match joint.kind {
@@ -88,5 +108,10 @@ fn joint(joint: &DrawnJoint) -> SeenJoint {
             DrawnJointKind::Rigid => "rigid connection",
         },
         play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
+        pin: point.filter(|_| is_pin).map(|point| SeenPin {
+            body: joint.first.body,
+            x: point.x_m * MM_PER_M,
+            y: point.y_m * MM_PER_M,
+        }),
     }
 }

@@ -13,7 +13,7 @@ pub struct SentText {
 }
 
 /// What the page asks to be read.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Look {
     /// Counts up; comes back with the answer.
     pub seq: u64,
@@ -23,6 +23,24 @@ pub struct Look {
     pub study: Option<SentText>,
     /// Positions in a turn.
     pub positions: usize,
+    /// The joint that is dragged, where one is: what is looked at are the texts that the drag makes of these.
+    #[serde(default)]
+    pub grip: Option<Grip>,
+}
+
+/// A joint that is dragged.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Grip {
+    /// Its name.
+    pub joint: String,
+    /// Where its centre is to be, mm.
+    pub to_mm: [f64; 2],
+    /// Written values are rounded to the next round step that is not below this one, mm.
+    pub step_mm: f64,
+    /// Values are as they come: no round steps.
+    pub is_free: bool,
+    /// Where each body is: x and y of its origin, mm, and its angle, degrees.
+    pub poses: Vec<[f64; 3]>,
 }
 
 /// What comes over the live connection from the page.
@@ -171,6 +189,17 @@ pub struct SeenQuantity {
     pub kind: &'static str,
 }
 
+/// Where a pin is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SeenPin {
+    /// Index of a body that carries it, in the drawing.
+    pub body: usize,
+    /// x in the frame of that body, mm.
+    pub x: f64,
+    /// y in it, mm.
+    pub y: f64,
+}
+
 /// A joint in the outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeenJoint {
@@ -180,6 +209,8 @@ pub struct SeenJoint {
     pub kind: &'static str,
     /// Its play, where it has any.
     pub play: Option<String>,
+    /// Its centre, where it is a pin that can be dragged.
+    pub pin: Option<SeenPin>,
 }
 
 /// An output in the outline.
@@ -223,6 +254,32 @@ pub struct View {
     pub quantities: Vec<SeenQuantity>,
 }
 
+/// A stretch of a text that is replaced.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Change {
+    /// The text.
+    pub document: Document,
+    /// First UTF-16 unit that goes.
+    pub from: usize,
+    /// Behind the last UTF-16 unit that goes.
+    pub to: usize,
+    /// What comes in its place.
+    pub insert: String,
+}
+
+/// What a drag does to the texts that were sent.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Reshaped {
+    /// The changes, all in units of the texts that were sent, in their order.
+    pub changes: Vec<Change>,
+    /// The new values, in words.
+    pub words: Vec<String>,
+    /// The angle of the drive at which the joints lie where the drag left them.
+    pub angle_deg: Option<f64>,
+    /// Why nothing can be changed.
+    pub refusal: Option<String>,
+}
+
 /// The answer to a look.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Seen {
@@ -232,6 +289,8 @@ pub struct Seen {
     pub complaints: Vec<SeenComplaint>,
     /// The mechanism; nothing where the model cannot be read, or does not move.
     pub view: Option<View>,
+    /// What a drag did: `complaints` and `view` are of the texts with its changes.
+    pub reshaped: Option<Reshaped>,
     /// How long it took.
     pub cost_ms: f64,
 }

@@ -1,6 +1,8 @@
 //! Places in texts as browsers count them: in UTF-16 units.
 
-use loosepin::diagnostics::{Place, Source};
+use std::ops::Range;
+
+use loosepin::diagnostics::{Place, Source, Span};
 
 use crate::messages::Stretch;
 
@@ -15,6 +17,14 @@ pub fn stretch(place: &Place) -> Stretch {
 /// UTF-16 units before a byte, which begins a character.
 pub fn utf16_units(source: &Source, byte: usize) -> usize {
     source.text()[..byte].encode_utf16().count()
+}
+
+/// The bytes of a value, without the quotes around it.
+pub fn unquoted(source: &Source, span: Span) -> Range<usize> {
+    let range = source.clamp(span);
+    let text = &source.text()[range.clone()];
+    let is_quoted = text.len() >= 2 && ['"', '\''].iter().any(|mark| text.starts_with(*mark) && text.ends_with(*mark));
+    if is_quoted { range.start + 1..range.end - 1 } else { range }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use loosepin::model::Model;
 use std::sync::Arc;
 
 use crate::messages::{Document, SeenQuantity};
-use crate::places::utf16_units;
+use crate::places::{unquoted, utf16_units};
 use crate::texts::Texts;
 
 /// Tables of a study whose entries say what is known of a number, and how the page calls them.
@@ -38,12 +38,7 @@ fn of_study(study: &Arc<Source>) -> Vec<SeenQuantity> {
 }
 
 fn entry(source: &Source, document: Document, path: &str, span: Span, kind: &'static str) -> SeenQuantity {
-    let mut range = source.clamp(span);
-    let text = &source.text()[range.clone()];
-    let is_quoted = text.len() >= 2 && ['"', '\''].iter().any(|mark| text.starts_with(*mark) && text.ends_with(*mark));
-    if is_quoted {
-        range = range.start + 1..range.end - 1;
-    }
+    let range = unquoted(source, span);
     SeenQuantity {
         path: path.to_owned(),
         words: describe_path(path),

@@ -42,6 +42,14 @@ impl Texts {
         Ok(Self::new(folder, (&model_path, &model), Some((path, &study))))
     }
 
+    /// The same with other texts in their places.
+    pub fn with(&self, folder: &Folder, model: Option<&str>, study: Option<&str>) -> Self {
+        let old = &self.model;
+        let model = (old.name(), model.unwrap_or(old.text()));
+        let study = self.study.as_ref().map(|old| (old.name(), study.unwrap_or(old.text())));
+        Self::new(folder, model, study)
+    }
+
     fn new(folder: &Folder, model: (&str, &str), study: Option<(&str, &str)>) -> Self {
         let texts = std::iter::once(model).chain(study);
         let tables: Arc<[Arc<Source>]> =

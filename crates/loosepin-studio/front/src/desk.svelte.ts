@@ -1,9 +1,11 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
+import { difference, Drag, type Point } from './drag.ts';
 import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
 import { Looker } from './looker.ts';
-import type { Complaint, Fix, Quantity, Seen, View, Which } from './messages.ts';
+import type { Complaint, Fix, Quantity, Reshaped, Seen, View, Which } from './messages.ts';
+import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
 
@@ -36,6 +38,12 @@ export class Desk {
   output = $state<string | null>(null);
   reveal = $state.raw<Reveal | null>(null);
   changedOnDisk = $state.raw<Which[]>([]);
+  /** The joint that is looked at. */
+  chosen = $state<string | null>(null);
+  /** The pin that is dragged. */
+  drag = $state.raw<Drag | null>(null);
+  /** What the last drag says: new values, or why there are none. */
+  dragged = $state.raw<{ words: string[]; refusal: string | null } | null>(null);
   band = $derived(this.view?.bands.find((band) => band.output === this.output) ?? this.view?.bands[0] ?? null);
   private readonly looker: Looker;
 
@@ -90,6 +98,55 @@ export class Desk {
     this.change(fix.document, { from: fix.from, to: fix.to, insert: fix.insert }, { name: 'fix', joins: 'never' });
   }
 
+  /** Takes a pin, to be moved in steps of the screen. */
+  take(joint: string, start: Point, stepMm: number, name: string): void {
+    const model = this.documents.textOf('model');
+    const motion = this.view?.drawing?.motion;
+    if (!model || !motion || this.isStale) return;
+    this.head.run(false);
+    this.dragged = null;
+    this.drag = new Drag(joint, { model, study: this.documents.textOf('study') }, posesAt(motion, this.head.angle), start, stepMm, name);
+  }
+
+  moveDrag(to: Point, isFree: boolean): void {
+    this.drag?.move(to, isFree);
+    this.looker.now();
+  }
+
+  endDrag(): void {
+    if (!this.drag) return;
+    this.drag.isEnding = true;
+    this.looker.now();
+  }
+
+  /** The texts are again as they were before the drag. */
+  cancelDrag(): void {
+    const { drag } = this;
+    if (!drag) return;
+    this.drag = null;
+    this.dragged = null;
+    this.rewrite('model', drag.base.model.text, drag.name);
+    if (drag.base.study) this.rewrite('study', drag.base.study.text, drag.name);
+    this.looker.now();
+  }
+
+  private rewrite(which: Which, text: string | null, name: string): void {
+    const now = this.documents.sheet(which)?.text;
+    const change = text !== null && now !== undefined ? difference(now, text) : null;
+    if (change) this.documents.change(which, change, { name, joins: 'always' });
+  }
+
+  private follow(drag: Drag, reshaped: Reshaped): void {
+    this.dragged = { words: reshaped.words, refusal: reshaped.refusal };
+    if (reshaped.refusal === null) {
+      for (const which of ['model', 'study'] as const) this.rewrite(which, drag.textOf(which, reshaped), drag.name);
+    }
+    if (drag.isEnding && !this.looker.isWaiting) {
+      this.drag = null;
+      this.looker.now();
+    }
+  }
+
   show(document: Which, from: number, to: number): void {
     this.reveal = { document, from, to };
   }
@@ -103,14 +160,23 @@ export class Desk {
   }
 
   private look() {
+    const { drag } = this;
+    const { version } = this.documents;
+    if (drag) return { look: { ...drag.base, grip: drag.grip }, version };
     const model = this.documents.textOf('model');
     if (!model) return null;
-    const study = this.documents.textOf('study');
-    return { look: { model, study, output: this.output, at_deg: null }, version: this.documents.version };
+    return { look: { model, study: this.documents.textOf('study'), grip: null }, version };
   }
 
   private hear(seen: Seen, version: number, isFinest: boolean): void {
-    const { documents } = this;
+    const { documents, drag } = this;
+    if (seen.reshaped) {
+      // The answer to a drag that is over.
+      if (!drag) return;
+      this.follow(drag, seen.reshaped);
+      // Places are in the texts as they are now.
+      version = documents.version;
+    }
     this.isSettled = isFinest && version === documents.version;
     this.complaints = seen.complaints.map((complaint) => {
       const { document, from, to } = complaint;
@@ -123,6 +189,7 @@ export class Desk {
       this.view = seen.view;
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
+      if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);
     }
     this.answers += 1;
   }

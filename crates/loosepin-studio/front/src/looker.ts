@@ -41,6 +41,11 @@ export class Looker {
     }
   }
 
+  /** Something newer than the last answer is to be looked at. */
+  get isWaiting(): boolean {
+    return this.isWanted;
+  }
+
   /** When the typing pauses. */
   soon(ms: number): void {
     clearTimeout(this.delay);

@@ -121,10 +121,18 @@ export interface Band {
   parts: Part[];
 }
 
+/** A pin that can be dragged: its place in the frame of a body of the drawing, mm. */
+export interface Pin {
+  body: number;
+  x: number;
+  y: number;
+}
+
 export interface JointEntry {
   name: string;
   kind: string;
   play: string | null;
+  pin: Pin | null;
 }
 
 export interface Outline {
@@ -173,14 +181,30 @@ export interface PathAndText {
   text: string;
 }
 
+/** A joint that is dragged; poses are x and y in mm and the angle in degrees of each body. */
+export interface Grip {
+  joint: string;
+  to_mm: [number, number];
+  step_mm: number;
+  is_free: boolean;
+  poses: [number, number, number][];
+}
+
+/** What a drag does to the texts of its look. */
+export interface Reshaped {
+  changes: (Range & { document: Which; insert: string })[];
+  words: string[];
+  angle_deg: number | null;
+  refusal: string | null;
+}
+
 export interface Look {
   kind: 'look';
   seq: number;
   model: PathAndText;
   study: PathAndText | null;
   positions: number;
-  output: string | null;
-  at_deg: number | null;
+  grip: Grip | null;
 }
 
 export interface Seen {
@@ -188,6 +212,8 @@ export interface Seen {
   seq: number;
   complaints: Complaint[];
   view: View | null;
+  /** Of a drag: complaints and view are of the texts with its changes. */
+  reshaped: Reshaped | null;
   cost_ms: number;
 }
 

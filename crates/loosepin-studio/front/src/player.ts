@@ -38,6 +38,22 @@ export function poseAt(angles: number[], angle: number): number {
   return low + (end === start ? 0 : Math.min(Math.max((angle - start) / (end - start), 0), 1)) * (high - low);
 }
 
+/** Where all bodies are, without play: x and y in mm, angle in degrees. */
+export function posesAt(motion: Motion, angle: number): [number, number, number][] {
+  const pose = poseAt(motion.angle_deg, angle);
+  const index = Math.floor(pose);
+  return motion.bodies.map((body) => {
+    const { x, y, a } = placed(body, index, pose - index, 0);
+    return [x, y, a];
+  });
+}
+
+/** Where a point of a body is. */
+export function worldOf([x, y, degrees]: [number, number, number], ownX: number, ownY: number): [number, number] {
+  const [sine, cosine] = [Math.sin((degrees * Math.PI) / 180), Math.cos((degrees * Math.PI) / 180)];
+  return [x + cosine * ownX - sine * ownY, y + sine * ownX + cosine * ownY];
+}
+
 export class Player {
   private readonly bodies: SVGElement[];
   private readonly ghosts: SVGElement[];
@@ -59,9 +75,8 @@ export class Player {
     this.ghosts.forEach((group) => group.setAttribute('transform', transform(at(group.dataset.ghost, 0))));
     this.riders.forEach((group) => {
       const { x, y, a } = at(group.dataset.rides, magnification);
-      const [ownX, ownY] = [Number(group.dataset.x), Number(group.dataset.y)];
-      const [sine, cosine] = [Math.sin((a * Math.PI) / 180), Math.cos((a * Math.PI) / 180)];
-      group.setAttribute('transform', 'translate(' + (x + cosine * ownX - sine * ownY).toFixed(4) + ' ' + (y + sine * ownX + cosine * ownY).toFixed(4) + ')');
+      const [worldX, worldY] = worldOf([x, y, a], Number(group.dataset.x), Number(group.dataset.y));
+      group.setAttribute('transform', 'translate(' + worldX.toFixed(4) + ' ' + worldY.toFixed(4) + ')');
     });
   }
 }

@@ -1,5 +1,5 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
-import type { Job, ResultEntry, Verdict, Which } from './messages.ts';
+import type { Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -42,6 +42,9 @@ export const words = {
     title: 'Keys',
     list: [
       ['Space', 'plays or stops the drawing'],
+      ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten'],
+      ['Alt', 'while a pin is dragged: values that are not round'],
+      ['Escape', 'ends a drag without a change'],
       ['[ and ]', 'turn the drive by 1 degree'],
       ['Ctrl+S', 'saves'],
       ['Ctrl+Z, Ctrl+Shift+Z', 'undo and redo, over both texts'],
@@ -118,6 +121,7 @@ export const words = {
 
   drawing: {
     heading: 'Drawing',
+    pin: (joint: JointEntry): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
     stale: 'The drawing is that of the last text that could be read.',
     none: 'There is no drawing: the model cannot be read yet. See the problems below.',
     still: 'The model can be read, but there is no drawing of it.',

@@ -1,0 +1,53 @@
+// A pin that is dragged: the texts from which it began, where it is to be, and what the server makes of both.
+import { applied, type Change } from './history.ts';
+import type { Grip, PathAndText, Reshaped, Which } from './messages.ts';
+
+export type Point = [number, number];
+
+export class Drag {
+  private to: Point;
+  private isFree = false;
+  /** It was let go: the answer to its last place ends it. */
+  isEnding = false;
+
+  constructor(
+    readonly joint: string,
+    readonly base: { model: PathAndText; study: PathAndText | null },
+    private readonly poses: Grip['poses'],
+    start: Point,
+    private readonly stepMm: number,
+    /** Of the one entry that it makes in the list of what can be undone. */
+    readonly name: string,
+  ) {
+    this.to = start;
+  }
+
+  move(to: Point, isFree: boolean): void {
+    this.to = to;
+    this.isFree = isFree;
+  }
+
+  get grip(): Grip {
+    return { joint: this.joint, to_mm: this.to, step_mm: this.stepMm, is_free: this.isFree, poses: this.poses };
+  }
+
+  /** What a text of the drag becomes. */
+  textOf(which: Which, reshaped: Reshaped): string | null {
+    const text = this.base[which]?.text;
+    if (text === undefined) return null;
+    // From the end, so that the places before stay.
+    const changes = reshaped.changes.filter((change) => change.document === which).sort((a, b) => b.from - a.from);
+    return changes.reduce((changed, change) => applied(changed, change), text);
+  }
+}
+
+/** The stretch in which two texts differ, as the change from one to the other; null where they are the same. */
+export function difference(before: string, after: string): Change | null {
+  if (before === after) return null;
+  const shorter = Math.min(before.length, after.length);
+  let from = 0;
+  while (from < shorter && before[from] === after[from]) from += 1;
+  let behind = 0;
+  while (behind < shorter - from && before[before.length - 1 - behind] === after[after.length - 1 - behind]) behind += 1;
+  return { from, to: before.length - behind, insert: after.slice(from, after.length - behind) };
+}

@@ -1,0 +1,18 @@
+//! From gestures to changes of the two texts.
+//!
+//! | What | File |
+//! |---|---|
+//! | a joint that is dragged: which coordinates put it there | `reshape.rs` |
+//! | a coordinate: which number of the text gives it, and what that number becomes | `behind.rs` |
+//! | a number as it is written: its unit stays, its value is round on the screen | `written.rs` |
+//! | a drag as a whole: from the texts and the pointer to new texts | `grip.rs` |
+
+mod behind;
+mod grip;
+mod reshape;
+mod written;
+
+pub use grip::{gripped, shown_angle_deg};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,193 @@
+//! A joint that is dragged at a shown pose: its centre moves, all other centres stay, and the links at it change their shape.
+//!
+//! With the centre to be at P, a link with one other centre at Q keeps the direction between both in its own frame, and their distance
+//! becomes |P - Q|: its length changes, and it turns. A plate, with two other centres or more, keeps its place, and the point moves in it.
+//! The origin of a link keeps (0, 0), and its other points move instead. A block keeps its guide: P is dropped onto its line. So it is
+//! with a link whose angle a slot or a guide on it gives: P is dropped onto the line from its other centre.
+
+use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId};
+
+/// Two points of a body nearer to each other are one centre, m.
+const SAME_CENTRE_M: f64 = 1e-9;
+
+/// Pose of a body: position of its origin, m, and angle of its x axis, rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// Origin, m.
+    pub origin_m: [f64; 2],
+    /// Angle, rad.
+    pub angle_rad: f64,
+}
+
+impl Pose {
+    /// From the frame of the body to that of the ground.
+    pub fn world_m(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sine, cosine) = self.angle_rad.sin_cos();
+        [self.origin_m[0] + cosine * x - sine * y, self.origin_m[1] + sine * x + cosine * y]
+    }
+
+    fn local_m(&self, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = minus(at, self.origin_m);
+        let (sine, cosine) = self.angle_rad.sin_cos();
+        [cosine * x + sine * y, cosine * y - sine * x]
+    }
+}
+
+/// A coordinate of a point and the value that it is to have, m.
+pub type Coordinate = (QuantityId, f64);
+
+/// A mechanism at a pose.
+pub struct Posed<'a> {
+    model: &'a Model,
+    poses: &'a [Pose],
+}
+
+impl<'a> Posed<'a> {
+    /// `poses` in the order of the bodies.
+    pub fn new(model: &'a Model, poses: &'a [Pose]) -> Self {
+        Self { model, poses }
+    }
+
+    /// Where a point is in its body, m.
+    fn in_body_m(&self, point: PointId) -> [f64; 2] {
+        let nominal = self.model.quantities.nominal();
+        self.model.bodies[point.body.0].points[point.point].position_m.map(|id| nominal[id])
+    }
+
+    /// Where a point is, m.
+    pub fn at_m(&self, point: PointId) -> [f64; 2] {
+        self.poses[point.body.0].world_m(self.in_body_m(point))
+    }
+
+    /// The points that a revolute joint holds together, with those of the other revolute joints at the same place of a body.
+    pub fn together(&self, joint: usize) -> Vec<PointId> {
+        let mut held = self.model.joints[joint].kind.points().to_vec();
+        loop {
+            let before = held.len();
+            for joint in self.model.joints.iter().filter(|joint| matches!(joint.kind, JointKind::Revolute { .. })) {
+                let points = joint.kind.points();
+                if points.iter().any(|point| held.iter().any(|known| self.is_same(*point, *known))) {
+                    held.extend(points.into_iter().filter(|point| !held.contains(point)).collect::<Vec<_>>());
+                }
+            }
+            if held.len() == before {
+                return held;
+            }
+        }
+    }
+
+    /// Whether two points are one place of one body.
+    fn is_same(&self, a: PointId, b: PointId) -> bool {
+        a.body == b.body && length(minus(self.in_body_m(a), self.in_body_m(b))) < SAME_CENTRE_M
+    }
+
+    /// Where the centre at `from_m` may go: anywhere, or along the line of a body that does not turn with it.
+    pub fn allowed_m(&self, held: &[PointId], from_m: [f64; 2], to_m: [f64; 2]) -> [f64; 2] {
+        let Some([x, y]) = held.iter().find_map(|point| self.line_of(*point)) else { return to_m };
+        let way = minus(to_m, from_m);
+        let along = (way[0] * x + way[1] * y) / (x * x + y * y);
+        [from_m[0] + along * x, from_m[1] + along * y]
+    }
+
+    /// The direction in which a point can go where its body is a block in a guide, or a link whose angle is given by a slot or guide on
+    /// it.
+    fn line_of(&self, at: PointId) -> Option<[f64; 2]> {
+        let kinds = || self.model.joints.iter().map(|joint| &joint.kind);
+        let in_guide = kinds().find_map(|kind| match *kind {
+            JointKind::Prismatic { guide, guide_angle_rad, slider, .. } if slider.body == at.body => {
+                let angle_rad = self.poses[guide.body.0].angle_rad + self.model.quantities.nominal()[guide_angle_rad];
+                Some([angle_rad.cos(), angle_rad.sin()])
+            }
+            _ => None,
+        });
+        let is_turned = || {
+            at.body.0 != 0
+                && kinds().any(|kind| !matches!(kind, JointKind::Revolute { .. }) && kind.points()[0].body == at.body)
+        };
+        in_guide.or_else(|| match self.other_centres(at)[..] {
+            [other] if is_turned() => Some(minus(self.at_m(at), self.at_m(other))),
+            _ => None,
+        })
+    }
+
+    /// What the coordinates of the bodies at a centre become when it goes to `to_m`.
+    pub fn moved(&self, held: &[PointId], to_m: [f64; 2]) -> Vec<Coordinate> {
+        let slides = |body: BodyId| {
+            let kinds = self.model.joints.iter().map(|joint| &joint.kind);
+            kinds.into_iter().any(|kind| matches!(kind, JointKind::Prismatic { slider, .. } if slider.body == body))
+        };
+        let mut bodies: Vec<BodyId> = Vec::new();
+        let mut changed = Vec::new();
+        for point in held.iter().filter(|point| !slides(point.body)) {
+            if !bodies.contains(&point.body) {
+                bodies.push(point.body);
+                changed.extend(self.reshaped(*point, held, to_m));
+            }
+        }
+        changed
+    }
+
+    fn reshaped(&self, at: PointId, held: &[PointId], to_m: [f64; 2]) -> Vec<Coordinate> {
+        let others = self.other_centres(at);
+        let own_m = self.in_body_m(at);
+        let pose = &self.poses[at.body.0];
+        let is_origin = own_m == [0.0, 0.0] && at.body.0 != 0;
+        // All names of the centre move with it.
+        let own: Vec<PointId> = held.iter().copied().filter(|point| point.body == at.body).collect();
+        match others[..] {
+            [] if at.body.0 != 0 => Vec::new(),
+            [other] if at.body.0 != 0 => {
+                let other_m = self.in_body_m(other);
+                let distance_m = length(minus(to_m, pose.world_m(other_m)));
+                let (fixed_m, end_m) = if is_origin { (own_m, other_m) } else { (other_m, own_m) };
+                let old_m = length(minus(end_m, fixed_m));
+                let share = distance_m / old_m;
+                let new_m = [0, 1].map(|axis| fixed_m[axis] + share * (end_m[axis] - fixed_m[axis]));
+                let moving: Vec<PointId> = if is_origin { self.at_same_place(other) } else { own };
+                moving.into_iter().flat_map(|point| self.placed(point, new_m)).collect()
+            }
+            _ if is_origin => {
+                let shift_m = pose.local_m(to_m);
+                let body = &self.model.bodies[at.body.0];
+                let points = (0..body.points.len()).map(|point| PointId { body: at.body, point });
+                let others = points.filter(|point| !self.is_same(*point, at));
+                others.flat_map(|point| self.placed(point, minus(self.in_body_m(point), shift_m))).collect()
+            }
+            _ => own.into_iter().flat_map(|point| self.placed(point, pose.local_m(to_m))).collect(),
+        }
+    }
+
+    fn placed(&self, point: PointId, [x, y]: [f64; 2]) -> Vec<Coordinate> {
+        let coordinates = self.model.bodies[point.body.0].points[point.point].position_m;
+        let now = self.in_body_m(point);
+        // What does not change is not written, so that a zero stays one.
+        let changes = [(coordinates[0], x, now[0]), (coordinates[1], y, now[1])].into_iter();
+        changes.filter(|(_, new, old)| (new - old).abs() > SAME_CENTRE_M).map(|(id, new, _)| (id, new)).collect()
+    }
+
+    /// One point of each other place of a body that a joint holds.
+    fn other_centres(&self, at: PointId) -> Vec<PointId> {
+        let mut centres: Vec<PointId> = Vec::new();
+        for point in self.model.joints.iter().flat_map(|joint| joint.kind.points()) {
+            let is_new = point.body == at.body && !centres.iter().chain([&at]).any(|known| self.is_same(*known, point));
+            if is_new {
+                centres.push(point);
+            }
+        }
+        centres
+    }
+
+    fn at_same_place(&self, at: PointId) -> Vec<PointId> {
+        let body = &self.model.bodies[at.body.0];
+        let points = (0..body.points.len()).map(|point| PointId { body: at.body, point });
+        points.filter(|point| self.is_same(*point, at)).collect()
+    }
+}
+
+pub fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+pub fn length([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}
