@@ -96,8 +96,13 @@ class Studio:
             mouse("mouseReleased", 1, clickCount=1)
         return x + right, y + down
 
+    def wait_until_saved(self):
+        """Until both texts are again, letter for letter, as they are on the disk."""
+        self.wait("document.querySelector('.bar').innerText.includes('· saved')")
+        self.settle()
+
     def texts(self):
-        """Both texts of the editor."""
+        """What is shown of both texts in the editor: lines far below are not."""
         texts = []
         for name in ("model.toml", "study.toml"):
             self.click("[role=tab]", name)
@@ -235,21 +240,18 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     assert all(new == old.replace("80 mm", "120 mm").replace("260 mm", "205 mm") for lines in changed for old, new in lines), changed
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
     studio.click("button", "Undo")
-    studio.settle()
-    assert studio.texts() == before, "one drag is one step to undo"
+    # One drag is one step to undo.
+    studio.wait_until_saved()
     assert studio.browser.complaints() == []
 
 
 def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
     studio.take("rank, coupler and rocker")
-    before = studio.texts()
     x, y = studio.drag("crank_pin", (45, -30), is_let_go=False)
     studio.wait("document.querySelector('.drawing .over')?.innerText.includes('crank_length')")
     studio.key("Escape")
     studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y, button="left", clickCount=1)
-    studio.wait("document.querySelector('.bar').innerText.includes('· saved')")
-    studio.settle()
-    assert studio.texts() == before
+    studio.wait_until_saved()
     focus = "[...document.querySelectorAll('.drawing .grip')].find((grip) => grip.dataset.joint === 'rocker_pivot')"
     first = studio.number("base_length")
     studio.browser.evaluate(f"({focus}.focus(), true)")
@@ -264,6 +266,45 @@ def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
     while studio.number("base_length") != first:
         studio.click("button", "Undo")
         studio.settle()
+    assert studio.browser.complaints() == []
+
+
+def test_play_and_scatter_are_said_as_people_say_them(studio):
+    studio.take("rank, coupler and rocker")
+    x, y = studio.pin("crank_pin")
+    for kind in ("mousePressed", "mouseReleased"):
+        studio.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+    studio.wait("document.querySelector('.chosen')")
+    band = studio.browser.evaluate(LARGEST)
+
+    def say(text, field=".chosen .known input"):
+        studio.browser.evaluate(f"(document.querySelector({field!r}).focus(), document.querySelector({field!r}).select(), true)")
+        studio.browser.call("Input.insertText", text=text)
+        studio.key("Enter")
+
+    say("0.05..0.2 mn")
+    studio.wait("document.querySelector('.chosen .kind').innerText.includes(\"'mn' is not a known unit\")")
+    texts = {}
+    for text, entry in [("0.05..0.2", 'interval = ["0.05 mm", "0.2 mm"]'), ("H7/f7", 'fit = "H7/f7", diameter = "16 mm"'),
+                        ("0.1, 0.2 mm", 'any_of = ["0.1 mm", "0.2 mm"]')]:
+        say(text)
+        studio.wait("document.querySelector('.chosen .kind').classList.contains('unknown')")
+        studio.wait(f"document.querySelector('.chosen .known input').value === {(text if 'm' in text or '/' in text else text + ' mm')!r}")
+        texts[text] = studio.texts()[1]
+        assert f'"joint.crank_pin.radial_clearance" = {{ {entry} }}' in texts[text], text
+    studio.settle()
+    assert studio.browser.evaluate(LARGEST) != band, "a second pin with play widens the band"
+    studio.click("button.more[aria-label*=crank_length]")
+    known = "div.known input"
+    say("±0.05", f".with-more + {known}")
+    studio.wait(f"document.querySelector('.with-more + {known}').value === '80 mm ±0.05 mm'")
+    assert '"parameter.crank_length" = { tolerance = "80 mm ±0.05 mm" }' in studio.texts()[1]
+    assert "No problems" in studio.browser.evaluate(PROBLEMS)
+    studio.browser.evaluate("document.activeElement.blur()")
+    for _ in range(4):
+        studio.click("button", "Undo")
+    # Each is one step to undo.
+    studio.wait_until_saved()
     assert studio.browser.complaints() == []
 
 

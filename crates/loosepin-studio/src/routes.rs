@@ -11,13 +11,15 @@ use loosepin::templates::{find_template, write_template};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::edit;
 use crate::folder::{LARGEST_TEXT, StoredText};
 use crate::gallery::cards;
 use crate::listing::listing;
+use crate::messages::{Change, Look, SentText};
 use crate::page;
 use crate::refusal::{Refusal, json};
 use crate::studio::Studio;
-use crate::texts::{model_beside, plain};
+use crate::texts::{Texts, model_beside, plain};
 
 /// What a report may do in its frame: show itself and save figures. It has an origin of its own, so that it cannot ask the studio.
 const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 'none'; style-src 'unsafe-inline'; \
@@ -111,6 +113,40 @@ pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
     }
     let Saved { path, text, tag } = parsed(&body)?;
     Ok(json(&Tag { tag: studio.folder.write(&path, &text, tag.as_deref())? }))
+}
+
+/// How well a number is known, written into the texts of the page.
+pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Known {
+        model: SentText,
+        study: Option<SentText>,
+        path: String,
+        text: String,
+    }
+    /// What somebody types is no fault of the page: a refusal is an answer.
+    #[derive(Serialize)]
+    struct Changes {
+        changes: Vec<Change>,
+        refusal: Option<Refused>,
+    }
+    #[derive(Serialize)]
+    struct Refused {
+        message: String,
+        hint: Option<String>,
+    }
+    let Known { model, study, path, text } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let changes = in_background(move || {
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None });
+        Ok(match edit::know(&texts, &path, &text) {
+            Ok(changes) => Changes { changes, refusal: None },
+            Err(Refusal { message, hint, .. }) => {
+                Changes { changes: Vec::new(), refusal: Some(Refused { message, hint }) }
+            }
+        })
+    });
+    Ok(json(&changes.await?))
 }
 
 pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {

@@ -108,6 +108,7 @@ fn router(studio: Studio) -> Router {
         .route("/api/open", get(routes::open))
         .route("/api/file", put(routes::save))
         .route("/api/new", post(routes::new))
+        .route("/api/know", post(routes::know))
         .route("/api/explain/{code}", get(routes::explain))
         .route("/api/view", post(routes::view))
         .fallback(routes::missing)

@@ -1,13 +1,16 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
+import { messageOf } from './errors.ts';
+import type { FieldOf } from './groups.ts';
 import { difference, Drag, type Point } from './drag.ts';
 import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
 import { Looker } from './looker.ts';
-import type { Complaint, Fix, Quantity, Reshaped, Seen, View, Which } from './messages.ts';
+import type { Complaint, Fix, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
 import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
+import { ask } from './wire.ts';
 
 const typingPauseMs = 150;
 
@@ -145,6 +148,41 @@ export class Desk {
       this.drag = null;
       this.looker.now();
     }
+  }
+
+  textAt(quantity: Quantity): string {
+    return this.documents.sheet(quantity.document)?.text.slice(quantity.from, quantity.to) ?? '';
+  }
+
+  /** The error that stands at a field, with its way out. */
+  messageAt(field: FieldOf): string | null {
+    const found = this.complaints.find(
+      ({ document, severity, from, to }) =>
+        document === field.quantity.document && severity === 'error' && from != null && to != null && from <= field.to && to >= field.from && to - from < 400,
+    );
+    return found ? [found.message, found.hint].filter(Boolean).join(': ') : null;
+  }
+
+  /** Writes how well a number is known into both texts, as one step to undo; says why, where that cannot be. */
+  async know(path: string, text: string): Promise<string | null> {
+    const { documents } = this;
+    const { version } = documents;
+    const body = { model: documents.textOf('model'), study: documents.textOf('study'), path, text };
+    let answer: Rewritten;
+    try {
+      answer = await ask<Rewritten>('POST', '/api/know', body);
+    } catch (error) {
+      return messageOf(error);
+    }
+    const { changes, refusal } = answer;
+    if (refusal) return [refusal.message, refusal.hint].filter(Boolean).join(': ');
+    // The texts went on meanwhile: the places of the answer are old.
+    if (documents.version !== version) return this.know(path, text);
+    const name = `know ${path} ${version}`;
+    // From the end, so that the places before stay.
+    for (const change of changes.sort((a, b) => b.from - a.from)) documents.change(change.document, change, { name, joins: 'always' });
+    this.looker.now();
+    return null;
   }
 
   show(document: Which, from: number, to: number): void {

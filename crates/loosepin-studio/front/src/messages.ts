@@ -198,6 +198,12 @@ export interface Reshaped {
   refusal: string | null;
 }
 
+/** What an entry of how well a number is known does to the texts; or why it cannot be read. */
+export interface Rewritten {
+  changes: Reshaped['changes'];
+  refusal: { message: string; hint: string | null } | null;
+}
+
 export interface Look {
   kind: 'look';
   seq: number;

@@ -166,6 +166,24 @@ export const words = {
     goTo: (label: string): string => `Show ${label} in the text`,
   },
 
+  known: {
+    play: 'Play, on the radius',
+    playOfDiameter: 'Play, on the diameter',
+    tolerance: 'Known as',
+    noPlay: 'none',
+    inText: 'as the text says',
+    forms: '0.1 mm: known. 0.1..0.5 mm: unknown between two ends. ±0.02 mm: scatters. H7/g6: a fit.',
+    kind: {
+      exact: 'Known exactly',
+      scatter: 'Scatters: the shop knows how',
+      unknown: 'Unknown: anything that this allows',
+      none: 'No play: an ideal pin',
+    },
+    toggle: (label: string): string => `How well is ${label} known?`,
+    close: (name: string): string => `Close ${name}`,
+    inTheText: 'Show it in the text',
+  },
+
   text: {
     loading: 'The editor is loaded …',
     failed: 'The editor could not be loaded.',

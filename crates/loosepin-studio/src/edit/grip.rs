@@ -11,9 +11,10 @@ use loosepin::result::simulation::Drawing;
 
 use super::behind::{Setting, behind};
 use super::reshape::{Pose, Posed, length, minus};
+use super::rewritten::Rewritten;
 use super::written::Written;
-use crate::messages::{Change, Document, Grip, Reshaped};
-use crate::places::{unquoted, utf16_units};
+use crate::messages::{Document, Grip, Reshaped};
+use crate::places::unquoted;
 use crate::texts::Texts;
 
 const M_PER_MM: f64 = 1e-3;
@@ -91,7 +92,7 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
         }
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
-    let mut text = Rewritten::new(texts.model.text());
+    let mut text = Rewritten::new(&texts.model);
     let mut moved: BTreeMap<String, f64> = BTreeMap::new();
     let mut words = Vec::new();
     for Setting { quantity, value_si } in settings {
@@ -109,10 +110,10 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
         words.push(format!("{} {}", path.strip_prefix("parameter.").unwrap_or(path), new.trim()));
         text.replace(range, new);
     }
-    let study = texts.study.as_ref().and_then(|study| Some((study, shifted(study, &moved)?)));
-    let mut changes: Vec<Change> = text.changes(Document::Model, &|byte| utf16_units(&texts.model, byte));
-    if let Some((study, shifted)) = &study {
-        changes.extend(shifted.changes(Document::Study, &|byte| utf16_units(study, byte)));
+    let study = texts.study.as_ref().and_then(|study| shifted(study, &moved));
+    let mut changes = text.changes(Document::Model);
+    if let Some(shifted) = &study {
+        changes.extend(shifted.changes(Document::Study));
     }
     let expected_m = (0..model.joints.len())
         .map(|index| {
@@ -124,7 +125,7 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
     Gripped {
         reshaped: Reshaped { changes, words, angle_deg: None, refusal: None },
         model: text.text(),
-        study: study.and_then(|(_, shifted)| shifted.text()),
+        study: study.and_then(|shifted| shifted.text()),
         expected_m,
     }
 }
@@ -143,7 +144,7 @@ fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Range<u
 /// The study with its distributions of moved numbers moved along; nothing where there are none.
 fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Option<Rewritten<'a>> {
     let toml = parse_toml(study).ok()?;
-    let mut text = Rewritten::new(study.text());
+    let mut text = Rewritten::new(study);
     let random = toml.get_ref().get("random")?.get_ref().as_table()?;
     for (path, entry) in random {
         let Some(by_si) = moved.get(path.get_ref().as_ref() as &str) else { continue };
@@ -168,7 +169,7 @@ fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Option<
             }
         }
     }
-    (!text.pieces.is_empty()).then_some(text)
+    text.is_changed().then_some(text)
 }
 
 /// `120 ± 0.1 mm` with another first number.
@@ -233,53 +234,6 @@ pub fn shown_angle_deg(gripped: &Gripped, drawing: &Drawing) -> Option<f64> {
         }
     }
     best.1.map(f64::to_degrees)
-}
-
-/// A text with pieces that are replaced.
-struct Rewritten<'a> {
-    old: &'a str,
-    /// Bytes that go, and what comes in their place.
-    pieces: Vec<(Range<usize>, String)>,
-}
-
-impl<'a> Rewritten<'a> {
-    fn new(old: &'a str) -> Self {
-        Self { old, pieces: Vec::new() }
-    }
-
-    fn replace(&mut self, range: Range<usize>, new: String) {
-        if self.old[range.clone()] != new {
-            self.pieces.push((range, new));
-            self.pieces.sort_by_key(|(range, _)| range.start);
-        }
-    }
-
-    /// The new text; nothing where it is the old one.
-    fn text(&self) -> Option<String> {
-        if self.pieces.is_empty() {
-            return None;
-        }
-        let mut new = String::with_capacity(self.old.len());
-        let mut from = 0;
-        for (range, piece) in &self.pieces {
-            new.push_str(&self.old[from..range.start]);
-            new.push_str(piece);
-            from = range.end;
-        }
-        new.push_str(&self.old[from..]);
-        Some(new)
-    }
-
-    /// The pieces in units of the page.
-    fn changes(&self, document: Document, units: &dyn Fn(usize) -> usize) -> Vec<Change> {
-        let change = |(range, insert): &(Range<usize>, String)| Change {
-            document,
-            from: units(range.start),
-            to: units(range.end),
-            insert: insert.clone(),
-        };
-        self.pieces.iter().map(change).collect()
-    }
 }
 
 #[cfg(test)]

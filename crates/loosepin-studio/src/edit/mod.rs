@@ -6,13 +6,20 @@
 //! | a coordinate: which number of the text gives it, and what that number becomes | `behind.rs` |
 //! | a number as it is written: its unit stays, its value is round on the screen | `written.rs` |
 //! | a drag as a whole: from the texts and the pointer to new texts | `grip.rs` |
+//! | how well a number is known, as people write it | `knowledge.rs` |
+//! | the same in the texts: play, scatter, what is unknown | `know.rs` |
+//! | a text with pieces that are replaced | `rewritten.rs` |
 
 mod behind;
 mod grip;
+mod know;
+mod knowledge;
 mod reshape;
+mod rewritten;
 mod written;
 
 pub use grip::{gripped, shown_angle_deg};
+pub use know::know;
 
 #[cfg(test)]
 mod tests;

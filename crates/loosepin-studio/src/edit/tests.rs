@@ -6,10 +6,10 @@ use loosepin::result::motion::MotionRecord;
 use loosepin::study::InputFile;
 use loosepin::templates::{TEMPLATES, find_template};
 
-use super::gripped;
 use super::reshape::{length, minus};
+use super::{gripped, know};
 use crate::folder::Folder;
-use crate::messages::{Grip, Look, SentText};
+use crate::messages::{Change, Document, Grip, Look, SentText};
 use crate::texts::Texts;
 
 /// A quarter of a degree apart, so that no joint goes far from one to the next.
@@ -164,4 +164,149 @@ fn a_drag_that_is_of_another_model_is_refused() {
         let drag = gripped(&model, &texts, &grip);
         assert!(drag.reshaped.refusal.is_some() && drag.model.is_none() && drag.study.is_none(), "{grip:?}");
     }
+}
+
+/// Both texts after some changes, as the page makes them.
+fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
+    let changed = |document, text: &str| {
+        let mut units: Vec<u16> = text.encode_utf16().collect();
+        for change in changes.iter().rev().filter(|change| change.document == document) {
+            units.splice(change.from..change.to, change.insert.encode_utf16());
+        }
+        String::from_utf16(&units).unwrap()
+    };
+    let model = changed(Document::Model, old.model.text());
+    let study = old.study.as_ref().map(|study| changed(Document::Study, study.text()));
+    old.with(folder, Some(&model), study.as_deref())
+}
+
+/// Both texts after what is known of a number is said so.
+fn known(folder: &Folder, old: &Texts, path: &str, text: &str) -> Texts {
+    let changes = know(old, path, text).unwrap_or_else(|refusal| panic!("{path} {text}: {}", refusal.message));
+    applied(folder, old, &changes)
+}
+
+fn study(texts: &Texts) -> String {
+    texts.study.as_ref().unwrap().text().to_owned()
+}
+
+#[test]
+fn whatever_is_known_of_a_number_is_read_back_and_the_comments_stay() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let forms = ["±0.05", "+0.02 -0.01 mm", "sd 0.03", "uniform ±0.1 mm", "100..140 mm", "119, 120, 121 mm", "121 mm"];
+    for template in TEMPLATES {
+        let mut texts = texts(&folder, template.model, template.study);
+        let model = Model::from_text("model.toml", template.model).unwrap();
+        let comments = |text: &str| text.matches('#').count();
+        let lengths = model.quantities.iter().filter(|(_, quantity)| {
+            quantity.path.starts_with("parameter.") && quantity.path.ends_with("length") && quantity.is_settable()
+        });
+        for (id, quantity) in lengths {
+            for form in forms {
+                // Around the value that this one has.
+                let nominal_mm = 1e3 * model.quantities.nominal()[id];
+                let form = match form {
+                    "100..140 mm" => format!("{}..{} mm", 0.9 * nominal_mm, 1.1 * nominal_mm),
+                    "119, 120, 121 mm" => format!("{}, {} mm", 0.99 * nominal_mm, nominal_mm),
+                    "121 mm" => format!("{nominal_mm} mm"),
+                    other => other.to_owned(),
+                };
+                let before = comments(&study(&texts));
+                texts = known(&folder, &texts, &quantity.path, &form);
+                let read =
+                    texts.read().unwrap_or_else(|found| panic!("{} {} {form}:\n{found}", template.name, quantity.path));
+                let InputFile::Study(read) = read else { panic!("a study") };
+                let is_random = read.random.iter().any(|input| input.path == quantity.path);
+                let is_epistemic = read.epistemic.iter().any(|input| input.path == quantity.path);
+                let due = (
+                    form.contains('±') || form.contains('-') || form.contains("sd"),
+                    form.contains("..") || form.contains(','),
+                );
+                assert_eq!((is_random, is_epistemic), due, "{} {} {form}", template.name, quantity.path);
+                // A comment goes only with the line of an entry that goes.
+                assert!(comments(&study(&texts)) + 1 >= before, "{}", study(&texts));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_joint_gets_play_with_a_bearing_and_a_contact() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let template = find_template("four-bar").unwrap();
+    let old = texts(&folder, template.model, template.study);
+    let texts = known(&folder, &old, "joint.crank_pin.radial_clearance", "0.05..0.2 mm");
+    let InputFile::Study(read) = texts.read().unwrap_or_else(|found| panic!("{found}")) else { panic!("a study") };
+    assert!(read.epistemic.iter().any(|input| input.path == "joint.crank_pin.radial_clearance"));
+    assert!(
+        texts.model.text().contains("radial_clearance = \"0.05 mm\"\ncontact = \"steel_pin\""),
+        "{}",
+        texts.model.text()
+    );
+    // By a fit, at the diameter of the bearing; then exactly, and nothing of it stays in the study.
+    let texts = known(&folder, &texts, "joint.crank_pin.radial_clearance", "H7/f7");
+    assert!(study(&texts).contains("\"joint.crank_pin.radial_clearance\" = { fit = \"H7/f7\", diameter = \"16 mm\" }"));
+    texts.read().unwrap_or_else(|found| panic!("{found}"));
+    let texts = known(&folder, &texts, "joint.crank_pin.radial_clearance", "0.1");
+    assert_eq!(study(&texts), study(&old));
+    assert!(texts.model.text().contains("radial_clearance = \"0.1 mm\""));
+}
+
+#[test]
+fn what_cannot_be_known_so_is_refused() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let template = find_template("slider-crank").unwrap();
+    let texts = texts(&folder, template.model, template.study);
+    for (path, text, words) in [
+        ("parameter.nothing", "1 mm", "the model has no number 'parameter.nothing'"),
+        ("body.rod.points.small_end.x", "1 mm", "follows from parameter.rod_length"),
+        ("parameter.rod_length", "H7/g6", "a fit is that of a pin in its bearing"),
+        ("parameter.rod_length", "1..2 kg", "expected a length"),
+        ("joint.crank_pin.radial_clearance", "±0.1 mm", "has no play yet"),
+        ("joint.guide.radial_clearance", "0.1 mm", "the model has no number"),
+    ] {
+        let refusal = know(&texts, path, text).expect_err(path);
+        assert!(refusal.message.contains(words), "{path} {text}: {}", refusal.message);
+    }
+    let alone = Texts { model: texts.model.clone(), study: None };
+    assert!(know(&alone, "parameter.rod_length", "±0.1 mm").is_err());
+    assert_eq!(know(&alone, "parameter.rod_length", "121 mm").unwrap().len(), 1);
+}
+
+#[test]
+fn whatever_is_typed_the_texts_stay_toml() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let template = find_template("four-bar").unwrap();
+    let texts = texts(&folder, template.model, template.study);
+    let pieces = [
+        "0.1", "1e308", "-3", ".", "..", "±", "+", "-", " mm", " in", " kg", "mn", ",", ", ", "H7/g6", "sd ",
+        "uniform ", "\"", "'", "]", "}", "\n", "#", "\\", "\u{202e}", "😀", "=", " to ", "°", "NaN", "inf", "/",
+    ];
+    let paths = [
+        "parameter.coupler_length",
+        "joint.rocker_pin.radial_clearance",
+        "joint.crank_pin.radial_clearance",
+        "drive.crank.speed",
+    ];
+    let mut state = 7_u64;
+    let mut below = |count: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % count
+    };
+    let mut taken = 0;
+    for _ in 0..8000 {
+        let text: String = (0..1 + below(6)).map(|_| pieces[below(pieces.len())]).collect();
+        let path = paths[below(paths.len())];
+        let Ok(changes) = know(&texts, path, &text) else { continue };
+        taken += 1;
+        let new = applied(&folder, &texts, &changes);
+        for source in [Some(&new.model), new.study.as_ref()].into_iter().flatten() {
+            assert!(loosepin::document::parse_toml(source).is_ok(), "{path} {text:?}:\n{}", source.text());
+        }
+    }
+    assert!(taken > 300, "{taken} of 8000 were taken");
 }

@@ -157,11 +157,12 @@ fn ten_thousand_malformed_requests_read_nothing_outside_and_meet_words() {
             }
             2 => {
                 let value = values[noise.below(values.len())];
-                let target = ["file", "new", "view", "open"][noise.below(4)];
+                let target = ["file", "new", "view", "open", "know"][noise.below(5)];
                 let mut body =
-                    json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value})
-                        .to_string()
-                        .into_bytes();
+                    json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value,
+                        "model": {"path": value, "text": value}, "study": null})
+                    .to_string()
+                    .into_bytes();
                 if noise.below(2) == 0 {
                     let at = noise.below(body.len());
                     body[at] = noise.next() as u8;
@@ -206,7 +207,21 @@ fn malformed_messages_are_refused_with_words() {
     let mut sent_since = 0;
     for _ in 0..2_000 {
         // Under the limit on messages a second: after each, an answer.
-        match noise.below(3) {
+        match noise.below(4) {
+            3 => {
+                // A drag of numbers that no drawing has.
+                let mut number = || f64::from_bits(noise.next());
+                let poses: Vec<[f64; 3]> = (0..4).map(|_| [number(), number(), number()]).collect();
+                let grip = json!({"joint": "crank_pin", "to_mm": [number(), number()], "step_mm": number(), "is_free": false,
+                    "poses": poses});
+                let text = json!({"path": "model.toml", "text": model});
+                live.send(
+                    &json!({"kind": "look", "seq": 1, "model": text, "study": null, "positions": 12, "grip": grip}),
+                );
+                // What is no number in JSON is refused, what is one is answered.
+                let answer = live.next().expect("an answer");
+                assert!(answer["kind"] == "refused" || answer["reshaped"].is_object(), "{answer}");
+            }
             0 => {
                 let at = noise.below(model.len() - 1);
                 let cut = (at..).find(|at| model.is_char_boundary(*at)).unwrap();
