@@ -323,6 +323,79 @@ def test_a_link_that_is_taken_turns_the_mechanism(studio):
     assert studio.browser.complaints() == []
 
 
+CANVAS = "document.querySelector('.canvas svg')"
+
+
+def click_in_canvas(studio, x, y, modifiers=0):
+    """Clicks a place of the drawing, mm; 8 is Shift."""
+    place = studio.browser.evaluate(f"""(() => {{
+        const place = new DOMPoint({x}, {-y}).matrixTransform({CANVAS}.getScreenCTM());
+        return [place.x, place.y];
+    }})()""")
+    for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+        studio.browser.call("Input.dispatchMouseEvent", type=kind, x=place[0], y=place[1], button="left", clickCount=1, modifiers=modifiers)
+
+
+def test_a_four_bar_is_drawn_from_nothing(studio):
+    studio.open()
+    studio.click("button", "Draw from nothing")
+    studio.wait(CANVAS)
+    said = "document.querySelector('.said').innerText"
+    shift = 8
+    click_in_canvas(studio, 0, 0, shift)
+    for place in [(30, 70), (30, 70), (240, 150), (240, 150)]:
+        click_in_canvas(studio, *place)
+    click_in_canvas(studio, 300, 0, shift)
+    studio.wait(f"({said}).includes('nothing turns it yet')")
+    studio.browser.evaluate("(document.querySelector('input[value=motor]').click(), true)")
+    click_in_canvas(studio, 0, 0)
+    studio.wait(f"({said}).includes('1 degree of freedom, 1 drive')")
+    studio.click("button", "Undo")
+    studio.wait(f"({said}).includes('nothing turns it yet')")
+    studio.click("button", "Redo")
+    studio.wait(f"({said}).includes('1 degree of freedom, 1 drive')")
+    studio.click("button", "Make it move")
+    studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+    studio.settle()
+    assert "No problems" in studio.browser.evaluate(PROBLEMS)
+    assert 'crank_length = "76.158 mm"' in (studio.folder / "drawn/model.toml").read_text()
+    done = subprocess.run([PROGRAM, "check", "drawn/model.toml", "drawn/study.toml"], cwd=studio.folder, capture_output=True, text=True)
+    assert done.returncode == 0 and "1 degree of freedom" in done.stdout, done.stdout + done.stderr
+    assert studio.browser.complaints() == []
+
+
+def test_a_slider_crank_is_drawn_by_keyboard_and_lists_alone(studio):
+    """Buttons and fields as the keyboard reaches them: nothing is clicked in the drawing."""
+    studio.open()
+    studio.click("button", "Draw from nothing")
+    studio.wait(CANVAS)
+
+    def pick(field, value):
+        studio.browser.evaluate(f"""(() => {{
+            const field = document.querySelectorAll({field[0]!r})[{field[1]}];
+            field.value = {value!r};
+            field.dispatchEvent(new Event('change', {{ bubbles: true }}));
+        }})()""")
+
+    for _ in range(3):
+        studio.click("button", "Add a pin")
+    for pin, (x, y, hold) in enumerate([(0, 0, "ground"), (30, 40, "free"), (180, 0, "slider")]):
+        pick((f".lists li:nth-child({pin + 1}) input[type=number]", 0), str(x))
+        pick((f".lists li:nth-child({pin + 1}) input[type=number]", 1), str(y))
+        pick((f".lists li:nth-child({pin + 1}) select", 0), hold)
+    for end in (0, 1):
+        pick((".lists .add select", 0), str(end))
+        pick((".lists .add select", 1), str(end + 1))
+        studio.click("button", "Add a link")
+    studio.click(".lists li:nth-child(1) input[type=checkbox]")
+    studio.wait("document.querySelector('.said').innerText.includes('1 degree of freedom, 1 drive')")
+    studio.click("button", "Make it move")
+    studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+    studio.settle()
+    assert 'link_2_length = "155.242 mm"' in (studio.folder / "drawn/model.toml").read_text()
+    assert studio.browser.complaints() == []
+
+
 def test_names_of_files_are_shown_as_text(studio):
     folder = studio.folder / "mine"
     subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
@@ -346,8 +419,18 @@ def test_every_screen_is_accessible(studio, width, dark):
     studio.browser.view(width, dark=dark, reduced_motion=True)
     studio.open()
     assert seen_by_axe(studio.browser, axe) == [], "gallery"
+    studio.click("button", "Draw from nothing")
+    studio.wait(CANVAS)
+    studio.click("button", "Add a pin")
+    studio.wait("document.querySelectorAll('.lists li').length === 1")
+    assert seen_by_axe(studio.browser, axe) == [], "drawing"
+    studio.open()
     studio.click("button.card", "rank, coupler and rocker")
     studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
+    studio.browser.evaluate("(document.querySelector('details.outline').open = true)")
+    studio.click(".outline button", "rocker_pin")
+    studio.click("button.more")
+    studio.wait("document.querySelectorAll('.known').length === 2")
     assert seen_by_axe(studio.browser, axe) == [], "editor"
     studio.click("[role=tab]", "study.toml")
     studio.wait("document.querySelector('.cm-content')")

@@ -10,6 +10,7 @@
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `places.rs`, `quantities.rs` |
+//! | a drawing from nothing to texts | `drawn.rs` |
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs` |
 //! | studies in the background | `jobs.rs`, `job.rs` |
@@ -19,6 +20,7 @@
 
 mod complaints;
 mod connections;
+mod drawn;
 mod edit;
 mod fixes;
 mod folder;

@@ -5,14 +5,16 @@ use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
 use loosepin::VERSION;
-use loosepin::diagnostics::Code;
+use loosepin::diagnostics::{Code, Problem};
+use loosepin::import::{ImportError, ImportOptions, import_dxf};
 use loosepin::results::REPORT_FILE;
 use loosepin::templates::{find_template, write_template};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::drawn::Drawn;
 use crate::edit;
-use crate::folder::{LARGEST_TEXT, StoredText};
+use crate::folder::{Folder, LARGEST_TEXT, StoredText};
 use crate::gallery::cards;
 use crate::listing::listing;
 use crate::messages::{Change, Look, SentText};
@@ -24,10 +26,19 @@ use crate::texts::{Texts, model_beside, plain};
 /// What a report may do in its frame: show itself and save figures. It has an origin of its own, so that it cannot ask the studio.
 const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 'none'; style-src 'unsafe-inline'; \
     script-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; frame-ancestors 'self'";
+/// Ends and centres of an imported drawing that are one, m: as the command takes them.
+const SAME_PLACE_M: f64 = 1e-5;
 /// Characters of a new folder's name.
 const LONGEST_NAME: usize = 64;
 
 type Answer = Result<Response, Refusal>;
+
+/// Why nothing comes of what somebody typed or drew.
+#[derive(Serialize)]
+struct Refused {
+    message: String,
+    hint: Option<String>,
+}
 
 pub async fn index(headers: HeaderMap) -> Response {
     // The guard has seen that there is one, and that it is this machine.
@@ -130,11 +141,6 @@ pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
         changes: Vec<Change>,
         refusal: Option<Refused>,
     }
-    #[derive(Serialize)]
-    struct Refused {
-        message: String,
-        hint: Option<String>,
-    }
     let Known { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
@@ -164,16 +170,101 @@ pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
     let template = find_template(&template).ok_or_else(|| {
         Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
     })?;
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if folder.is_empty() || folder.len() > LONGEST_NAME || !folder.chars().all(is_plain) {
-        return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
-    }
-    let place = studio.folder.root().join(&folder);
-    if std::fs::symlink_metadata(&place).is_ok() {
-        return Err(Refusal::new(StatusCode::CONFLICT, format!("'{folder}' is there already")));
-    }
+    let place = new_folder(&studio.folder, &folder)?;
     write_template(template, &place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
     Ok(json(&Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") }))
+}
+
+/// Where a new folder may be made.
+fn new_folder(folder: &Folder, name: &str) -> Result<std::path::PathBuf, Refusal> {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(is_plain) {
+        return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
+    }
+    let place = folder.root().join(name);
+    if std::fs::symlink_metadata(&place).is_ok() {
+        return Err(Refusal::new(StatusCode::CONFLICT, format!("'{name}' is there already")));
+    }
+    Ok(place)
+}
+
+/// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
+pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Sent {
+        #[serde(flatten)]
+        drawn: Drawn,
+        folder: Option<String>,
+    }
+    #[derive(Serialize)]
+    struct Said {
+        says: Vec<String>,
+        refusal: Option<Refused>,
+        study: Option<String>,
+    }
+    let Sent { drawn, folder: name } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let said = in_background(move || {
+        let wrong = |message, hint| Said { says: Vec::new(), refusal: Some(Refused { message, hint }), study: None };
+        let texts = match drawn.texts() {
+            Ok(texts) => texts,
+            Err(Refusal { message, hint, .. }) => return Ok(wrong(message, hint)),
+        };
+        let says = match texts.says {
+            Ok(says) => says,
+            Err(found) => return Ok(wrong(found.join("\n"), None)),
+        };
+        let Some(name) = name else { return Ok(Said { says, refusal: None, study: None }) };
+        let place = new_folder(&folder, &name)?;
+        std::fs::create_dir(&place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
+        let study = format!("{name}/study.toml");
+        folder.write(&format!("{name}/model.toml"), &texts.model, None)?;
+        folder.write(&study, &texts.study, None)?;
+        Ok(Said { says, refusal: None, study: Some(study) })
+    });
+    Ok(json(&said.await?))
+}
+
+/// A drawing in the DXF format becomes the skeleton of a model, in a new folder.
+pub async fn import(
+    State(studio): State<Studio>,
+    query: Result<Query<Imported>, axum::extract::rejection::QueryRejection>,
+    drawing: Bytes,
+) -> Answer {
+    #[derive(Serialize)]
+    struct Said {
+        model: String,
+        notes: Vec<String>,
+    }
+    let Query(Imported { folder: name, title, unit }) =
+        query.map_err(|_| Refusal::bad("say where to: /api/import?folder=press&title=press"))?;
+    let folder = studio.folder.clone();
+    let said = in_background(move || {
+        let options = ImportOptions { unit: unit.filter(|unit| !unit.is_empty()), tolerance_m: SAME_PLACE_M };
+        let imported = import_dxf(&title, &drawing, &options).map_err(|error| {
+            // The hint of the command names its options.
+            let hint = match error {
+                ImportError::NoUnit | ImportError::ForeignUnit { .. } => {
+                    Some("choose the unit beside the button".to_owned())
+                }
+                _ => error.hint(),
+            };
+            Refusal { hint, ..Refusal::bad(error.to_string()) }
+        })?;
+        let place = new_folder(&folder, &name)?;
+        std::fs::create_dir(&place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
+        let model = format!("{name}/model.toml");
+        folder.write(&model, &imported.model, None)?;
+        Ok(Said { model, notes: imported.notes })
+    });
+    Ok(json(&said.await?))
+}
+
+#[derive(Deserialize)]
+pub struct Imported {
+    folder: String,
+    title: String,
+    unit: Option<String>,
 }
 
 pub async fn explain(Path(code): Path<String>) -> Answer {

@@ -1,13 +1,15 @@
 // Which screen is shown: kept in the fragment of the address, so that Back and reloading work.
 
-export type Route = { screen: 'gallery' } | { screen: 'edit' | 'report'; path: string };
+export type Route = { screen: 'gallery' } | { screen: 'draw' } | { screen: 'edit' | 'report'; path: string };
 
 export function addressOf(route: Route): string {
   if (route.screen === 'gallery') return '#/';
+  if (route.screen === 'draw') return '#/draw';
   return '#/' + route.screen + '/' + route.path.split('/').map(encodeURIComponent).join('/');
 }
 
 export function readAddress(fragment: string): Route {
+  if (fragment === '#/draw') return { screen: 'draw' };
   const found = /^#\/(edit|report)\/(.+)$/.exec(fragment);
   if (!found) return { screen: 'gallery' };
   try {

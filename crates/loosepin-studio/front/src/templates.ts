@@ -3,14 +3,29 @@ import { ask, Refusal } from './wire.ts';
 
 const mostTried = 100;
 
-export async function makeFrom(template: string): Promise<string> {
+/** Tries `name`, `name-2`, and so on, until the server finds one that is not there already. */
+export async function firstFree<T>(name: string, make: (free: string) => Promise<T>): Promise<T> {
   for (let number = 1; ; number += 1) {
-    const folder = number === 1 ? template : `${template}-${number}`;
     try {
-      const made = await ask<{ study: string; model: string }>('POST', '/api/new', { template, folder });
-      return made.study;
+      return await make(number === 1 ? name : `${name}-${number}`);
     } catch (error) {
       if (!(error instanceof Refusal) || error.status !== 409 || number >= mostTried) throw error;
     }
   }
+}
+
+export async function makeFrom(template: string): Promise<string> {
+  return (await firstFree(template, (folder) => ask<{ study: string }>('POST', '/api/new', { template, folder }))).study;
+}
+
+/** A folder with the skeleton of a model from a drawing; the path of the model. */
+export async function importDrawing(file: File, unit: string): Promise<string> {
+  const title = file.name.replace(/\.[^.]*$/, '');
+  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-+|-+$/g, '').slice(0, 50) || 'drawing';
+  const drawing = await file.arrayBuffer();
+  const made = await firstFree(name, (folder) => {
+    const query = new URLSearchParams({ folder, title, unit });
+    return ask<{ model: string }>('POST', '/api/import?' + query.toString(), drawing);
+  });
+  return made.model;
 }

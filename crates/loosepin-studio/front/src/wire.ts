@@ -24,10 +24,11 @@ function token(): string {
 
 export async function ask<T>(method: 'GET' | 'PUT' | 'POST', path: string, body?: unknown): Promise<T> {
   const headers: Record<string, string> = { Authorization: 'Bearer ' + token() };
-  if (body !== undefined) headers['Content-Type'] = 'application/json';
+  const isRaw = body instanceof ArrayBuffer;
+  if (body !== undefined) headers['Content-Type'] = isRaw ? 'application/octet-stream' : 'application/json';
   let answer: Response;
   try {
-    answer = await fetch('.' + path, { method, headers, body: body === undefined ? null : JSON.stringify(body) });
+    answer = await fetch('.' + path, { method, headers, body: body === undefined ? null : isRaw ? body : JSON.stringify(body) });
   } catch {
     throw new Refusal(0, '', null);
   }

@@ -1,4 +1,5 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
+import type { Hold } from './sketch.svelte.ts';
 import type { Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
@@ -7,6 +8,9 @@ const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
 function count(number: number, one: string, many: string): string {
   return whole.format(number) + ' ' + (number === 1 ? one : many);
 }
+
+export const tools = ['link', 'plate', 'ground', 'slider', 'motor', 'delete'] as const;
+export type Tool = (typeof tools)[number];
 
 export const words = {
   studio: 'loosepin studio',
@@ -61,6 +65,10 @@ export const words = {
     find: 'Find',
     findHint: 'Name of a study, a model or a mechanism',
     continue: 'Continue',
+    draw: 'Draw from nothing',
+    import: 'Import a drawing (DXF)',
+    unit: 'Unit',
+    ownUnit: 'of the drawing',
     start: 'Start from a mechanism',
     startHint: 'A click makes a new folder with a model and a study.',
     results: 'Results',
@@ -164,6 +172,48 @@ export const words = {
     lower: 'lower end',
     upper: 'upper end',
     goTo: (label: string): string => `Show ${label} in the text`,
+  },
+
+  draw: {
+    heading: 'Draw a mechanism',
+    back: '← Gallery',
+    name: 'Name',
+    firstName: 'drawn',
+    undo: 'Undo',
+    redo: 'Redo',
+    make: 'Make it move',
+    tools: 'Tools',
+    canvas: 'Drawing, 10 mm a square',
+    names: { link: 'Link', plate: 'Plate', ground: 'Ground', slider: 'Slider', motor: 'Motor', delete: 'Delete' } as Record<Tool, string>,
+    keys: { link: 'l', plate: 'p', ground: 'g', slider: 's', motor: 'm', delete: 'd' } as Record<Tool, string>,
+    linkStart: 'Click where a link begins: a pin, or a free place. With Shift the pin stands on the ground.',
+    linkEnd: (pin: string): string => `The link begins at ${pin}. Click where it ends; a click on a pin joins it.`,
+    plateNext: 'Click places or pins that belong to the plate. Escape ends it.',
+    hints: {
+      link: '',
+      plate: 'Click a link: it becomes a plate with further pins.',
+      ground: 'Click a pin: it stands on the ground, or is free again.',
+      slider: 'Click a pin: it is a block in a horizontal guide; once more: in a vertical one; then free.',
+      motor: 'Click a pin on the ground: the motor turns the link at it.',
+      delete: 'Click a pin or a link: it goes.',
+    } as Record<Tool, string>,
+    begin: 'A mechanism needs pins on the ground, links between pins, and a motor.',
+    ready: 'Masses, speed and tolerances are first guesses, marked so in the text.',
+    at: (x: number, y: number): string => `${x}, ${y} mm`,
+    pin: (name: string, hold: Hold, isMotor: boolean): string =>
+      `${name}, ${hold.kind === 'free' ? 'free' : hold.kind === 'ground' ? 'on the ground' : `block in a guide at ${hold.angle_deg}°`}${isMotor ? ', with the motor' : ''}`,
+    larger: 'Larger',
+    smaller: 'Smaller',
+    lists: 'Pins and links as lists',
+    pins: 'Pins',
+    links: 'Links',
+    holds: { free: 'free', ground: 'on the ground', slider: 'block in a guide' } as Record<Hold['kind'], string>,
+    heldBy: (name: string): string => `What holds ${name}`,
+    angle: 'at',
+    remove: (name: string): string => `Remove ${name}`,
+    addPin: 'Add a pin',
+    addLink: 'Add a link',
+    ends: ['From', 'To'],
   },
 
   known: {

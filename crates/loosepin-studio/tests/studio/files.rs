@@ -45,3 +45,52 @@ fn a_code_is_explained() {
     assert!(status == 200 && explained["text"].as_str().unwrap().len() > 60, "{explained}");
     assert_eq!(server.ask("GET", "/api/explain/E9999", "").0, 404);
 }
+
+/// A crank of 30 mm on the ground, with its pin; the unit of lengths is left out.
+const DRAWING: &str = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n1.5\n20\n2.5\n11\n31.5\n21\n2.5\n0\nCIRCLE\n8\nground\n10\n1.5\n20\n2.5\n\
+    40\n4.5\n0\nCIRCLE\n8\n0\n10\n31.5\n20\n2.5\n40\n2.25\n0\nENDSEC\n0\nEOF\n";
+
+#[test]
+fn an_imported_drawing_becomes_a_model_in_a_new_folder() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let (status, refused) = server.ask("POST", "/api/import?folder=press&title=press", DRAWING);
+    assert_eq!((status, refused["hint"].as_str()), (400, Some("choose the unit beside the button")));
+    assert!(!desk.path().join("press").exists(), "nothing is left of what is refused");
+    let (status, made) = server.ask("POST", "/api/import?folder=press&title=press&unit=mm", DRAWING);
+    assert_eq!((status, &made["model"]), (200, &json!("press/model.toml")));
+    let model = std::fs::read_to_string(desk.path().join("press/model.toml")).unwrap();
+    assert!(model.contains("name = \"press\"") && model.contains("\"30 mm\""), "{model}");
+    assert_eq!(server.ask("POST", "/api/import?folder=press&title=press&unit=mm", DRAWING).0, 409);
+    for folder in ["..", "a%2Fb", "", "%00"] {
+        let (status, _) = server.ask("POST", &format!("/api/import?folder={folder}&title=x&unit=mm"), DRAWING);
+        assert_eq!(status, 400, "{folder}");
+    }
+}
+
+#[test]
+fn a_drawn_mechanism_is_written_once() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let ground = json!({"kind": "ground"});
+    let mut drawn = json!({
+        "name": "drawn",
+        "pins": [{"x": 0, "y": 0, "hold": ground}, {"x": 30, "y": 40, "hold": {"kind": "free"}},
+            {"x": 180, "y": 0, "hold": {"kind": "slider", "angle_deg": 0}}],
+        "links": [[0, 1], [1, 2]], "motor": 0, "folder": null
+    });
+    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
+    assert_eq!((status, &said["study"]), (200, &json!(null)), "{said}");
+    assert!(said["says"][0].as_str().unwrap().contains("1 degree of freedom"), "{said}");
+    drawn["folder"] = json!("drawn");
+    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
+    assert_eq!((status, &said["study"]), (200, &json!("drawn/study.toml")));
+    assert_eq!(server.ask("POST", "/api/draw", &drawn.to_string()).0, 409, "nothing is overwritten");
+    drawn["folder"] = json!("../drawn");
+    assert_eq!(server.ask("POST", "/api/draw", &drawn.to_string()).0, 400);
+    // What cannot move is not written.
+    drawn["folder"] = json!("loose");
+    drawn["links"] = json!([[0, 1]]);
+    let (status, said) = server.ask("POST", "/api/draw", &drawn.to_string());
+    assert!(status == 200 && said["refusal"]["message"].is_string() && !desk.path().join("loose").exists(), "{said}");
+}
