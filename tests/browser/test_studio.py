@@ -172,6 +172,42 @@ def test_from_the_gallery_to_a_report_by_eight_clicks(studio):
     assert (out / "summary.json").read_bytes() == found[0].read_bytes()
 
 
+def test_a_study_goes_on_after_the_server_was_killed(tmp_path, browser):
+    folder = tmp_path / "mine"
+    subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
+    study = folder / "study.toml"
+    # Long enough to be killed, short enough for a test.
+    study.write_text(study.read_text().replace("inner = 1024", "inner = 128"))
+    done = "[...document.querySelectorAll('button, a')].some((one) => one.textContent.includes('Open the report'))"
+
+    def run(studio):
+        studio.open()
+        studio.click("a, button", "four-bar with play")
+        studio.wait("document.querySelector('svg.chart')")
+        studio.click("button", "Save and run")
+
+    first = Studio(tmp_path, browser)
+    run(first)
+    store = lambda: list((tmp_path / "results").glob("*/*/runs.sqlite"))  # noqa: E731
+    deadline = time.monotonic() + 60
+    while not (store() and store()[0].stat().st_size > 50_000) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not browser.evaluate(done), "it is killed in the middle"
+    first.process.kill()
+    first.process.communicate(timeout=60)
+    assert store(), "the runs are kept"
+    second = Studio(tmp_path, browser)
+    run(second)
+    second.wait(done, 300)
+    second.close()
+    found = list((tmp_path / "results").glob("*/*/summary.json"))
+    assert len(found) == 1 and not store()
+    out = tmp_path / "by_command"
+    command = [PROGRAM, "study", "mine/study.toml", "--out", out]
+    assert subprocess.run(command, cwd=tmp_path, capture_output=True, text=True).returncode in (0, 1)
+    assert (out / "summary.json").read_bytes() == found[0].read_bytes()
+
+
 def test_a_wrong_unit_is_told_at_its_place_and_undone(studio):
     studio.take("rank, coupler and rocker")
     first = studio.number("crank_length")
@@ -320,6 +356,42 @@ def test_a_link_that_is_taken_turns_the_mechanism(studio):
     assert studio.pin("crank_pin")[0] > right + 10, "the crank goes with the mouse"
     studio.settle()
     assert "unsaved" not in studio.browser.evaluate("document.querySelector('.bar').innerText"), "no text changes"
+    assert studio.browser.complaints() == []
+
+
+def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
+    studio.take("rank, coupler and rocker")
+    kept = "document.querySelector('.band .kept')?.innerText"
+    assert "stays within ±0.2" in studio.browser.evaluate(kept)
+    place = """(() => {
+        const box = document.querySelector('.band [data-limit="0"]').getBoundingClientRect();
+        return [box.x + box.width / 2, box.y + box.height / 2];
+    })()"""
+    x, y = studio.browser.evaluate(place)
+    for kind, by in [("mousePressed", 0)] + [("mouseMoved", by) for by in range(1, 26)]:
+        studio.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y + by, button="left", buttons=1, clickCount=1)
+        time.sleep(0.02)
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=x, y=y + 25, button="left", clickCount=1)
+    studio.wait(f"!({kept}).includes('±0.2°')")
+    studio.settle()
+    assert "does not" in studio.browser.evaluate(kept) or "goes beyond" in studio.browser.evaluate(kept)
+    study = studio.texts()[1]
+    assert 'within = "0.2 deg"' not in study
+    studio.click("button", "Undo")
+    # One drag is one step.
+    studio.wait_until_saved()
+    assert "stays within ±0.2" in studio.browser.evaluate(kept)
+    studio.browser.evaluate("""(() => {
+        const output = document.querySelector('.band select');
+        output.value = 'tracer x';
+        output.dispatchEvent(new Event('change', { bubbles: true }));
+    })()""")
+    studio.click("button", "Add a limit")
+    studio.wait(f"({kept})?.includes('stays within')")
+    studio.settle()
+    assert "No problems" in studio.browser.evaluate(PROBLEMS)
+    studio.click("button", "Undo")
+    studio.wait_until_saved()
     assert studio.browser.complaints() == []
 
 

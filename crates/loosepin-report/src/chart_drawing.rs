@@ -50,6 +50,11 @@ impl Plot {
         self.x.map(|number| number.to_string()).join(" ")
     }
 
+    /// The values at both ends of the vertical axis.
+    pub fn y_ends(&self) -> String {
+        self.y.map(|number| number.to_string()).join(" ")
+    }
+
     fn across(&self, value: f64) -> f64 {
         self.left + (value - self.x[0]) / (self.x[1] - self.x[0]) * self.width
     }

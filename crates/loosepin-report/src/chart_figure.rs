@@ -56,7 +56,8 @@ impl Chart {
         }
     }
 
-    /// The picture alone, as an SVG document that takes its style from the page; `data-plot` and `data-x` say where its curves stand.
+    /// The picture alone, as an SVG document that takes its style from the page; `data-plot`, `data-x` and `data-y` say where its
+    /// curves stand.
     pub fn document(mut self) -> String {
         self.thin_out(MOST_POINTS);
         let Drawn { view, below, plot, drawn } = drawing(&self);
@@ -68,7 +69,7 @@ impl Chart {
             alternative: self.alternative.clone(),
             drawn,
         };
-        picture.document(&[("plot", plot.frame()), ("x", plot.ends())])
+        picture.document(&[("plot", plot.frame()), ("x", plot.ends()), ("y", plot.y_ends())])
     }
 
     /// The numbers behind the chart: a column for each curve, units in the header, gaps empty.

@@ -70,7 +70,7 @@ mod zone_figure;
 pub use cases_page::{cases_page, cases_text};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
-pub use live_band::{BandPart, LiveBand, live_bands};
+pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
 pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};

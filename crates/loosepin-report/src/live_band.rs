@@ -27,8 +27,16 @@ pub struct LiveBand {
     /// How wide the band is where it is widest, in a sentence.
     pub largest: String,
     /// The chart as an SVG document that takes its style from the page. `data-plot` has left, top, width and height of the frame of its
-    /// curves in units of the picture, `data-x` the angles at its ends, degrees.
+    /// curves in units of the picture, `data-x` the angles at its ends, degrees, `data-y` the values at its foot and head.
     pub figure: String,
+    /// Half the width of the outer band where it is widest, in the unit of the figure.
+    pub largest_value: f64,
+    /// The unit of the figure, in a file.
+    pub unit: String,
+    /// SI units in a unit of the figure.
+    pub si_per_unit: f64,
+    /// Whether the band keeps each limit of its output, in a sentence.
+    pub kept: Vec<String>,
     /// What makes the band where it is widest, the largest part first.
     pub parts: Vec<BandPart>,
 }
@@ -46,10 +54,33 @@ pub struct BandPart {
     pub words: String,
 }
 
-/// The bands of all outputs that have one; empty where nothing has play and nothing scatters.
-pub fn live_bands(record: &MotionRecord) -> Vec<LiveBand> {
+/// A limit that a study puts on the magnitude of a deviation over the whole cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LiveLimit {
+    /// Name of the output.
+    pub output: String,
+    /// The limit, SI, > 0.
+    pub within_si: f64,
+}
+
+/// The bands of all outputs that have one, each with its limits; empty where nothing has play and nothing scatters.
+pub fn live_bands(record: &MotionRecord, limits: &[LiveLimit]) -> Vec<LiveBand> {
     let writer = NumberWriter::for_page(&record.display_units);
-    record.outputs.iter().filter_map(|output| band(record, output, &writer)).collect()
+    let limits_of = |output: &OutputMotion| -> Vec<f64> {
+        limits.iter().filter(|limit| limit.output == output.name).map(|limit| limit.within_si).collect()
+    };
+    record.outputs.iter().filter_map(|output| band(record, output, &limits_of(output), &writer)).collect()
+}
+
+/// Whether a band stays within a limit, with half widths of the outer and the inner one.
+fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> String {
+    if outer_si <= limit_si {
+        format!("Without dynamics the band stays within ±{limit}.")
+    } else if inner_si <= limit_si {
+        format!("Without dynamics ±2 standard deviations stay within ±{limit}, the worst case does not.")
+    } else {
+        format!("Without dynamics the band goes beyond ±{limit}.")
+    }
 }
 
 /// Half widths of the outer and the inner band at each position, SI.
@@ -65,7 +96,7 @@ fn half_widths_si(output: &OutputMotion) -> [Vec<f64>; 2] {
     [0, 1].map(|which| (0..positions).map(|position| both(position)[which]).collect())
 }
 
-fn band(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Option<LiveBand> {
+fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer: &NumberWriter) -> Option<LiveBand> {
     let [outer_si, inner_si] = half_widths_si(output);
     let (angle_rad, largest_si) = largest(record, &outer_si);
     if !(largest_si > 0.0) {
@@ -91,6 +122,15 @@ fn band(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> 
         add(outer, Role::Mixed, &outer_si);
     }
     add(inner, Role::Random, &inner_si);
+    let mut kept = Vec::new();
+    let most = |half_si: &[f64]| half_si.iter().fold(0.0_f64, |most, value| most.max(*value));
+    for limit_si in limits_si {
+        let limit = writer.value_trimmed(*limit_si, &output.unit);
+        kept.push(kept_words([most(&outer_si), most(&inner_si)], *limit_si, &limit));
+        let [upper, lower] =
+            [*limit_si, -limit_si].map(|value| vec![writer.scaled(value, &output.unit); outer_si.len()]);
+        chart.entries.push(Entry::new(format!("limit ±{limit}"), Role::Limit, true, EntryValues::pair(&lower, &upper)));
+    }
     let words = named_words(&output.name, &output.words);
     let largest = format!(
         "{} by up to ±{}, at {}",
@@ -106,6 +146,10 @@ fn band(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> 
         words,
         largest,
         figure: chart.document(),
+        largest_value: writer.scaled(largest_si, &output.unit),
+        unit: writer.symbol(&output.unit),
+        si_per_unit: 1.0 / writer.scaled(1.0, &output.unit),
+        kept,
         parts: parts(output, pose, writer),
     })
 }
@@ -176,6 +220,14 @@ mod tests {
         assert!((outer_si[0] - (7e-6 + 2.0 * 5f64.sqrt() * 1e-6)).abs() < 1e-18);
         assert!((inner_si[0] - 2.0 * (2.5f64.powi(2) + 5.0).sqrt() * 1e-6).abs() < 1e-18);
         assert!(inner_si[0] < outer_si[0]);
+    }
+
+    #[test]
+    fn a_limit_between_both_bands_is_kept_by_the_inner_one_alone() {
+        let words = |limit_si: f64| kept_words([7.0, 5.0], limit_si, "x");
+        assert_eq!(words(7.0), "Without dynamics the band stays within ±x.");
+        assert!(words(6.0).contains("the worst case does not"));
+        assert_eq!(words(4.9), "Without dynamics the band goes beyond ±x.");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::Model;
-use loosepin::report::{live_bands, motion_sentences, moving_drawing};
+use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnJoint, DrawnJointKind};
 use loosepin::study::InputFile;
@@ -14,7 +14,8 @@ use loosepin::units::{Dimension, format_value};
 use crate::complaints::seen;
 use crate::edit::{gripped, shown_angle_deg};
 use crate::folder::Folder;
-use crate::messages::{Look, Outline, Seen, SeenJoint, SeenOutput, SeenPin, View};
+use crate::limits::limits;
+use crate::messages::{Look, Outline, Seen, SeenJoint, SeenLimit, SeenOutput, SeenPin, View};
 use crate::quantities::quantities;
 use crate::texts::Texts;
 
@@ -66,6 +67,11 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
 }
 
 fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
+    let limits = match (file, &texts.study) {
+        (InputFile::Study(study), Some(source)) => limits(study, source),
+        _ => Vec::new(),
+    };
+    let (lines, limits): (Vec<LiveLimit>, Vec<Option<SeenLimit>>) = limits.into_iter().unzip();
     View {
         title: match file {
             InputFile::Model(model) => model.name.clone(),
@@ -74,7 +80,8 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
         mobility: record.mobility.clone(),
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
-        bands: live_bands(record),
+        bands: live_bands(record, &lines),
+        limits: limits.into_iter().flatten().collect(),
         outline: outline(record),
         quantities: quantities(file.model(), texts),
     }

@@ -235,6 +235,21 @@ pub struct Outline {
     pub outputs: Vec<SeenOutput>,
 }
 
+/// A limit of the study that is a line in the chart of a band.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenLimit {
+    /// Name of the output.
+    pub output: String,
+    /// The limit, SI.
+    pub within_si: f64,
+    /// As the study has it, quotes left out.
+    pub written: String,
+    /// First UTF-16 unit of it.
+    pub from: usize,
+    /// Behind the last one.
+    pub to: usize,
+}
+
 /// The mechanism that was read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct View {
@@ -248,6 +263,8 @@ pub struct View {
     pub drawing: Option<MovingDrawing>,
     /// The band of each output that has one.
     pub bands: Vec<LiveBand>,
+    /// The limits among them.
+    pub limits: Vec<SeenLimit>,
     /// What it is made of.
     pub outline: Outline,
     /// Its numbers.

@@ -6,7 +6,7 @@ import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
 import { Looker } from './looker.ts';
-import type { Complaint, Fix, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
+import type { Complaint, Fix, Limit, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
 import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
@@ -35,6 +35,8 @@ export class Desk {
   /** Counts the answers: complaints come anew with each. */
   answers = $state(0);
   quantities = $state.raw<Quantity[]>([]);
+  /** Limits of the study, where they are in its text now. */
+  limits = $state.raw<Limit[]>([]);
   isStale = $state(false);
   /** The view is of the texts as they are, at the most positions. */
   isSettled = $state(false);
@@ -69,6 +71,7 @@ export class Desk {
       this.documents.listen((step) => {
         this.isSettled = false;
         this.quantities = moveAll(this.quantities, step.document, step.change);
+        if (step.document === 'study') this.limits = this.limits.map((limit) => ({ ...limit, ...movedRange(limit, step.change) }));
         this.complaints = moveAll(this.complaints, step.document, step.change);
         this.looker.soon(typingPauseMs);
       }),
@@ -150,6 +153,27 @@ export class Desk {
     }
   }
 
+  /** A limit of the study with another value; one name is one step to undo. */
+  changeLimit(limit: Limit, insert: string, name: string): void {
+    const place = this.limits.indexOf(limit);
+    const share = parseFloat(insert) / parseFloat(limit.written);
+    this.documents.change('study', { from: limit.from, to: limit.to, insert }, { name, joins: 'always' });
+    const moved = { ...limit, written: insert, to: limit.from + insert.length, within_si: limit.within_si * share };
+    this.limits = this.limits.map((one, index) => (index === place ? moved : one));
+    this.looker.now();
+  }
+
+  /** Requires an output to stay within a limit, at the end of the study. */
+  addLimit(output: string, within: string): void {
+    const text = this.documents.study?.text;
+    if (text === undefined) return;
+    // A path has its parts under one name: `tracer x` is the part x of tracer.
+    const [, path, part] = / /.test(output) ? (/^(.*) (x|y|along|normal|magnitude|contour)$/.exec(output) ?? []) : [];
+    const named = `output = ${JSON.stringify(path ?? output)}${part === undefined ? '' : `\ncomponent = "${part}"`}`;
+    const insert = `${text.endsWith('\n') || text === '' ? '' : '\n'}\n[[require]]\n${named}\nof = "total"\nwithin = "${within}"\nover = "cycle"\nprobability_at_least = 0.95\n`;
+    this.change('study', { from: text.length, to: text.length, insert }, { name: 'add limit', joins: 'never' });
+  }
+
   textAt(quantity: Quantity): string {
     return this.documents.sheet(quantity.document)?.text.slice(quantity.from, quantity.to) ?? '';
   }
@@ -225,6 +249,7 @@ export class Desk {
     this.isStale = seen.view === null;
     if (seen.view) {
       this.view = seen.view;
+      this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
       if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);

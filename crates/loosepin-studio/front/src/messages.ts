@@ -118,7 +118,20 @@ export interface Band {
   words: string;
   largest: string;
   figure: string;
+  /** In the unit of the figure. */
+  largest_value: number;
+  unit: string;
+  si_per_unit: number;
+  /** Whether the band keeps its limits. */
+  kept: string[];
   parts: Part[];
+}
+
+/** A limit of the study, in its text. */
+export interface Limit extends Range {
+  output: string;
+  within_si: number;
+  written: string;
 }
 
 /** A pin that can be dragged: its place in the frame of a body of the drawing, mm. */
@@ -157,6 +170,7 @@ export interface View {
   sentences: string[];
   drawing: Drawing | null;
   bands: Band[];
+  limits: Limit[];
   outline: Outline;
   quantities: Quantity[];
 }

@@ -1,4 +1,4 @@
-// Where the angles of a chart stand in it, as the server says in `data-plot` and `data-x`.
+// Where the angles and values of a chart stand in it, as the server says in `data-plot`, `data-x` and `data-y`.
 
 export interface Plot {
   left: number;
@@ -7,13 +7,30 @@ export interface Plot {
   height: number;
   first: number;
   last: number;
+  /** Values at the foot and at the head. */
+  low: number;
+  high: number;
 }
 
 export function plotOf(svg: SVGSVGElement): Plot | null {
   const [left, top, width, height] = (svg.dataset.plot ?? '').split(/\s+/).map(Number);
   const [first, last] = (svg.dataset.x ?? '').split(/\s+/).map(Number);
+  const [low, high] = (svg.dataset.y ?? '').split(/\s+/).map(Number);
   if (left === undefined || top === undefined || !width || !height || first === undefined || last === undefined || first === last) return null;
-  return [left, top, width, height, first, last].every(Number.isFinite) ? { left, top, width, height, first, last } : null;
+  if (low === undefined || high === undefined || low === high) return null;
+  return [left, top, width, height, first, last, low, high].every(Number.isFinite) ? { left, top, width, height, first, last, low, high } : null;
+}
+
+export function yAt(plot: Plot, value: number): number {
+  return plot.top + ((plot.high - value) / (plot.high - plot.low)) * plot.height;
+}
+
+/** The value at a place of the screen; beyond the frame it goes on. */
+export function valueAt(plot: Plot, svg: SVGSVGElement, clientX: number, clientY: number): number | null {
+  const matrix = svg.getScreenCTM();
+  if (!matrix) return null;
+  const at = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+  return plot.high - ((at.y - plot.top) / plot.height) * (plot.high - plot.low);
 }
 
 export function xAt(plot: Plot, angle: number): number {

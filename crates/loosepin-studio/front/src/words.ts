@@ -142,6 +142,8 @@ export const words = {
   },
 
   band: {
+    limit: (written: string): string => `Limit ±${written}. Drag it, or move it with the arrow keys.`,
+    addLimit: 'Add a limit',
     heading: 'Deviation over one turn, without dynamics',
     output: 'Output',
     chart: 'Chart of the band',
