@@ -333,8 +333,8 @@ def test_play_and_scatter_are_said_as_people_say_them(studio):
     studio.click("button.more[aria-label*=crank_length]")
     known = "div.known input"
     say("±0.05", f".with-more + {known}")
-    studio.wait(f"document.querySelector('.with-more + {known}').value === '80 mm ±0.05 mm'")
-    assert '"parameter.crank_length" = { tolerance = "80 mm ±0.05 mm" }' in studio.texts()[1]
+    studio.wait(f"document.querySelector('.with-more + {known}').value === '80 mm ± 0.05 mm'")
+    assert '"parameter.crank_length" = { tolerance = "80 mm ± 0.05 mm" }' in studio.texts()[1]
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
     studio.browser.evaluate("document.activeElement.blur()")
     for _ in range(4):

@@ -7,14 +7,14 @@ use std::fmt::Write as _;
 
 use loosepin::diagnostics::Source;
 use loosepin::report::motion_sentences;
-use loosepin::study::{InputFile, Study};
+use loosepin::study::{InputFile, Study, plan_runs};
 use loosepin::units::format_number;
 use serde::Deserialize;
 
 use crate::refusal::Refusal;
 
 /// Most pins and most links of a drawing.
-const MOST: usize = 100;
+const MOST: usize = 50;
 /// Nobody draws further, mm.
 const FURTHEST_MM: f64 = 1e7;
 /// Two pins nearer to each other are one, mm.
@@ -103,7 +103,15 @@ impl Drawn {
                 Refusal::bad("there is no link yet").with_hint("click two places: they become the ends of a link")
             );
         }
-        for link in &self.links {
+        if self.name.chars().any(char::is_control) || self.name.trim().is_empty() {
+            return Err(Refusal::bad("a mechanism has a name on one line"));
+        }
+        for (place, link) in self.links.iter().enumerate() {
+            let is_other = |other: &Vec<usize>| other.iter().filter(|pin| link.contains(pin)).count() < 2;
+            if !self.links[..place].iter().all(is_other) {
+                return Err(Refusal::bad("two links share two pins: they are one rigid link")
+                    .with_hint("delete one of them, or make a plate of both"));
+            }
             let is_there = link.iter().all(|pin| *pin < self.pins.len());
             let is_once = (1..link.len()).all(|place| !link[..place].contains(&link[place]));
             if link.len() < 2 || !is_there || !is_once {
@@ -208,7 +216,7 @@ impl Drawn {
         }
         for link in 0..self.links.len() {
             let (name, pins) = (self.link_name(link), self.ordered(link));
-            let (length, angle_deg) = self.direction(link);
+            let (_, angle_deg) = self.direction(link);
             let _ = write!(
                 text,
                 "\n[body.{name}]  # first guess: a steel bar of 20 mm x 8 mm\nmass = \"{BAR_KG_PER_M} * {name}_length\"\n\
@@ -223,12 +231,7 @@ impl Drawn {
                 let position = match place {
                     0 => "[\"0 mm\", \"0 mm\"]".to_owned(),
                     1 => format!("[\"{name}_length\", \"0 mm\"]"),
-                    // A plate keeps its shape where its length is varied: as a share of it along, and as drawn aside.
-                    _ => format!(
-                        "[\"{} * {name}_length\", \"{} mm\"]",
-                        format_number((along / length * 1e6).round() / 1e6 + 0.0),
-                        mm(aside)
-                    ),
+                    _ => format!("[\"{} mm\", \"{} mm\"]", mm(along), mm(aside)),
                 };
                 let _ = writeln!(text, "{} = {position}", Self::pin_name(*pin));
             }
@@ -337,8 +340,10 @@ fn says(model: &str, study: &str) -> Result<Vec<String>, Vec<String>> {
     let model = loosepin::model::Model::from_source(Source::new("model.toml", model)).map_err(words)?;
     let source = Source::new("study.toml", study);
     let study = Study::of_model(&source, model, std::path::Path::new("model.toml")).map_err(words)?;
+    let planned = plan_runs(&study).map_err(|error| error.complaint(&study));
     let record = InputFile::Study(Box::new(study)).ideal_motion(POSITIONS, &[]).map_err(words)?;
-    Ok(std::iter::once(record.mobility.clone()).chain(motion_sentences(&record)).collect())
+    let refused = planned.err().map(|complaint| format!("The study cannot run yet: {}", complaint.message));
+    Ok(std::iter::once(record.mobility.clone()).chain(refused).chain(motion_sentences(&record)).collect())
 }
 
 #[cfg(test)]
@@ -417,6 +422,8 @@ mod tests {
         assert!(wrong(|drawn| drawn.motor = Some(1)).contains("not at a pin on the ground"));
         assert!(wrong(|drawn| drawn.links.clear()).contains("no link yet"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 0]).contains("each once"));
+        assert!(wrong(|drawn| drawn.links.push(vec![2, 1])).contains("share two pins"));
+        assert!(wrong(|drawn| drawn.name = "a\u{7f}".into()).contains("a name on one line"));
         assert!(wrong(|drawn| drawn.links[0] = vec![0, 9]).contains("two pins or more"));
         assert!(wrong(|drawn| drawn.pins[1].x = f64::INFINITY).contains("further away"));
         assert!(wrong(|drawn| drawn.pins[1] = drawn.pins[0]).contains("one place"));

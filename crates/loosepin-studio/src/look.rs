@@ -12,7 +12,7 @@ use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
 use crate::complaints::seen;
-use crate::edit::{gripped, shown_angle_deg};
+use crate::edit::{gripped, refused_drag, shown_angle_deg};
 use crate::folder::Folder;
 use crate::limits::limits;
 use crate::messages::{Look, Outline, Seen, SeenJoint, SeenLimit, SeenOutput, SeenPin, View};
@@ -27,10 +27,9 @@ const POSITIONS: [usize; 2] = [12, 720];
 pub fn look(folder: &Folder, look: &Look) -> Seen {
     let began = Instant::now();
     let mut texts = Texts::sent(folder, look);
-    let drag = look.grip.as_ref().and_then(|grip| {
-        // A drag begins where the texts could be read; while they cannot, they are looked at as they are.
-        let model = Model::from_source(Arc::clone(&texts.model)).ok()?;
-        Some(gripped(&model, &texts, grip))
+    let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&texts.model)) {
+        Ok(model) => gripped(&model, &texts, grip),
+        Err(_) => refused_drag("the model cannot be read: mend its problems first".to_owned()),
     });
     if let Some(drag) = &drag {
         texts = texts.with(folder, drag.model.as_deref(), drag.study.as_deref());

@@ -145,7 +145,7 @@ pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
     let folder = studio.folder.clone();
     let changes = in_background(move || {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None });
-        Ok(match edit::know(&texts, &path, &text) {
+        Ok(match edit::know(&folder, &texts, &path, &text) {
             Ok(changes) => Changes { changes, refusal: None },
             Err(Refusal { message, hint, .. }) => {
                 Changes { changes: Vec::new(), refusal: Some(Refused { message, hint }) }

@@ -82,7 +82,12 @@ fn shell(desk: &Desk, script: &str, variables: &[(&str, &str)]) -> i32 {
         path.push(folder);
     }
     let mut command = Command::new("sh");
-    command.args(["-c", script]).current_dir(desk.path("")).env("PATH", path).envs(variables.iter().copied());
+    command
+        .args(["-c", script])
+        .current_dir(desk.path(""))
+        .env("PATH", path)
+        .env("SOURCE_DATE_EPOCH", "0")
+        .envs(variables.iter().copied());
     let output = command.stdin(Stdio::null()).output().expect("a shell");
     output.status.code().unwrap_or_else(|| panic!("{}", String::from_utf8_lossy(&output.stderr)))
 }

@@ -1,7 +1,7 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import { messageOf } from './errors.ts';
 import type { FieldOf } from './groups.ts';
-import { difference, Drag, type Point } from './drag.ts';
+import { differences, Drag, type Point } from './drag.ts';
 import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
@@ -51,6 +51,8 @@ export class Desk {
   dragged = $state.raw<{ words: string[]; refusal: string | null } | null>(null);
   band = $derived(this.view?.bands.find((band) => band.output === this.output) ?? this.view?.bands[0] ?? null);
   private readonly looker: Looker;
+  /** A drag writes. */
+  private isRewriting = false;
 
   constructor(readonly documents: Documents) {
     this.looker = new Looker(
@@ -66,10 +68,19 @@ export class Desk {
       session.listen({
         seen: (seen) => this.looker.heard(seen),
         changed: (path) => void this.changed(path),
-        opened: () => this.looker.again(),
+        opened: () => {
+          // What a drag has written stays; its last place is lost with the connection.
+          this.drag = null;
+          this.looker.again();
+        },
       }),
       this.documents.listen((step) => {
         this.isSettled = false;
+        // Whoever else changes a text ends a drag: it would write over that.
+        if (!this.isRewriting) {
+          this.drag = null;
+          this.dragged = null;
+        }
         this.quantities = moveAll(this.quantities, step.document, step.change);
         if (step.document === 'study') this.limits = this.limits.map((limit) => ({ ...limit, ...movedRange(limit, step.change) }));
         this.complaints = moveAll(this.complaints, step.document, step.change);
@@ -138,8 +149,10 @@ export class Desk {
 
   private rewrite(which: Which, text: string | null, name: string): void {
     const now = this.documents.sheet(which)?.text;
-    const change = text !== null && now !== undefined ? difference(now, text) : null;
-    if (change) this.documents.change(which, change, { name, joins: 'always' });
+    if (text === null || now === undefined) return;
+    this.isRewriting = true;
+    differences(now, text).forEach((change) => this.documents.change(which, change, { name, joins: 'always' }));
+    this.isRewriting = false;
   }
 
   private follow(drag: Drag, reshaped: Reshaped): void {
@@ -203,8 +216,8 @@ export class Desk {
     // The texts went on meanwhile: the places of the answer are old.
     if (documents.version !== version) return this.know(path, text);
     const name = `know ${path} ${version}`;
-    // From the end, so that the places before stay.
-    for (const change of changes.sort((a, b) => b.from - a.from)) documents.change(change.document, change, { name, joins: 'always' });
+    // From the end, so that the places before stay; what is put in at one place keeps its order.
+    for (const change of [...changes].reverse()) documents.change(change.document, change, { name, joins: 'always' });
     this.looker.now();
     return null;
   }

@@ -35,14 +35,14 @@ export class Drag {
   textOf(which: Which, reshaped: Reshaped): string | null {
     const text = this.base[which]?.text;
     if (text === undefined) return null;
-    // From the end, so that the places before stay.
-    const changes = reshaped.changes.filter((change) => change.document === which).sort((a, b) => b.from - a.from);
+    // From the end, so that the places before stay; what is put in at one place keeps its order.
+    const changes = reshaped.changes.filter((change) => change.document === which).reverse();
     return changes.reduce((changed, change) => applied(changed, change), text);
   }
 }
 
 /** The stretch in which two texts differ, as the change from one to the other; null where they are the same. */
-export function difference(before: string, after: string): Change | null {
+function difference(before: string, after: string): Change | null {
   if (before === after) return null;
   const shorter = Math.min(before.length, after.length);
   let from = 0;
@@ -50,4 +50,21 @@ export function difference(before: string, after: string): Change | null {
   let behind = 0;
   while (behind < shorter - from && before[before.length - 1 - behind] === after[after.length - 1 - behind]) behind += 1;
   return { from, to: before.length - behind, insert: after.slice(from, after.length - behind) };
+}
+
+/**
+ * The changes from one text to another, from the end to the beginning: one for each line where both have as many lines, so that what stands
+ * between two changed numbers stays what it is.
+ */
+export function differences(before: string, after: string): Change[] {
+  const [old, now] = [before.split('\n'), after.split('\n')];
+  if (old.length !== now.length) return [difference(before, after)].filter((change) => change !== null);
+  let start = 0;
+  const changes: Change[] = [];
+  old.forEach((line, index) => {
+    const change = difference(line, now[index] ?? '');
+    if (change) changes.unshift({ ...change, from: change.from + start, to: change.to + start });
+    start += line.length + 1;
+  });
+  return changes;
 }

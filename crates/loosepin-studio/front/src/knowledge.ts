@@ -16,17 +16,19 @@ function joined(list: string[], between: string): string {
   return list.map((value, index) => (isOne && index < list.length - 1 ? value.slice(0, value.length - (units[0]?.length ?? 0)).trim() : value)).join(between);
 }
 
-/** The short form of an entry of a study; null where it has none. */
-function shortOf(written: string): string | null {
-  const interval = values(written, 'interval');
-  if (interval.length === 2) return joined(interval, '..');
-  const [tolerance, deviation, fit] = ['tolerance', 'standard_deviation', 'fit'].map((key) => values(written, key)[0]);
-  if (/\bcpk?\b|\btruncated\b|\bsamples\b|\bevidence\b/.test(written)) return null;
-  if (tolerance !== undefined) return tolerance;
-  if (/^\s*\{\s*normal\b/.test(written) && deviation !== undefined) return 'sd ' + deviation;
-  if (fit !== undefined) return fit;
-  const list = values(written, 'any_of');
-  return list.length > 1 ? joined(list, ', ') : null;
+/** The short form of an entry of a study, where that says all of it; `nominal` is the value of the model. */
+function shortOf(written: string, kind: 'scatter' | 'unknown', nominal: string | null): string | null {
+  const only = (key: string, rest = ''): boolean => new RegExp(`^\\s*\\{\\s*${key}\\s*=\\s*(${quoted}|\\[[^\\]{}]*\\])\\s*${rest}\\}\\s*$`).test(written);
+  if (kind === 'unknown') {
+    if (only('interval')) return joined(values(written, 'interval'), '..');
+    if (only('any_of')) return joined(values(written, 'any_of'), ', ');
+    return only('fit', `,\\s*diameter\\s*=\\s*(${quoted})\\s*`) ? (values(written, 'fit')[0] ?? null) : null;
+  }
+  if (only('tolerance')) return values(written, 'tolerance')[0] ?? null;
+  const normal = new RegExp(`^\\s*\\{\\s*normal\\s*=\\s*\\{\\s*mean\\s*=\\s*(${quoted})\\s*,\\s*standard_deviation\\s*=\\s*(${quoted})\\s*\\}\\s*\\}\\s*$`);
+  // Another mean than that of the model would be lost.
+  if (!normal.test(written) || values(written, 'mean')[0] !== nominal) return null;
+  return 'sd ' + (values(written, 'standard_deviation')[0] ?? '');
 }
 
 export interface Known {
@@ -39,7 +41,10 @@ export interface Known {
 export function knownOf(path: string, quantities: Quantity[], textOf: (quantity: Quantity) => string): Known | null {
   const own = quantities.filter((quantity) => quantity.path === path);
   const said = own.find((quantity) => quantity.kind !== 'number');
-  if (said) return { kind: said.kind === 'unknown' ? 'unknown' : 'scatter', short: shortOf(textOf(said)) };
-  const number = own[0];
+  const number = own.find((quantity) => quantity.kind === 'number');
+  if (said) {
+    const kind = said.kind === 'unknown' ? 'unknown' : 'scatter';
+    return { kind, short: shortOf(textOf(said), kind, number ? textOf(number) : null) };
+  }
   return number ? { kind: 'exact', short: textOf(number) } : null;
 }

@@ -31,6 +31,8 @@ export class Sketch {
   drawn = $state.raw<Drawn>(empty);
   canUndo = $state(false);
   canRedo = $state(false);
+  /** Counts the times at which pins or links went: their numbers are others since. */
+  losses = $state(0);
   private past: Drawn[] = [];
   private future: Drawn[] = [];
 
@@ -57,6 +59,7 @@ export class Sketch {
   }
 
   private show(drawn: Drawn): void {
+    if (drawn.pins.length < this.drawn.pins.length || drawn.links.length < this.drawn.links.length) this.losses += 1;
     this.drawn = drawn;
     this.canUndo = this.past.length > 0;
     this.canRedo = this.future.length > 0;
@@ -68,14 +71,14 @@ export class Sketch {
   }
 
   addLink(from: number, to: number): void {
-    if (from === to || this.drawn.links.some((link) => link.length === 2 && link.includes(from) && link.includes(to))) return;
+    if (from === to || !this.drawn.pins[from] || !this.drawn.pins[to] || this.drawn.links.some((link) => link.length === 2 && link.includes(from) && link.includes(to))) return;
     this.change({ ...this.drawn, links: [...this.drawn.links, [from, to]] });
   }
 
   /** A link and its new end, as one step. */
   addLinkTo(from: number, pin: SketchPin): void {
     const { pins, links } = this.drawn;
-    this.change({ ...this.drawn, pins: [...pins, pin], links: [...links, [from, pins.length]] });
+    if (pins[from]) this.change({ ...this.drawn, pins: [...pins, pin], links: [...links, [from, pins.length]] });
   }
 
   /** A further pin of a link, which becomes a plate. */

@@ -87,6 +87,7 @@ export const words = {
     noDrawing: 'no drawing',
     making: (name: string): string => `The folder ${name} is made …`,
     failed: 'The folder could not be read.',
+    importFailed: 'The drawing was not imported:',
     again: 'Try again',
   },
 
@@ -214,6 +215,8 @@ export const words = {
     angle: 'at',
     remove: (name: string): string => `Remove ${name}`,
     addPin: 'Add a pin',
+    addTo: (link: string): string => `Add a pin to ${link}`,
+    addToLink: 'add a pin …',
     addLink: 'Add a link',
     ends: ['From', 'To'],
   },

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use loosepin::diagnostics::Source;
+use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::parse_toml;
 use loosepin::model::{JointKind, Model, PointId, QuantityId, describe_path};
 use loosepin::result::simulation::Drawing;
@@ -23,7 +23,7 @@ const FREE_SHARE: f64 = 0.02;
 /// Nobody drags further, m.
 const FURTHEST_M: f64 = 1e6;
 /// Keys of a distribution that say where it lies, beside its nominal value with a tolerance.
-const PLACES: [&str; 3] = ["mean", "lower", "upper"];
+const PLACES: [&str; 4] = ["mean", "lower", "upper", "mode"];
 const TOLERANCE: &str = "tolerance";
 
 /// What a drag does.
@@ -45,14 +45,19 @@ impl Gripped {
     }
 }
 
-/// The changes of a drag, or why there are none.
-pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
-    let refused = |words: String| Gripped {
+/// A drag that changes nothing, with the reason.
+pub fn refused_drag(words: String) -> Gripped {
+    Gripped {
         reshaped: Reshaped { changes: Vec::new(), words: Vec::new(), angle_deg: None, refusal: Some(words) },
         model: None,
         study: None,
         expected_m: Vec::new(),
-    };
+    }
+}
+
+/// The changes of a drag, or why there are none.
+pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
+    let refused = refused_drag;
     let Some(joint) = model.joints.iter().position(|joint| joint.name == grip.joint) else {
         return refused(format!("there is no joint '{}' any more", grip.joint));
     };
@@ -107,10 +112,19 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
         if let Some(read) = Written::read(&new).filter(|read| *read != written) {
             moved.insert(path.clone(), read.value_si() - written.value_si());
         }
-        words.push(format!("{} {}", path.strip_prefix("parameter.").unwrap_or(path), new.trim()));
+        words.push(format!("{} {}", short(path), new.trim()));
         text.replace(range, new);
     }
-    let study = texts.study.as_ref().and_then(|study| shifted(study, &moved));
+    let study = match &texts.study {
+        None => None,
+        Some(source) => match shifted(source, &moved) {
+            Ok((shifted, stays)) => {
+                words.extend(stays.iter().map(|path| format!("{} stays as it is in the study", short(path))));
+                shifted.is_changed().then_some(shifted)
+            }
+            Err(_) => return refused("the study cannot be read: mend its problems first".to_owned()),
+        },
+    };
     let mut changes = text.changes(Document::Model);
     if let Some(shifted) = &study {
         changes.extend(shifted.changes(Document::Study));
@@ -130,6 +144,10 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
     }
 }
 
+fn short(path: &str) -> &str {
+    path.strip_prefix("parameter.").unwrap_or(path)
+}
+
 fn first_point(model: &Model, joint: usize) -> PointId {
     model.joints[joint].kind.points()[0]
 }
@@ -141,14 +159,20 @@ fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Range<u
     Some((range, written))
 }
 
-/// The study with its distributions of moved numbers moved along; nothing where there are none.
-fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Option<Rewritten<'a>> {
-    let toml = parse_toml(study).ok()?;
+/// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay.
+fn shifted<'a>(
+    study: &'a Arc<Source>,
+    moved: &BTreeMap<String, f64>,
+) -> Result<(Rewritten<'a>, Vec<String>), Complaints> {
+    let toml = parse_toml(study)?;
     let mut text = Rewritten::new(study);
-    let random = toml.get_ref().get("random")?.get_ref().as_table()?;
-    for (path, entry) in random {
-        let Some(by_si) = moved.get(path.get_ref().as_ref() as &str) else { continue };
+    let mut stays = Vec::new();
+    let random = toml.get_ref().get("random").and_then(|random| random.get_ref().as_table());
+    for (path, entry) in random.into_iter().flatten() {
+        let path: &str = path.get_ref().as_ref();
+        let Some(by_si) = moved.get(path) else { continue };
         let mut open = vec![entry];
+        let mut is_moved = false;
         while let Some(table) = open.pop().and_then(|value| value.get_ref().as_table()) {
             for (key, value) in table {
                 let key: &str = key.get_ref().as_ref();
@@ -165,16 +189,21 @@ fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Option<
                 };
                 if let Some(new) = new {
                     text.replace(range, new);
+                    is_moved = true;
                 }
             }
         }
+        if !is_moved {
+            stays.push(path.to_owned());
+        }
     }
-    text.is_changed().then_some(text)
+    Ok((text, stays))
 }
 
 /// `120 ± 0.1 mm` with another first number.
 fn nominal_moved(text: &str, by_si: f64) -> Option<String> {
-    let end = text.find(|c: char| !matches!(c, '0'..='9' | '.'))?;
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    let end = text.len() - digits.len() + digits.find(|c: char| !matches!(c, '0'..='9' | '.'))?;
     let (nominal, limits) = text.split_at(end);
     let own_unit = limits.trim_start().split(|c: char| !c.is_alphabetic()).next().filter(|unit| !unit.is_empty());
     let last_unit = limits.rsplit(|c: char| !c.is_alphabetic()).next()?;
@@ -245,6 +274,7 @@ mod tests {
         assert_eq!(nominal_moved("120 ± 0.09 mm", 1e-3).as_deref(), Some("121 ± 0.09 mm"));
         assert_eq!(nominal_moved("120 mm +0.02 -0.01 mm", 1e-3).as_deref(), Some("121 mm +0.02 -0.01 mm"));
         assert_eq!(nominal_moved("4 +/- 0.01 in", 0.0254).as_deref(), Some("5 +/- 0.01 in"));
+        assert_eq!(nominal_moved("-10 mm ±0.1 mm", 1e-3).as_deref(), Some("-9 mm ±0.1 mm"));
         assert_eq!(nominal_moved("length ± 1 mm", 1e-3), None);
     }
 }

@@ -3,17 +3,19 @@
 //! A number that is known exactly stands in the model alone. One that scatters has an entry under `[random]` of the study, one that is
 //! known only in part an entry under `[epistemic]`. Other entries of it go.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-use loosepin::diagnostics::Source;
+use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::{describe_path, parse_toml};
 use loosepin::model::{JointKind, Model, Origin};
-use loosepin::units::{Dimension, format_value};
+use loosepin::study::{InputFile, Study};
+use loosepin::units::{Dimension, format_number, format_value};
 
-use super::knowledge::{Knowledge, knowledge};
+use super::knowledge::{Knowledge, Piece, knowledge, number_and_unit, piece};
 use super::rewritten::Rewritten;
-use super::written::Written;
+use crate::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::places::unquoted;
 use crate::refusal::Refusal;
@@ -21,6 +23,10 @@ use crate::texts::Texts;
 
 const RANDOM: &str = "random";
 const EPISTEMIC: &str = "epistemic";
+/// Numbers are rounded to this many parts of a unit.
+const ROUND: f64 = 1e12;
+/// Of a turn, to see whether a mechanism moves.
+const POSITIONS: usize = 12;
 const PLAY: &str = "radial_clearance";
 /// Of a bearing whose radius nobody has said, where no other joint has one.
 const FIRST_RADIUS: &str = "8 mm";
@@ -28,47 +34,85 @@ const FIRST_RADIUS: &str = "8 mm";
 const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.9\n\
     youngs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndensity = \"7800 kg/m^3\"\n";
 
-/// The changes that say how well the number at `path` is known, as people write it.
+/// The changes that say how well the number at `path` is known, as people write it. They are not given where the texts could not be
+/// read with them, or would say anything else.
 ///
 /// # Errors
 /// What cannot be read, or why this number cannot be known so.
-pub fn know(texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
-    let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| {
-        Refusal::bad("the model cannot be read").with_hint("mend its problems first; they are listed below the drawing")
-    })?;
-    let mut in_model = Rewritten::new(&texts.model);
+pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
+    let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
     let number = match model.quantities.id(path) {
-        Some(_) => Number::of(&model, path)?,
-        None => Number::of_new_play(&model, path)?,
+        // A clearance of zero, without a contact, is no play yet.
+        Some(id) if model.quantities[id].origin != Origin::Fixed => Number::of(&model, path)?,
+        _ => Number::of_new_play(&model, path)?,
     };
     let known = knowledge(text, number.dimension, &number.unit)?;
-    let entry = entry(&known, &number, &model, path)?;
+    let mut in_model = Rewritten::new(&texts.model);
     match (&number.place, &known) {
-        (Place::There(range), Knowledge::Exact(value)) => in_model.replace(range.clone(), value.clone()),
+        (Place::There(range), Knowledge::Exact(value)) => in_model.replace(range.clone(), value.quoted()),
         // The model keeps its value: the drawn one.
         (Place::There(_), _) => {}
         (Place::NewPlay(joint), Knowledge::Exact(value) | Knowledge::Interval([value, _])) => {
-            give_play(&mut in_model, texts, &model, joint, value)?;
+            give_play(&mut in_model, texts, &model, joint, &value.quoted())?;
         }
         (Place::NewPlay(joint), _) => {
             return Err(Refusal::bad(format!("the joint '{joint}' has no play yet"))
                 .with_hint("write its play first, for example 0.1 mm or 0.1..0.5 mm"));
         }
     }
-    let mut changes = in_model.changes(Document::Model);
-    match (&texts.study, &entry) {
+    let entry = entry(&known, &number, &model, path)?;
+    let in_study = match (&texts.study, &entry) {
         (Some(study), _) => {
             let mut in_study = Rewritten::new(study);
             write_entry(&mut in_study, study, path, entry.as_ref())?;
-            changes.extend(in_study.changes(Document::Study));
+            Some(in_study)
         }
-        (None, None) => {}
+        (None, None) => None,
         (None, Some(_)) => {
             return Err(Refusal::bad("a model alone says nothing of scatter and of what is unknown")
                 .with_hint("open a study of it: there it stands under [random] or [epistemic]"));
         }
-    }
+    };
+    let new_study = in_study.as_ref().and_then(Rewritten::text);
+    let new = texts.with(folder, in_model.text().as_deref(), new_study.as_deref());
+    is_as_said(texts, &new, path, entry.as_ref().map(|(table, _)| *table))?;
+    let mut changes = in_model.changes(Document::Model);
+    changes.extend(in_study.iter().flat_map(|in_study| in_study.changes(Document::Study)));
     Ok(changes)
+}
+
+/// Whether the new texts can be read, and know of the same numbers as the old ones but for that at `path`.
+fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Result<(), Refusal> {
+    let refused = |complaints: Complaints| {
+        let first = complaints.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
+        let (message, hint) = first.unwrap_or_default();
+        Refusal { hint, ..Refusal::bad(message) }
+    };
+    let after = new.read().map_err(refused)?;
+    let before = old.read().map_err(|_| unreadable("study"))?;
+    // Reading alone does not look at the mechanism as a whole: a driven joint can have no play.
+    if before.ideal_motion(POSITIONS, &[]).is_ok() {
+        after.ideal_motion(POSITIONS, &[]).map_err(refused)?;
+    }
+    let (InputFile::Study(before), InputFile::Study(after)) = (before, after) else { return Ok(()) };
+    let paths = |study: &Study, table: &str| -> BTreeSet<String> {
+        match table {
+            RANDOM => study.random.iter().map(|input| input.path.clone()).collect(),
+            _ => study.epistemic.iter().map(|input| input.path.clone()).collect(),
+        }
+    };
+    for which in [RANDOM, EPISTEMIC] {
+        let mut due = paths(&before, which);
+        due.remove(path);
+        if table == Some(which) {
+            due.insert(path.to_owned());
+        }
+        if paths(&after, which) != due {
+            return Err(Refusal::bad("the study is written in a way that this would damage")
+                .with_hint("change it in the text of the study"));
+        }
+    }
+    Ok(())
 }
 
 /// Where a number of the model stands.
@@ -84,8 +128,8 @@ struct Number {
     dimension: Dimension,
     /// The unit in which it is written; empty for a plain number.
     unit: String,
-    /// Its value as a file has it, without quotes.
-    written: String,
+    /// Its value; none of a play that is not there yet.
+    nominal: Option<Piece>,
 }
 
 impl Number {
@@ -101,15 +145,18 @@ impl Number {
             _ => return Err(Refusal::bad(format!("{} is not written as a number in the model", describe_path(path)))),
         };
         let source = model.source();
-        let written = source.text()[unquoted(source, span)].to_owned();
-        let unit = written.trim_start_matches(|c: char| matches!(c, '0'..='9' | '.' | '-' | '+')).trim();
-        let is_plain = Written::read(&written).is_some() || written.trim().parse::<f64>().is_ok();
-        if !is_plain {
-            return Err(Refusal::bad(format!("{} is written as '{written}', not as one number", describe_path(path)))
-                .with_hint("change it in the text"));
-        }
-        let unit = unit.to_owned();
-        Ok(Self { place: Place::There(source.clamp(span)), dimension: quantity.dimension, unit, written })
+        let written = source.text()[unquoted(source, span)].trim();
+        let (number, unit) = number_and_unit(written);
+        let nominal = piece(number, unit, quantity.dimension).map_err(|_| {
+            Refusal::bad(format!("{} is written as '{written}', not as one number", describe_path(path)))
+                .with_hint("change it in the text")
+        })?;
+        Ok(Self {
+            place: Place::There(source.clamp(span)),
+            dimension: quantity.dimension,
+            unit: unit.to_owned(),
+            nominal: Some(nominal),
+        })
     }
 
     fn of_new_play(model: &Model, path: &str) -> Result<Self, Refusal> {
@@ -119,12 +166,7 @@ impl Number {
             found.is_some_and(|joint| matches!(joint.kind, JointKind::Revolute { clearance: None, .. }))
         });
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
-        Ok(Self {
-            place: Place::NewPlay(name),
-            dimension: Dimension::LENGTH,
-            unit: "mm".to_owned(),
-            written: String::new(),
-        })
+        Ok(Self { place: Place::NewPlay(name), dimension: Dimension::LENGTH, unit: "mm".to_owned(), nominal: None })
     }
 }
 
@@ -136,25 +178,28 @@ fn missing(path: &str) -> Refusal {
 type StudyEntry = (&'static str, String);
 
 fn entry(known: &Knowledge, number: &Number, model: &Model, path: &str) -> Result<Option<StudyEntry>, Refusal> {
-    let written = &number.written;
-    let nominal = if number.unit.is_empty() { written.clone() } else { format!("\"{written}\"") };
+    let nominal = || number.nominal.as_ref().ok_or_else(|| missing(path));
     Ok(match known {
         Knowledge::Exact(_) => None,
-        Knowledge::Tolerance(limits) => {
-            let has_nominal = limits.starts_with(|c: char| c.is_ascii_digit());
-            let whole = if has_nominal { limits.clone() } else { format!("{written} {limits}") };
-            Some((RANDOM, format!("{{ tolerance = \"{whole}\" }}")))
+        Knowledge::Tolerance(own, limits) => {
+            let nominal = if let Some(own) = own { own } else { nominal()? };
+            Some((RANDOM, format!("{{ tolerance = \"{nominal} {limits}\" }}")))
         }
         Knowledge::StandardDeviation(deviation) => {
-            Some((RANDOM, format!("{{ normal = {{ mean = {nominal}, standard_deviation = {deviation} }} }}")))
+            let (mean, deviation) = (nominal()?.quoted(), deviation.quoted());
+            Some((RANDOM, format!("{{ normal = {{ mean = {mean}, standard_deviation = {deviation} }} }}")))
         }
-        Knowledge::Uniform { half, unit } => {
-            let [lower, upper] = around(written, half, unit)
-                .ok_or_else(|| Refusal::bad(format!("'{half} {unit}' is not in the unit of the model, '{written}'")))?;
+        Knowledge::Uniform(half) => {
+            let [lower, upper] = around(nominal()?, half).map(|end| end.quoted());
             Some((RANDOM, format!("{{ uniform = {{ lower = {lower}, upper = {upper} }} }}")))
         }
-        Knowledge::Interval([lower, upper]) => Some((EPISTEMIC, format!("{{ interval = [{lower}, {upper}] }}"))),
-        Knowledge::OneOf(values) => Some((EPISTEMIC, format!("{{ any_of = [{}] }}", values.join(", ")))),
+        Knowledge::Interval([lower, upper]) => {
+            Some((EPISTEMIC, format!("{{ interval = [{}, {}] }}", lower.quoted(), upper.quoted())))
+        }
+        Knowledge::OneOf(values) => {
+            let values: Vec<String> = values.iter().map(Piece::quoted).collect();
+            Some((EPISTEMIC, format!("{{ any_of = [{}] }}", values.join(", "))))
+        }
         Knowledge::Fit(fit) => {
             let radius =
                 path.rsplit_once('.').and_then(|(joint, _)| model.quantities.id(&format!("{joint}.bearing_radius")));
@@ -167,15 +212,20 @@ fn entry(known: &Knowledge, number: &Number, model: &Model, path: &str) -> Resul
     })
 }
 
-/// The ends that lie as far to both sides of a number as is written; nothing where the units differ.
-fn around(written: &str, half: &str, unit: &str) -> Option<[String; 2]> {
-    let half: f64 = half.parse().ok()?;
-    if unit.is_empty() {
-        let value: f64 = written.trim().parse().ok()?;
-        return Some([value - half, value + half].map(loosepin::units::format_number));
-    }
-    let [value, half] = [Written::read(written)?, Written::read(&format!("{half} {unit}"))?];
-    Some([-1.0, 1.0].map(|side| format!("\"{}\"", value.moved_by_si(side * half.value_si()))))
+/// The ends that lie as far to both sides of a value, in its unit.
+fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
+    let number: f64 = value.number.parse().unwrap_or(0.0);
+    // Of a value of 0 the unit is told by the other number.
+    let (unit, unit_si) = match number {
+        0.0 => (&half.unit, half.value_si / half.number.parse::<f64>().unwrap_or(1.0)),
+        _ => (&value.unit, value.value_si / number),
+    };
+    [-1.0, 1.0].map(|side| {
+        let value_si = value.value_si + side * half.value_si;
+        // Digits that are round-off go.
+        let number = format_number((value_si / unit_si * ROUND).round() / ROUND);
+        Piece { number, unit: unit.clone(), value_si }
+    })
 }
 
 /// Puts the entry of a number in its table, and takes other entries of it out.
@@ -186,54 +236,92 @@ fn write_entry(
     entry: Option<&StudyEntry>,
 ) -> Result<(), Refusal> {
     let whole = study.text();
-    let toml = parse_toml(study).map_err(|_| {
-        Refusal::bad("the study cannot be read").with_hint("mend its problems first; they are listed below the drawing")
-    })?;
+    let toml = parse_toml(study).map_err(|_| unreadable("study"))?;
     let mut is_written = false;
     for table in [RANDOM, EPISTEMIC] {
-        let Some((name, entries)) = toml.get_ref().get_key_value(table) else { continue };
-        let Some(entries) = entries.get_ref().as_table() else { continue };
-        // Where the last entry of the table ends: a new one comes behind it.
-        let mut last = line_end(whole, study.clamp(name.span().into()).end);
-        for (key, value) in entries {
-            let (key_at, value_at) = (study.clamp(key.span().into()), study.clamp(value.span().into()));
-            last = last.max(line_end(whole, value_at.end));
-            let key: &str = key.get_ref().as_ref();
-            if key != path {
-                continue;
-            }
-            if value_at.start < key_at.end || !whole[key_at.end..value_at.start].contains('=') {
-                return Err(Refusal::bad(format!("'{path}' has a table of its own in the study"))
-                    .with_hint("change it in the text of the study"));
-            }
-            match entry {
-                Some((due, new)) if *due == table => {
-                    text.replace(value_at, new.clone());
-                    is_written = true;
-                }
-                _ => text.replace(line_start(whole, key_at.start)..line_end(whole, value_at.end), String::new()),
-            }
+        let Some(entries) = toml.get_ref().get(table).and_then(|table| table.get_ref().as_table()) else { continue };
+        let found = entries.iter().find(|(key, _)| key.get_ref().as_ref() as &str == path);
+        let Some((key, value)) = found else { continue };
+        let (key_at, value_at) = (study.clamp(key.span().into()), study.clamp(value.span().into()));
+        let line = line_start(whole, key_at.start)..line_end(whole, value_at.end);
+        let own_line = whole[line.start..key_at.start].trim().is_empty()
+            && value_at.start >= key_at.end
+            && whole[key_at.end..value_at.start].trim() == "="
+            && is_end(&whole[value_at.end..line.end]);
+        if !own_line {
+            return Err(Refusal::bad(format!("'{path}' shares its line in the study, or has a table of its own"))
+                .with_hint("change it in the text of the study"));
         }
-        if let Some((_, new)) = entry.filter(|(due, _)| *due == table && !is_written) {
-            text.replace(last..last, line_of(whole, last, path, new));
-            is_written = true;
+        match entry {
+            Some((due, new)) if *due == table => {
+                text.replace(value_at, new.clone());
+                is_written = true;
+            }
+            _ => text.replace(line, String::new()),
         }
     }
-    if let Some((table, new)) = entry.filter(|_| !is_written) {
-        // Before the questions, where there are any: a study reads from what is known to what is asked.
-        let first_question =
-            toml.get_ref().get_key_value("ask").map(|(key, _)| line_start(whole, study.clamp(key.span().into()).start));
-        let at = first_question.unwrap_or(whole.len());
-        let before = if whole[..at].ends_with('\n') || at == 0 { "" } else { "\n" };
-        text.replace(at..at, format!("{before}[{table}]\n\"{path}\" = {new}\n\n"));
+    let Some((table, new)) = entry.filter(|_| !is_written) else { return Ok(()) };
+    if let Some(at) = end_of_table(whole, table) {
+        text.replace(at..at, format!("{}\"{path}\" = {new}\n", break_before(whole, at)));
+        return Ok(());
     }
+    // Before the questions, where they are tables: a study reads from what is known to what is asked.
+    let at = first_question(whole).unwrap_or(whole.len());
+    text.replace(at..at, format!("{}[{table}]\n\"{path}\" = {new}\n\n", break_before(whole, at)));
     Ok(())
 }
 
-/// A line for an entry, at the beginning of a line or behind the last one of the text.
-fn line_of(whole: &str, at: usize, path: &str, value: &str) -> String {
-    let before = if whole[..at].ends_with('\n') { "" } else { "\n" };
-    format!("{before}\"{path}\" = {value}\n")
+fn unreadable(which: &str) -> Refusal {
+    Refusal::bad(format!("the {which} cannot be read"))
+        .with_hint("mend its problems first; they are listed below the drawing")
+}
+
+/// What stands behind a value, where nothing else does.
+fn is_end(text: &str) -> bool {
+    let text = text.trim();
+    text.is_empty() || text.starts_with('#')
+}
+
+/// Behind the last line with something in it of the table with this header; nothing where there is no such header.
+fn end_of_table(whole: &str, table: &str) -> Option<usize> {
+    let mut end = None;
+    let mut at = 0;
+    for line in whole.split_inclusive('\n') {
+        at += line.len();
+        let text = line.trim();
+        let is_own = || {
+            let inside = text.strip_prefix('[').and_then(|text| text.split_once(']'));
+            inside.is_some_and(|(name, rest)| name.trim() == table && is_end(rest))
+        };
+        match end {
+            None if is_own() => end = Some(at),
+            None => {}
+            Some(_) if text.starts_with('[') && !text.starts_with("[\"") => break,
+            Some(_) if text.is_empty() || text.starts_with('#') => {}
+            Some(_) => end = Some(at),
+        }
+    }
+    end
+}
+
+/// Where the first `[[ask]]` begins, with the comment above it.
+fn first_question(whole: &str) -> Option<usize> {
+    let mut at = 0;
+    let mut comment = None;
+    for line in whole.split_inclusive('\n') {
+        let text = line.trim();
+        if text.starts_with("[[ask]]") {
+            return Some(comment.unwrap_or(at));
+        }
+        comment = if text.starts_with('#') { comment.or(Some(at)) } else { None };
+        at += line.len();
+    }
+    None
+}
+
+/// A line end, where what stands before has none.
+fn break_before(whole: &str, at: usize) -> &'static str {
+    if at == 0 || whole[..at].ends_with('\n') { "" } else { "\n" }
 }
 
 fn line_start(text: &str, at: usize) -> usize {
@@ -249,7 +337,7 @@ fn line_end(text: &str, at: usize) -> usize {
 fn give_play(text: &mut Rewritten<'_>, texts: &Texts, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
     let source = &texts.model;
     let whole = source.text();
-    let toml = parse_toml(source).map_err(|_| Refusal::bad("the model cannot be read"))?;
+    let toml = parse_toml(source).map_err(|_| unreadable("model"))?;
     let table = |name: &str| toml.get_ref().get(name).and_then(|value| value.get_ref().as_table());
     let entries = table("joint").and_then(|joints| joints.get(joint)?.get_ref().as_table());
     let ends = entries.into_iter().flatten().map(|(_, value)| line_end(whole, source.clamp(value.span().into()).end));
@@ -271,13 +359,24 @@ fn give_play(text: &mut Rewritten<'_>, texts: &Texts, model: &Model, joint: &str
     let radius = radius.unwrap_or_else(|| FIRST_RADIUS.to_owned());
     let contact = model.contacts.first().map(|contact| contact.name.as_str());
     let name = contact.unwrap_or("steel");
-    let before = if whole[..at].ends_with('\n') { "" } else { "\n" };
-    text.replace(
-        at..at,
-        format!("{before}bearing_radius = \"{radius}\"  # first guess\n{PLAY} = {value}\ncontact = \"{name}\"\n"),
-    );
+    // What is there already stays; a clearance of zero is replaced.
+    let mut lines = String::new();
+    let there = |key: &str| entries.and_then(|entries| entries.get(key));
+    if there("bearing_radius").is_none() {
+        lines.push_str(&format!("bearing_radius = \"{radius}\"  # first guess\n"));
+    }
+    match there(PLAY) {
+        Some(zero) => text.replace(source.clamp(zero.span().into()), value.to_owned()),
+        None => lines.push_str(&format!("{PLAY} = {value}\n")),
+    }
+    if there("contact").is_none() {
+        lines.push_str(&format!("contact = \"{name}\"\n"));
+    }
+    if !lines.is_empty() {
+        text.replace(at..at, format!("{}{lines}", break_before(whole, at)));
+    }
     if contact.is_none() {
-        let before = if whole.ends_with('\n') { "" } else { "\n" };
+        let before = if at == whole.len() { "" } else { break_before(whole, whole.len()) };
         text.replace(whole.len()..whole.len(), format!("{before}{FIRST_CONTACT}"));
     }
     Ok(())

@@ -1,41 +1,64 @@
 //! How well a number is known, as people write it: `50 mm`, `±0.05`, `+0.02 -0.01`, `0.1..0.5 mm`, `H7/g6`, `0.1, 0.2 mm`.
 
 use loosepin::diagnostics::Problem;
-use loosepin::units::{Dimension, parse_quantity};
+use loosepin::units::{Dimension, format_number, parse_quantity};
 
 use crate::refusal::Refusal;
 
 const FORMS: &str =
     "for example 50 mm, ±0.05 mm, +0.02 -0.01 mm, sd 0.03 mm, uniform ±0.1 mm, 0.1..0.5 mm, H7/g6, or 0.1, 0.2 mm";
 
-/// How well a number is known. Values are as a file writes them: `"0.1 mm"` with its quotes, or a bare number.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A number with its unit; the unit is empty for a plain number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// As it stands in a file.
+    pub number: String,
+    /// As it is written.
+    pub unit: String,
+    /// SI.
+    pub value_si: f64,
+}
+
+impl Piece {
+    /// A value as a file has it: `"0.1 mm"` with its quotes, or a bare number.
+    pub fn quoted(&self) -> String {
+        if self.unit.is_empty() { self.number.clone() } else { format!("\"{self}\"") }
+    }
+}
+
+impl std::fmt::Display for Piece {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let space = if self.unit.is_empty() { "" } else { " " };
+        write!(formatter, "{}{space}{}", self.number, self.unit)
+    }
+}
+
+/// How well a number is known.
+#[derive(Debug, Clone, PartialEq)]
 pub enum Knowledge {
     /// Its value, and nothing else.
-    Exact(String),
-    /// A value with its limits, as on a drawing; without a value before them the limits are around that of the model.
-    Tolerance(String),
+    Exact(Piece),
+    /// A value with its limits, as on a drawing: the nominal value, where it is written, and the limits.
+    Tolerance(Option<Piece>, String),
     /// A standard deviation about the value of the model.
-    StandardDeviation(String),
-    /// Evenly within so much of the value of the model: the number and its unit.
-    Uniform { half: String, unit: String },
+    StandardDeviation(Piece),
+    /// Evenly within so much of the value of the model.
+    Uniform(Piece),
     /// Anything between two ends.
-    Interval([String; 2]),
+    Interval([Piece; 2]),
     /// One of some values.
-    OneOf(Vec<String>),
+    OneOf(Vec<Piece>),
     /// A fit by ISO 286.
     Fit(String),
 }
 
-/// A number with its unit.
-type Piece = (String, String);
-
-/// Reads how well a number of this dimension is known. A number without a unit has the last unit beside it, or else `unit`.
+/// Reads how well a number of this dimension is known. A number without a unit has that of the next one with a unit, or of the one
+/// before, or else `unit`.
 ///
 /// # Errors
 /// What cannot be read, and what is expected.
 pub fn knowledge(text: &str, dimension: Dimension, unit: &str) -> Result<Knowledge, Refusal> {
-    let text = with_points(text.trim())?;
+    let text = with_points(text.replace(['\u{a0}', '\u{202f}'], " ").trim())?;
     let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±").replace(['…', '–'], "..");
     if text.is_empty() {
         return Err(Refusal::bad("nothing is written").with_hint(FORMS));
@@ -44,30 +67,34 @@ pub fn knowledge(text: &str, dimension: Dimension, unit: &str) -> Result<Knowled
         return Ok(Knowledge::Fit(text));
     }
     let read = |parts: &[&str]| pieces(parts, dimension, unit);
+    let only = |part: &str| Ok(read(&[part])?.swap_remove(0));
     if let Some(rest) = text.strip_prefix("sd ") {
-        let [piece] = &read(&[rest])?[..] else { return Err(unread(&text)) };
-        return Ok(Knowledge::StandardDeviation(quoted(piece)));
+        return Ok(Knowledge::StandardDeviation(only(rest)?));
     }
     if let Some(rest) = text.strip_prefix("uniform") {
         let rest = rest.trim().strip_prefix('±').ok_or_else(|| unread(&text))?;
-        let [(half, unit)] = &read(&[rest])?[..] else { return Err(unread(&text)) };
-        return Ok(Knowledge::Uniform { half: half.clone(), unit: unit.clone() });
+        return Ok(Knowledge::Uniform(only(rest)?));
     }
-    if let Some((lower, upper)) = text.split_once("..").or_else(|| text.split_once(" to ")) {
-        let [lower, upper] = &read(&[lower.trim_end_matches('.'), upper.trim_start_matches('.')])?[..] else {
-            return Err(unread(&text));
-        };
-        return Ok(Knowledge::Interval([quoted(lower), quoted(upper)]));
+    if let Some((lower, upper)) = ends(&text)? {
+        let [lower, upper] = <[Piece; 2]>::try_from(read(&[lower, upper])?).map_err(|_| unread(&text))?;
+        return Ok(Knowledge::Interval([lower, upper]));
     }
-    if text.contains('±') || (text.contains('+') && text.contains('-')) {
-        return tolerance(&text, unit).map(Knowledge::Tolerance).ok_or_else(|| unread(&text));
+    if let Some((nominal, half)) = text.split_once('±') {
+        let has_nominal = !nominal.trim().is_empty();
+        let mut read = if has_nominal { read(&[nominal, half])? } else { read(&[half])? };
+        let limits = format!("± {}", read.pop().ok_or_else(|| unread(&text))?);
+        return Ok(Knowledge::Tolerance(read.pop(), limits));
     }
-    let parts: Vec<&str> = text.split(',').collect();
-    let values: Vec<String> = read(&parts)?.iter().map(quoted).collect();
-    Ok(match <[String; 1]>::try_from(values) {
-        Ok([value]) => Knowledge::Exact(value),
-        Err(values) => Knowledge::OneOf(values),
-    })
+    if let Some((nominal, first, second)) = deviations(&text) {
+        let mut read = if nominal.is_empty() { read(&[first, second])? } else { read(&[nominal, first, second])? };
+        let second = read.pop().ok_or_else(|| unread(&text))?;
+        let first = read.pop().ok_or_else(|| unread(&text))?;
+        let signed = |piece: &Piece| if piece.value_si < 0.0 { piece.to_string() } else { format!("+{piece}") };
+        let limits = format!("{} {}", signed(&first), signed(&second));
+        return Ok(Knowledge::Tolerance(read.pop(), limits));
+    }
+    let mut values = read(&text.split(',').collect::<Vec<_>>())?;
+    Ok(if values.len() == 1 { Knowledge::Exact(values.swap_remove(0)) } else { Knowledge::OneOf(values) })
 }
 
 fn unread(text: &str) -> Refusal {
@@ -101,50 +128,102 @@ fn is_fit(text: &str) -> bool {
     zone(hole.trim(), char::is_ascii_uppercase) && zone(shaft.trim(), char::is_ascii_lowercase)
 }
 
+/// The ends of an interval: `0.1..0.5`, `0.1 ... 0.5`, `0.1 to 0.5`.
+fn ends(text: &str) -> Result<Option<(&str, &str)>, Refusal> {
+    if let Some(found) = text.split_once(" to ") {
+        return Ok(Some(found));
+    }
+    let Some((lower, upper)) = text.split_once("..") else { return Ok(None) };
+    match upper.strip_prefix('.') {
+        // A third point is a part of the sign where a space follows, and could be that of a fraction elsewhere.
+        Some(rest) if rest.starts_with(' ') => Ok(Some((lower, rest))),
+        Some(_) => Err(Refusal::bad(format!("the third point in '{text}' can belong to the number behind it"))
+            .with_hint("write two points, and a zero before a fraction: 0.1..0.5")),
+        None => Ok(Some((lower, upper))),
+    }
+}
+
+/// `120 +0.02 -0.01 mm`: the nominal value, which may be missing, and two numbers with their signs.
+fn deviations(text: &str) -> Option<(&str, &str, &str)> {
+    let mut starts = Vec::new();
+    let mut before = ' ';
+    for (place, letter) in text.char_indices() {
+        if matches!(letter, '+' | '-') && matches!(before, ' ' | '/') {
+            starts.push(place);
+        }
+        before = letter;
+    }
+    let [first, second] = starts[..] else { return None };
+    let clean = |part: &'_ str| part.trim().trim_end_matches('/').trim().len();
+    let [nominal, upper] = [&text[..first], &text[first..second]];
+    Some((&nominal[..clean(nominal)], &upper[..clean(upper)], &text[second..]))
+}
+
 /// The numbers of some parts, each with its unit.
 fn pieces(parts: &[&str], dimension: Dimension, unit: &str) -> Result<Vec<Piece>, Refusal> {
     let split: Vec<(&str, &str)> = parts.iter().map(|part| number_and_unit(part)).collect();
-    let last = split.iter().rev().map(|(_, unit)| *unit).find(|unit| !unit.is_empty()).unwrap_or(unit);
-    let read = |(number, own): (&str, &str)| {
-        let unit = if own.is_empty() { last } else { own };
-        let text = format!("{number} {unit}");
-        let text = text.trim();
-        let is_number = number.parse::<f64>().is_ok_and(f64::is_finite);
-        if !is_number {
-            return Err(unread(text));
-        }
-        let found = parse_quantity(text).map_err(|error| {
-            let problem = error.for_due(text, dimension).problem;
-            Refusal { hint: problem.hint(), ..Refusal::bad(problem.to_string()) }
-        })?;
-        if found.dimension == dimension {
-            Ok((number.to_owned(), unit.to_owned()))
-        } else {
-            Err(Refusal::bad(format!("'{text}' is {}; expected {dimension}", found.dimension)))
-        }
-    };
-    split.into_iter().map(read).collect()
+    let mut read = Vec::new();
+    for (place, (number, _)) in split.iter().enumerate() {
+        let units = || split.iter().map(|(_, unit)| *unit);
+        let next = units().skip(place).find(|unit| !unit.is_empty());
+        let last = || split[..place].iter().map(|(_, unit)| *unit).rfind(|unit| !unit.is_empty());
+        read.push(piece(number, next.or_else(last).unwrap_or(unit), dimension)?);
+    }
+    Ok(read)
 }
 
-fn number_and_unit(part: &str) -> (&str, &str) {
+/// A number with a unit of a dimension.
+///
+/// # Errors
+/// What of it cannot be read.
+pub fn piece(number: &str, unit: &str, dimension: Dimension) -> Result<Piece, Refusal> {
+    let text = format!("{number} {unit}");
+    let text = text.trim();
+    let value: f64 = number.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| unread(text))?;
+    // A unit and no sum, product or second number: `mm - 0.2 mm` is none.
+    let follows_power =
+        |(place, _): &(usize, char)| unit[..*place].ends_with(['^', '-']) || unit[..*place].ends_with(char::is_numeric);
+    let has_number =
+        unit.char_indices().filter(|(_, letter)| letter.is_ascii_digit()).any(|digit| !follows_power(&digit));
+    if has_number || unit.contains(['+', '*', '(', '"', '\'', '\\']) || unit.contains(" -") || unit.ends_with('/') {
+        return Err(unread(text));
+    }
+    let found = parse_quantity(text).map_err(|error| {
+        let problem = error.for_due(text, dimension).problem;
+        Refusal { hint: problem.hint(), ..Refusal::bad(problem.to_string()) }
+    })?;
+    if found.dimension != dimension {
+        return Err(Refusal::bad(format!("'{text}' is {}; expected {dimension}", found.dimension)));
+    }
+    Ok(Piece { number: canonical(number, value), unit: unit.to_owned(), value_si: found.value_si })
+}
+
+/// A number with its digits as they are written, where a file takes them so: `.5`, `5.`, `+5`, `007` and `8e1` are written anew.
+fn canonical(number: &str, value: f64) -> String {
+    let digits = number.strip_prefix('-').unwrap_or(number);
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, "0"));
+    let is_digits = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+    let is_plain = is_digits(whole) && is_digits(fraction) && (whole == "0" || !whole.starts_with('0'));
+    if is_plain { number.to_owned() } else { format_number(value) }
+}
+
+/// A number and what stands behind it.
+pub fn number_and_unit(part: &str) -> (&str, &str) {
     let part = part.trim();
-    let is_number = |c: char| matches!(c, '0'..='9' | '.' | '-' | '+' | 'e' | 'E');
-    let end = part.find(|c: char| !is_number(c)).unwrap_or(part.len());
+    let mut end = 0;
+    let mut before = ' ';
+    for (place, letter) in part.char_indices() {
+        let next_is_digit =
+            || part[place + 1..].trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
+        let is_exponent = matches!(letter, 'e' | 'E') && before.is_ascii_digit() && next_is_digit();
+        let is_sign = matches!(letter, '+' | '-') && (place == 0 || matches!(before, 'e' | 'E'));
+        if !(letter.is_ascii_digit() || letter == '.' || is_exponent || is_sign) {
+            break;
+        }
+        end = place + letter.len_utf8();
+        before = letter;
+    }
     (part[..end].trim(), part[end..].trim())
-}
-
-/// A value as a file has it.
-fn quoted((number, unit): &Piece) -> String {
-    if unit.is_empty() { number.clone() } else { format!("\"{number} {unit}\"") }
-}
-
-/// Limits with a unit at their end; what stands in them is read where the file is.
-fn tolerance(text: &str, unit: &str) -> Option<String> {
-    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '.' | '+' | '-' | '±' | '/' | '°');
-    let has_unit = text.trim_end().ends_with(|c: char| c.is_alphabetic() || c == '°');
-    text.chars()
-        .all(is_plain)
-        .then(|| if has_unit || unit.is_empty() { text.to_owned() } else { format!("{text} {unit}") })
 }
 
 #[cfg(test)]
@@ -155,28 +234,64 @@ mod tests {
         knowledge(text, Dimension::LENGTH, "mm").map_err(|refusal| refusal.message)
     }
 
+    /// The values as a file has them, in a line.
+    fn shown(text: &str) -> String {
+        match length(text).unwrap_or_else(|words| panic!("{text}: {words}")) {
+            Knowledge::Exact(value) => format!("= {}", value.quoted()),
+            Knowledge::Tolerance(None, limits) => limits,
+            Knowledge::Tolerance(Some(nominal), limits) => format!("{nominal} {limits}"),
+            Knowledge::StandardDeviation(value) => format!("sd {}", value.quoted()),
+            Knowledge::Uniform(value) => format!("uniform {}", value.quoted()),
+            Knowledge::Interval([lower, upper]) => format!("{} .. {}", lower.quoted(), upper.quoted()),
+            Knowledge::OneOf(values) => values.iter().map(Piece::quoted).collect::<Vec<_>>().join(", "),
+            Knowledge::Fit(fit) => fit,
+        }
+    }
+
     #[test]
     fn what_people_write_is_read() {
-        let interval = |lower: &str, upper: &str| Ok(Knowledge::Interval([lower.into(), upper.into()]));
-        assert_eq!(length("50"), Ok(Knowledge::Exact("\"50 mm\"".into())));
-        assert_eq!(length("2 in"), Ok(Knowledge::Exact("\"2 in\"".into())));
-        for text in
-            ["0.1..0.5 mm", "0.1 .. 0.5", "0,1..0,5 mm", "0.1 to 0.5 mm", "0.1…0.5 mm", "0.1–0.5", "0.1 mm..0.5 mm"]
-        {
-            assert_eq!(length(text), interval("\"0.1 mm\"", "\"0.5 mm\""), "{text}");
+        let interval = "\"0.1 mm\" .. \"0.5 mm\"";
+        for text in [
+            "0.1..0.5 mm",
+            "0.1 .. 0.5",
+            "0,1..0,5 mm",
+            "0.1 to 0.5 mm",
+            "0.1…0.5 mm",
+            "0.1–0.5",
+            "0.1 mm..0.5 mm",
+            ".1 to .5",
+            "0.1 ... 0.5",
+        ] {
+            assert_eq!(shown(text), interval, "{text}");
         }
-        for text in ["±0.05", "± 0.05 mm", "+/-0.05 mm"] {
-            let Ok(Knowledge::Tolerance(found)) = length(text) else { panic!("{text}") };
-            assert_eq!(found.replace("± ", "±"), "±0.05 mm", "{text}");
+        for text in ["±0.05", "± 0.05 mm", "+/-0.05 mm", "±\u{a0}0.05\u{a0}mm", "±.05"] {
+            assert_eq!(shown(text), "± 0.05 mm", "{text}");
         }
-        assert_eq!(length("+0.02 -0.01"), Ok(Knowledge::Tolerance("+0.02 -0.01 mm".into())));
-        assert_eq!(length("120 ± 0.1 mm"), Ok(Knowledge::Tolerance("120 ± 0.1 mm".into())));
-        assert_eq!(length("sd 0.03"), Ok(Knowledge::StandardDeviation("\"0.03 mm\"".into())));
-        assert_eq!(length("uniform ±0.1"), Ok(Knowledge::Uniform { half: "0.1".into(), unit: "mm".into() }));
-        assert_eq!(length("H7/g6"), Ok(Knowledge::Fit("H7/g6".into())));
-        assert_eq!(length("0.1, 0.2 mm"), Ok(Knowledge::OneOf(vec!["\"0.1 mm\"".into(), "\"0.2 mm\"".into()])));
-        let number = knowledge("0.7..0.9", Dimension::NUMBER, "").map_err(|refusal| refusal.message);
-        assert_eq!(number, interval("0.7", "0.9"));
+        for (text, due) in [
+            ("50", "= \"50 mm\""),
+            ("2 in", "= \"2 in\""),
+            ("8e1 mm", "= \"80 mm\""),
+            ("007", "= \"7 mm\""),
+            ("+0.02 -0.01", "+0.02 mm -0.01 mm"),
+            ("-0.01 -0.03", "-0.01 mm -0.03 mm"),
+            ("120 +0.02/-0.01 mm", "120 mm +0.02 mm -0.01 mm"),
+            ("120 ± 0.1 mm", "120 mm ± 0.1 mm"),
+            ("3.15 in ± 0.01", "3.15 in ± 0.01 in"),
+            ("-5 ± 1", "-5 mm ± 1 mm"),
+            ("sd 0.03", "sd \"0.03 mm\""),
+            ("uniform ±0.1", "uniform \"0.1 mm\""),
+            ("H7/g6", "H7/g6"),
+            ("0.1, 0.2 mm", "\"0.1 mm\", \"0.2 mm\""),
+            ("0.1, 0.2 mm, 8 µm", "\"0.1 mm\", \"0.2 mm\", \"8 µm\""),
+        ] {
+            assert_eq!(shown(text), due, "{text}");
+        }
+        let number = knowledge("0.7...9", Dimension::NUMBER, "").map_err(|refusal| refusal.message);
+        assert!(number.is_err_and(|words| words.contains("third point")));
+        let Ok(Knowledge::Interval([lower, upper])) = knowledge("0.7..  .9", Dimension::NUMBER, "") else {
+            panic!("an interval")
+        };
+        assert_eq!((lower.quoted().as_str(), upper.quoted().as_str()), ("0.7", "0.9"));
     }
 
     #[test]
@@ -189,6 +304,14 @@ mod tests {
             ("about 3", "'about 3'"),
             ("±\"]\n[x]", "cannot be read"),
             ("uniform 3", "'uniform 3' cannot be read"),
+            ("0.1...5 mm", "third point"),
+            ("0.1 mm-0.5 mm", "cannot be read"),
+            ("0.5 mm - 0.1 mm", "cannot be read"),
+            ("80 mm / 2", "cannot be read"),
+            ("2 * 40 mm", "cannot be read"),
+            ("80 ±0.05 mm +0.1", "cannot be read"),
+            ("±5 nonsense", "not a known unit"),
+            ("±1/16 in", "cannot be read"),
         ] {
             let found = length(text).expect_err(text);
             assert!(found.contains(words), "{text}: {found}");

@@ -18,7 +18,7 @@ mod reshape;
 mod rewritten;
 mod written;
 
-pub use grip::{gripped, shown_angle_deg};
+pub use grip::{gripped, refused_drag, shown_angle_deg};
 pub use know::know;
 
 #[cfg(test)]

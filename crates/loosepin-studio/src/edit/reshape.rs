@@ -100,9 +100,19 @@ impl<'a> Posed<'a> {
             }
             _ => None,
         });
+        // A link that another drive or a coupling turns does not turn with the pin.
+        let is_driven = || {
+            let driven = self.model.drives.iter().map(|drive| self.model.joints[drive.joint.0].kind.bodies());
+            let on_ground =
+                || kinds().any(|kind| kind.bodies().contains(&at.body) && kind.bodies().contains(&BodyId(0)));
+            self.model.drives.len() > 1 && driven.flatten().any(|body| body == at.body)
+                || !self.model.couplings.is_empty() && on_ground()
+        };
         let is_turned = || {
             at.body.0 != 0
-                && kinds().any(|kind| !matches!(kind, JointKind::Revolute { .. }) && kind.points()[0].body == at.body)
+                && (is_driven()
+                    || kinds()
+                        .any(|kind| !matches!(kind, JointKind::Revolute { .. }) && kind.points()[0].body == at.body))
         };
         in_guide.or_else(|| match self.other_centres(at)[..] {
             [other] if is_turned() => Some(minus(self.at_m(at), self.at_m(other))),

@@ -81,6 +81,7 @@ impl Desk {
         path.push(std::env::var_os("PATH").unwrap_or_default());
         let mut shell = Command::new("sh");
         shell.args(["-c", command]).current_dir(self.folder.path()).env("PATH", path).stdin(Stdio::null());
+        shell.env("SOURCE_DATE_EPOCH", "0");
         shell.output().expect("a shell").into()
     }
 
