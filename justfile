@@ -78,6 +78,12 @@ studio-front-check:
         exit 1
     }
 
+# How smoothly the studio follows the mouse, alone and beside a study (docs/performance.md).
+studio-bench:
+    cargo build --release --locked --package loosepin-cli
+    "{{ python }}" tools/studio/frames.py target/release/loosepin
+    "{{ python }}" tools/studio/frames.py target/release/loosepin --busy
+
 # The documentation as a site with search: target/site/book/index.html.
 site:
     "{{ python }}" tools/site/site.py
