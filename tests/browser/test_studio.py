@@ -436,6 +436,32 @@ def test_a_four_bar_is_drawn_from_nothing(studio):
     assert studio.browser.complaints() == []
 
 
+def test_a_drawing_is_imported_and_says_what_is_missing(studio, tmp_path):
+    # A crank of 30 mm on the ground with its pin, and a text, which is no part of it; the unit is not said.
+    crank = tmp_path.parent / "crank.dxf"
+    crank.write_text("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n1.5\n20\n2.5\n11\n31.5\n21\n2.5\n0\nCIRCLE\n8\nground\n10\n1.5\n20\n2.5\n"
+                     "40\n4.5\n0\nCIRCLE\n8\n0\n10\n31.5\n20\n2.5\n40\n2.25\n0\nTEXT\n8\n0\n10\n5\n20\n5\n40\n2\n1\ncrank\n0\nENDSEC\n0\nEOF\n")
+
+    def bring():
+        document = studio.browser.call("DOM.getDocument")["root"]["nodeId"]
+        field = studio.browser.call("DOM.querySelector", nodeId=document, selector="input[type=file]")["nodeId"]
+        studio.browser.call("DOM.setFileInputFiles", nodeId=field, files=[str(crank)])
+
+    studio.open()
+    bring()
+    studio.wait("document.body.innerText.includes('choose the unit beside the button')")
+    studio.browser.evaluate("""(() => {
+        const unit = document.querySelector('.unit select');
+        unit.value = 'mm';
+        unit.dispatchEvent(new Event('change', { bubbles: true }));
+    })()""")
+    bring()
+    studio.wait("document.querySelector('.problems')?.innerText.includes('E0209')")
+    said = studio.browser.evaluate("document.body.innerText")
+    assert "1 thing is neither line nor polyline nor circle and left out" in said
+    assert '"?"' in (studio.folder / "crank/model.toml").read_text()
+
+
 def test_a_slider_crank_is_drawn_by_keyboard_and_lists_alone(studio):
     """Buttons and fields as the keyboard reaches them: nothing is clicked in the drawing."""
     studio.open()

@@ -7,6 +7,8 @@ class Session {
   hello = $state.raw<Hello | null>(null);
   isRefused = $state(false);
   jobs = $state.raw<Job[]>([]);
+  /** What is to be known on the next screen too. */
+  notice = $state<string | null>(null);
   /** A message that the server did not take, in its words. */
   refusal = $state<string | null>(null);
   private readonly live = new Live((message) => this.hear(message), (connection) => this.connected(connection));

@@ -18,14 +18,20 @@ export async function makeFrom(template: string): Promise<string> {
   return (await firstFree(template, (folder) => ask<{ study: string }>('POST', '/api/new', { template, folder }))).study;
 }
 
-/** A folder with the skeleton of a model from a drawing; the path of the model. */
-export async function importDrawing(file: File, unit: string): Promise<string> {
+export interface Imported {
+  /** Path of the model. */
+  model: string;
+  /** What was found in the drawing, and what was left out. */
+  notes: string[];
+}
+
+/** A folder with the skeleton of a model from a drawing. */
+export async function importDrawing(file: File, unit: string): Promise<Imported> {
   const title = file.name.replace(/\.[^.]*$/, '');
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-+|-+$/g, '').slice(0, 50) || 'drawing';
   const drawing = await file.arrayBuffer();
-  const made = await firstFree(name, (folder) => {
+  return firstFree(name, (folder) => {
     const query = new URLSearchParams({ folder, title, unit });
-    return ask<{ model: string }>('POST', '/api/import?' + query.toString(), drawing);
+    return ask<Imported>('POST', '/api/import?' + query.toString(), drawing);
   });
-  return made.model;
 }

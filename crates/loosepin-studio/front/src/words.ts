@@ -88,6 +88,8 @@ export const words = {
     making: (name: string): string => `The folder ${name} is made …`,
     failed: 'The folder could not be read.',
     importFailed: 'The drawing was not imported:',
+    tooLarge: 'It has more than 4 MiB. Save the lines and circles of the mechanism alone.',
+    imported: (notes: string[]): string => `Imported: ${notes.join('; ')}. Fill in every "?": see the problems below.`,
     again: 'Try again',
   },
 

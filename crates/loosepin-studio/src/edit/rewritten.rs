@@ -20,8 +20,9 @@ impl<'a> Rewritten<'a> {
         Self { old, pieces: Vec::new() }
     }
 
-    /// Puts `new` in place of some bytes, which no other piece has.
+    /// Puts `new` in place of some bytes, which no other piece has. Its lines end as those of the text do.
     pub fn replace(&mut self, range: Range<usize>, new: String) {
+        let new = if self.old.text().contains("\r\n") { new.replace('\n', "\r\n") } else { new };
         if self.old.text()[range.clone()] != new {
             self.pieces.push((range, new));
             // Insertions at one place stay in the order in which they were made.

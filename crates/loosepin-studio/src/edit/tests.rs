@@ -364,3 +364,19 @@ fn studies_that_are_written_otherwise_keep_all_that_they_say() {
     }
     assert!(know(&folder, &old, "parameter.rocker_length", "±0.05").is_err(), "a second table of that name is none");
 }
+
+#[test]
+fn lines_end_as_they_do_in_the_text() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let template = find_template("four-bar").unwrap();
+    let [model, study_text] = [template.model, template.study].map(|text| text.replace('\n', "\r\n"));
+    let texts = texts(&folder, &model, &study_text);
+    for (path, text) in [("parameter.crank_length", "±0.05"), ("joint.crank_pin.radial_clearance", "0.1..0.2 mm")] {
+        let new = known(&folder, &texts, path, text);
+        for source in [&new.model, new.study.as_ref().unwrap()] {
+            assert_eq!(source.text().matches('\n').count(), source.text().matches("\r\n").count(), "{path}");
+        }
+        new.read().unwrap_or_else(|found| panic!("{found}"));
+    }
+}
