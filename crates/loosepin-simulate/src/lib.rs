@@ -8,6 +8,7 @@ mod balance;
 mod batch;
 mod column;
 mod control_history;
+mod controlled_drawing;
 mod core;
 mod depth_limit;
 mod drawing;
@@ -51,6 +52,7 @@ mod work;
 
 pub use batch::{Queue, Run};
 pub use column::{Arms, Column, Reading, columns, relative_words};
+pub use controlled_drawing::controlled_drawing;
 pub use drawing::{add_pose, skeleton};
 pub use engine::{conduct, run};
 pub use execution::Execution;

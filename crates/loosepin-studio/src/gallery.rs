@@ -28,11 +28,14 @@ pub fn cards(folder: &Folder) -> Vec<Card> {
 fn card(folder: &Folder, template: &Template) -> Card {
     let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
     let texts = Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS, grip: None });
-    let record = texts.read().and_then(|file| file.ideal_motion(POSITIONS, &[]));
+    let file = texts.read().ok();
+    let record = file.as_ref().and_then(|file| file.ideal_motion(POSITIONS, &[]).ok());
+    let driven = record.and_then(|record| moving_drawing(&record.drawing, &record.drive));
+    let controlled = || moving_drawing(&file.as_ref()?.controlled_drawing(POSITIONS)?, "the cycle");
     Card {
         name: template.name,
         title: template.description(),
         words: template.paragraph(),
-        drawing: record.ok().and_then(|record| moving_drawing(&record.drawing, &record.drive)),
+        drawing: driven.or_else(controlled),
     }
 }

@@ -20,6 +20,8 @@ use crate::quantities::quantities;
 use crate::texts::Texts;
 
 const MM_PER_M: f64 = 1e3;
+/// A run that is followed for a drawing is shown at so many instants, at most.
+const CONTROLLED_POSITIONS: usize = 121;
 /// Fewest and most positions in a turn.
 const POSITIONS: [usize; 2] = [12, 720];
 
@@ -55,10 +57,13 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
                 }
                 Some(view(&file, &record, &texts))
             }
-            Err(found) => {
-                complaints.extend(found);
-                None
-            }
+            Err(found) => file
+                .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
+                .map(|drawing| controlled(&file, &drawing, &texts))
+                .or_else(|| {
+                    complaints.extend(found);
+                    None
+                }),
         }
     });
     let complaints = seen(&complaints, &texts);
@@ -72,31 +77,58 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
     };
     let (lines, limits): (Vec<LiveLimit>, Vec<Option<SeenLimit>>) = limits.into_iter().unzip();
     View {
-        title: match file {
-            InputFile::Model(model) => model.name.clone(),
-            InputFile::Study(study) => study.name.clone(),
-        },
+        title: title(file),
         mobility: record.mobility.clone(),
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
         bands: live_bands(record, &lines),
         limits: limits.into_iter().flatten().collect(),
-        outline: outline(record),
+        outline: outline(&record.drawing, outputs(record)),
         quantities: quantities(file.model(), texts),
     }
 }
 
-fn outline(record: &MotionRecord) -> Outline {
-    let drawing = &record.drawing;
+/// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
+fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
+    let model = file.model();
+    let outputs =
+        model.outputs.iter().map(|output| SeenOutput { name: output.name.clone(), words: output.name.clone() });
+    View {
+        title: title(file),
+        mobility: "Moved by its actuators".to_owned(),
+        sentences: vec![
+            "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone."
+                .to_owned(),
+        ],
+        drawing: moving_drawing(drawing, "the cycle"),
+        bands: Vec::new(),
+        limits: Vec::new(),
+        outline: outline(drawing, outputs.collect()),
+        quantities: quantities(model, texts),
+    }
+}
+
+fn title(file: &InputFile) -> String {
+    match file {
+        InputFile::Model(model) => model.name.clone(),
+        InputFile::Study(study) => study.name.clone(),
+    }
+}
+
+fn outputs(record: &MotionRecord) -> Vec<SeenOutput> {
     // An error of a path belongs to its output, and has no value of its own.
     let outputs = record.outputs.iter().filter(|output| !output.value_si.is_empty());
     let outputs = outputs.map(|output| (&output.name, &output.words));
     let outputs = outputs.chain(record.efforts.iter().map(|effort| (&effort.name, &effort.words)));
+    outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect()
+}
+
+fn outline(drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outline {
     Outline {
         bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
         joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
         drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
-        outputs: outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect(),
+        outputs,
     }
 }
 

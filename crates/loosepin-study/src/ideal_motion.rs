@@ -3,7 +3,9 @@
 use super::input_file::InputFile;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_result::motion::MotionRecord;
+use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
+use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Complaints;
 
@@ -29,6 +31,18 @@ impl InputFile {
             overrides: Override::of_settings(&settings),
         };
         Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
+    }
+
+    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it
+    /// cannot be followed.
+    pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
+        let model = self.model();
+        let set = model.set_values(&self.with_widest_play(&[])).ok()?;
+        let mechanism = Mechanism::new(&set.model, &set.values).ok()?;
+        if mechanism.is_driven() {
+            return None;
+        }
+        controlled_drawing(&mechanism, &set.values, positions).ok()
     }
 
     /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.

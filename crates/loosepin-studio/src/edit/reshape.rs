@@ -100,12 +100,13 @@ impl<'a> Posed<'a> {
             }
             _ => None,
         });
-        // A link that another drive or a coupling turns does not turn with the pin.
+        // A link that another drive, an actuator or a coupling turns does not turn with the pin.
         let is_driven = || {
             let driven = self.model.drives.iter().map(|drive| self.model.joints[drive.joint.0].kind.bodies());
             let on_ground =
                 || kinds().any(|kind| kind.bodies().contains(&at.body) && kind.bodies().contains(&BodyId(0)));
             self.model.drives.len() > 1 && driven.flatten().any(|body| body == at.body)
+                || !self.model.controls.is_empty()
                 || !self.model.couplings.is_empty() && on_ground()
         };
         let is_turned = || {

@@ -380,3 +380,34 @@ fn lines_end_as_they_do_in_the_text() {
         new.read().unwrap_or_else(|found| panic!("{found}"));
     }
 }
+
+#[test]
+fn a_link_that_an_actuator_turns_keeps_its_angle() {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    let template = find_template("two-link-arm").unwrap();
+    let texts = texts(&folder, template.model, template.study);
+    let model = Model::from_text("model.toml", template.model).unwrap();
+    let length_mm = 1e3 * model.quantities.nominal()[model.quantities.id("parameter.upper_length").unwrap()];
+    // The upper link straight up: beside it the elbow does not go, along it the link becomes longer.
+    let poses = vec![[0.0; 3], [0.0, 0.0, 90.0], [0.0, length_mm, 0.0]];
+    let grip = Grip { joint: "elbow".into(), to_mm: [50.0, length_mm + 20.0], step_mm: 1.0, is_free: false, poses };
+    let drag = gripped(&model, &texts, &grip);
+    assert_eq!(
+        drag.reshaped.words.first(),
+        Some(&format!("upper_length {} mm", length_mm + 20.0)),
+        "{:?}",
+        drag.reshaped
+    );
+    let view = crate::look::look(
+        &folder,
+        &Look {
+            seq: 1,
+            model: SentText { path: "model.toml".into(), text: template.model.into() },
+            study: None,
+            positions: 37,
+            grip: Some(grip),
+        },
+    );
+    assert!(view.view.is_some_and(|view| view.drawing.is_some()) && view.complaints.is_empty());
+}

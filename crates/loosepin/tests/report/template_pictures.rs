@@ -6,11 +6,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use loosepin::accuracy::{MotionPlan, motion};
-use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{Model, Values};
+use loosepin::mechanism::Mechanism;
+use loosepin::model::Model;
 use loosepin::report::mechanism_picture;
-use loosepin::simulate::record::Drawing;
-use loosepin::simulate::{IdealReference, Settings, add_pose, skeleton};
+use loosepin::simulate::controlled_drawing;
 use loosepin::templates::{TEMPLATES, Template};
 
 /// Positions of the motion without play, of which one is drawn; the frame holds them all.
@@ -26,7 +25,9 @@ fn picture(template: &Template) -> String {
     let values = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{}: {error}", template.name));
     if !mechanism.is_driven() {
-        return mechanism_picture(&controlled(&mechanism, &values, template.name), template.name);
+        let drawing = controlled_drawing(&mechanism, &values, POSITIONS);
+        let drawing = drawing.unwrap_or_else(|error| panic!("{}: {error}", template.name));
+        return mechanism_picture(&drawing, template.name);
     }
     let plan = MotionPlan {
         span: model.cycle.span,
@@ -38,22 +39,6 @@ fn picture(template: &Template) -> String {
     let record = motion(&mechanism, &values, &plan).unwrap_or_else(|error| panic!("{}: {error}", template.name));
     assert!(record.singular_positions.is_empty(), "{}: {:?}", template.name, record.singular_positions);
     mechanism_picture(&record.drawing, template.name)
-}
-
-/// What actuators move is drawn as its own run without play takes it.
-fn controlled(mechanism: &Mechanism, values: &Values, name: &str) -> Drawing {
-    let without_play = mechanism.without_play();
-    let sample = Sample::new(mechanism, values).unwrap_or_else(|error| panic!("{name}: {error}")).without_play();
-    let input = mechanism.model.input(mechanism.model.cycle.span, values);
-    let mut reference = IdealReference::new(&without_play, &sample, input.turn_s(), &Settings::for_simulation())
-        .unwrap_or_else(|failure| panic!("{name}: {failure}"));
-    let mut drawing = skeleton(mechanism, values);
-    for position in 0..=POSITIONS {
-        let time_s = input.turn_s() * position as f64 / POSITIONS as f64;
-        let dynamics = reference.at(time_s, false).unwrap_or_else(|error| panic!("{name}: {error}"));
-        add_pose(&mut drawing.poses, &without_play.real, &dynamics.kinematics, input.angle_rad(time_s));
-    }
-    drawing
 }
 
 fn page() -> String {
