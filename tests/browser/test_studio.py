@@ -101,22 +101,19 @@ class Studio:
         self.wait("document.querySelector('.bar').innerText.includes('· saved')")
         self.settle()
 
-    def wait_for_entry(self, line):
-        """Until the text of the study has a line."""
+    def saved(self, folder):
+        """Both texts as they are on the disk, after what is not saved yet is."""
+        if "unsaved" in self.browser.evaluate("document.querySelector('.bar').innerText"):
+            self.click("button:not(.primary)", "Save")
+        self.wait_until_saved()
+        return [(self.folder / folder / name).read_text() for name in ("model.toml", "study.toml")]
+
+    def wait_for_line(self, folder, line):
+        """Until the study has a line."""
         deadline = time.monotonic() + 30
-        while line not in self.texts()[1]:
+        while line not in self.saved(folder)[1]:
             assert time.monotonic() < deadline, line
             time.sleep(0.05)
-
-    def texts(self):
-        """What is shown of both texts in the editor: lines far below are not."""
-        texts = []
-        for name in ("model.toml", "study.toml"):
-            self.click("[role=tab]", name)
-            self.wait("document.querySelector('.panel:not([hidden]) .cm-content')")
-            texts.append(self.browser.evaluate("document.querySelector('.panel:not([hidden]) .cm-content').innerText"))
-        self.click("[role=tab]", "Numbers")
-        return texts
 
     def type_number(self, name, text):
         """Replaces what stands in the field of a number."""
@@ -259,7 +256,7 @@ def test_a_number_that_is_dragged_moves_the_band_and_is_one_step_to_undo(studio)
 
 def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     studio.take("rank, coupler and rocker")
-    before = studio.texts()
+    before = studio.saved("four-bar")
     others = {joint: studio.pin(joint) for joint in ("crank_pivot", "rocker_pin", "rocker_pivot")}
     x, y = studio.drag("crank_pin", (45, -30), is_let_go=False)
     # What counts first is the text, and only then the picture.
@@ -275,7 +272,7 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     studio.wait("document.querySelector('.drawing .over') === null")
     studio.settle()
     assert (studio.number(crank), studio.number(coupler)) == ("120 mm", "205 mm")
-    after = studio.texts()
+    after = studio.saved("four-bar")
     # The model has two other numbers, the study one: the mean of the length that scatters. All else stays, comments too.
     changed = [[(old, new) for old, new in zip(first.split("\n"), second.split("\n"), strict=True) if old != new]
                for first, second in zip(before, after, strict=True)]
@@ -283,8 +280,8 @@ def test_a_pin_is_dragged_and_its_lengths_follow_in_both_texts(studio):
     assert all(new == old.replace("80 mm", "120 mm").replace("260 mm", "205 mm") for lines in changed for old, new in lines), changed
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
     studio.click("button", "Undo")
-    # One drag is one step to undo.
-    studio.wait_until_saved()
+    studio.wait(f"({FIELD % repr('crank_length')})?.querySelector('input').value === '80 mm'")
+    assert studio.saved("four-bar") == before, "one drag is one step to undo"
     assert studio.browser.complaints() == []
 
 
@@ -314,6 +311,7 @@ def test_a_drag_is_given_up_and_a_pin_is_moved_by_keys(studio):
 
 def test_play_and_scatter_are_said_as_people_say_them(studio):
     studio.take("rank, coupler and rocker")
+    clean = studio.saved("four-bar")
     x, y = studio.pin("crank_pin")
     for kind in ("mousePressed", "mouseReleased"):
         studio.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
@@ -330,7 +328,7 @@ def test_play_and_scatter_are_said_as_people_say_them(studio):
     for text, entry in [("0.05..0.2", 'interval = ["0.05 mm", "0.2 mm"]'), ("H7/f7", 'fit = "H7/f7", diameter = "16 mm"'),
                         ("0.1, 0.2 mm", 'any_of = ["0.1 mm", "0.2 mm"]')]:
         say(text)
-        studio.wait_for_entry(f'"joint.crank_pin.radial_clearance" = {{ {entry} }}')
+        studio.wait_for_line("four-bar", f'"joint.crank_pin.radial_clearance" = {{ {entry} }}')
         assert studio.browser.evaluate("document.querySelector('.chosen .kind').classList.contains('unknown')")
         shown = "document.querySelector('.chosen .known input').value"
         assert studio.browser.evaluate(shown) == (text if "m" in text or "/" in text else text + " mm")
@@ -340,13 +338,13 @@ def test_play_and_scatter_are_said_as_people_say_them(studio):
     known = "div.known input"
     say("±0.05", f".with-more + {known}")
     studio.wait(f"document.querySelector('.with-more + {known}').value === '80 mm ± 0.05 mm'")
-    studio.wait_for_entry('"parameter.crank_length" = { tolerance = "80 mm ± 0.05 mm" }')
+    studio.wait_for_line("four-bar", '"parameter.crank_length" = { tolerance = "80 mm ± 0.05 mm" }')
     assert "No problems" in studio.browser.evaluate(PROBLEMS)
     studio.browser.evaluate("document.activeElement.blur()")
     for _ in range(4):
         studio.click("button", "Undo")
-    # Each is one step to undo.
-    studio.wait_until_saved()
+    studio.wait("document.querySelector('.chosen .kind').classList.contains('none')")
+    assert studio.saved("four-bar") == clean, "each is one step to undo"
     assert studio.browser.complaints() == []
 
 
@@ -367,6 +365,7 @@ def test_a_link_that_is_taken_turns_the_mechanism(studio):
 
 def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
     studio.take("rank, coupler and rocker")
+    before = studio.saved("four-bar")
     kept = "document.querySelector('.band .kept')?.innerText"
     assert "stays within ±0.2" in studio.browser.evaluate(kept)
     place = """(() => {
@@ -381,12 +380,10 @@ def test_a_limit_is_dragged_in_the_chart_and_added_where_there_is_none(studio):
     studio.wait(f"!({kept}).includes('±0.2°')")
     studio.settle()
     assert "does not" in studio.browser.evaluate(kept) or "goes beyond" in studio.browser.evaluate(kept)
-    study = studio.texts()[1]
-    assert 'within = "0.2 deg"' not in study
+    assert 'within = "0.2 deg"' not in studio.saved("four-bar")[1]
     studio.click("button", "Undo")
-    # One drag is one step.
-    studio.wait_until_saved()
-    assert "stays within ±0.2" in studio.browser.evaluate(kept)
+    studio.wait(f"({kept}).includes('stays within ±0.2°')")
+    assert studio.saved("four-bar") == before, "one drag is one step to undo"
     studio.browser.evaluate("""(() => {
         const output = document.querySelector('.band select');
         output.value = 'tracer x';
