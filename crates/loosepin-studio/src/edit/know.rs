@@ -10,10 +10,10 @@ use std::sync::Arc;
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::{describe_path, parse_toml};
 use loosepin::model::{JointKind, Model, Origin};
-use loosepin::study::{InputFile, Study};
+use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
-use super::knowledge::{Knowledge, Piece, knowledge, number_and_unit, piece};
+use super::knowledge::{Knowledge, Piece, knowledge, piece};
 use super::rewritten::Rewritten;
 use crate::folder::Folder;
 use crate::messages::{Change, Document};
@@ -146,15 +146,16 @@ impl Number {
         };
         let source = model.source();
         let written = source.text()[unquoted(source, span)].trim();
-        let (number, unit) = number_and_unit(written);
-        let nominal = piece(number, unit, quantity.dimension).map_err(|_| {
+        let split = number_and_unit(written);
+        let nominal = split.and_then(|(number, unit)| piece(number, unit, quantity.dimension).ok());
+        let nominal = nominal.ok_or_else(|| {
             Refusal::bad(format!("{} is written as '{written}', not as one number", describe_path(path)))
                 .with_hint("change it in the text")
         })?;
         Ok(Self {
             place: Place::There(source.clamp(span)),
             dimension: quantity.dimension,
-            unit: unit.to_owned(),
+            unit: nominal.unit.clone(),
             nominal: Some(nominal),
         })
     }

@@ -1,6 +1,7 @@
 //! How well a number is known, as people write it: `50 mm`, `±0.05`, `+0.02 -0.01`, `0.1..0.5 mm`, `H7/g6`, `0.1, 0.2 mm`.
 
 use loosepin::diagnostics::Problem;
+use loosepin::study::{number_and_unit, signed_parts};
 use loosepin::units::{Dimension, format_number, parse_quantity};
 
 use crate::refusal::Refusal;
@@ -85,8 +86,11 @@ pub fn knowledge(text: &str, dimension: Dimension, unit: &str) -> Result<Knowled
         let limits = format!("± {}", read.pop().ok_or_else(|| unread(&text))?);
         return Ok(Knowledge::Tolerance(read.pop(), limits));
     }
-    if let Some((nominal, first, second)) = deviations(&text) {
-        let mut read = if nominal.is_empty() { read(&[first, second])? } else { read(&[nominal, first, second])? };
+    // Without a nominal value a zero stands for it.
+    let with_nominal = if text.starts_with(['+', '-']) { format!("0 {text}") } else { text.clone() };
+    if let Some([nominal, first, second]) = signed_parts(&with_nominal) {
+        let has_nominal = with_nominal == text;
+        let mut read = if has_nominal { read(&[nominal, first, second])? } else { read(&[first, second])? };
         let second = read.pop().ok_or_else(|| unread(&text))?;
         let first = read.pop().ok_or_else(|| unread(&text))?;
         let signed = |piece: &Piece| if piece.value_si < 0.0 { piece.to_string() } else { format!("+{piece}") };
@@ -143,25 +147,10 @@ fn ends(text: &str) -> Result<Option<(&str, &str)>, Refusal> {
     }
 }
 
-/// `120 +0.02 -0.01 mm`: the nominal value, which may be missing, and two numbers with their signs.
-fn deviations(text: &str) -> Option<(&str, &str, &str)> {
-    let mut starts = Vec::new();
-    let mut before = ' ';
-    for (place, letter) in text.char_indices() {
-        if matches!(letter, '+' | '-') && matches!(before, ' ' | '/') {
-            starts.push(place);
-        }
-        before = letter;
-    }
-    let [first, second] = starts[..] else { return None };
-    let clean = |part: &'_ str| part.trim().trim_end_matches('/').trim().len();
-    let [nominal, upper] = [&text[..first], &text[first..second]];
-    Some((&nominal[..clean(nominal)], &upper[..clean(upper)], &text[second..]))
-}
-
 /// The numbers of some parts, each with its unit.
 fn pieces(parts: &[&str], dimension: Dimension, unit: &str) -> Result<Vec<Piece>, Refusal> {
-    let split: Vec<(&str, &str)> = parts.iter().map(|part| number_and_unit(part)).collect();
+    let split: Vec<(&str, &str)> =
+        parts.iter().map(|part| number_and_unit(part).ok_or_else(|| unread(part.trim()))).collect::<Result<_, _>>()?;
     let mut read = Vec::new();
     for (place, (number, _)) in split.iter().enumerate() {
         let units = || split.iter().map(|(_, unit)| *unit);
@@ -205,25 +194,6 @@ fn canonical(number: &str, value: f64) -> String {
     let is_digits = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
     let is_plain = is_digits(whole) && is_digits(fraction) && (whole == "0" || !whole.starts_with('0'));
     if is_plain { number.to_owned() } else { format_number(value) }
-}
-
-/// A number and what stands behind it.
-pub fn number_and_unit(part: &str) -> (&str, &str) {
-    let part = part.trim();
-    let mut end = 0;
-    let mut before = ' ';
-    for (place, letter) in part.char_indices() {
-        let next_is_digit =
-            || part[place + 1..].trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
-        let is_exponent = matches!(letter, 'e' | 'E') && before.is_ascii_digit() && next_is_digit();
-        let is_sign = matches!(letter, '+' | '-') && (place == 0 || matches!(before, 'e' | 'E'));
-        if !(letter.is_ascii_digit() || letter == '.' || is_exponent || is_sign) {
-            break;
-        }
-        end = place + letter.len_utf8();
-        before = letter;
-    }
-    (part[..end].trim(), part[end..].trim())
 }
 
 #[cfg(test)]

@@ -45,6 +45,7 @@ pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
 pub use target::AccuracyTarget;
+pub use tolerance::{number_and_unit, signed_parts};
 use words::READINGS;
 pub(super) use words::statistic_name;
 

@@ -46,7 +46,7 @@ pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
 }
 
 /// `50 +0.02 -0.01 mm`: the nominal value and two deviations with their signs.
-fn signed_parts(text: &str) -> Option<[&str; 3]> {
+pub fn signed_parts(text: &str) -> Option<[&str; 3]> {
     let mut starts = Vec::new();
     let mut before = ' ';
     for (place, letter) in text.char_indices() {
@@ -65,8 +65,8 @@ fn signed_parts(text: &str) -> Option<[&str; 3]> {
     Some([part(0, first), part(first, second), part(second, text.len())])
 }
 
-/// A number and the unit behind it.
-fn number_and_unit(part: &str) -> Option<(&str, &str)> {
+/// A number and the unit behind it; the unit may be missing.
+pub fn number_and_unit(part: &str) -> Option<(&str, &str)> {
     let part = part.trim();
     let unsigned = part.strip_prefix('+').unwrap_or(part).trim_start();
     let mut ends = unsigned.char_indices().map(|(place, letter)| place + letter.len_utf8());
