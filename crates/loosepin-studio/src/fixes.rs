@@ -3,7 +3,7 @@
 use loosepin::diagnostics::{Complaint, Source};
 use strsim::osa_distance;
 
-use crate::messages::{Document, Fix};
+use crate::messages::{Change, Document, Fix};
 use crate::places::utf16_units;
 
 /// Marks in which messages set what is written and what was probably meant.
@@ -23,13 +23,9 @@ pub fn fix(complaint: &Complaint, document: Option<Document>) -> Option<Fix> {
     let (written, at) = here.min_by_key(|(word, _)| osa_distance(word, meant))?;
     let from = range.start + at;
     let units = |byte: usize| utf16_units(&place.source as &Source, byte);
-    Some(Fix {
-        document: document?,
-        from: units(from),
-        to: units(from + written.len()),
-        insert: meant.to_owned(),
-        words: format!("Write {meant} in place of {written}"),
-    })
+    let change =
+        Change { document: document?, from: units(from), to: units(from + written.len()), insert: meant.to_owned() };
+    Some(Fix { change, words: format!("Write {meant} in place of {written}") })
 }
 
 /// What a text is between two marks, where there is nothing else.

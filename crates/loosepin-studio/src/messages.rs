@@ -155,9 +155,9 @@ pub struct SeenComplaint {
     pub fix: Option<Fix>,
 }
 
-/// A change of a text.
+/// A stretch of a text that is replaced.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Fix {
+pub struct Change {
     /// The text.
     pub document: Document,
     /// First UTF-16 unit that goes.
@@ -166,6 +166,14 @@ pub struct Fix {
     pub to: usize,
     /// What comes in its place.
     pub insert: String,
+}
+
+/// A change that mends a complaint.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fix {
+    /// It.
+    #[serde(flatten)]
+    pub change: Change,
     /// What it does, in words.
     pub words: String,
 }
@@ -269,19 +277,6 @@ pub struct View {
     pub outline: Outline,
     /// Its numbers.
     pub quantities: Vec<SeenQuantity>,
-}
-
-/// A stretch of a text that is replaced.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Change {
-    /// The text.
-    pub document: Document,
-    /// First UTF-16 unit that goes.
-    pub from: usize,
-    /// Behind the last UTF-16 unit that goes.
-    pub to: usize,
-    /// What comes in its place.
-    pub insert: String,
 }
 
 /// What a drag does to the texts that were sent.

@@ -40,6 +40,12 @@ struct Refused {
     hint: Option<String>,
 }
 
+impl From<Refusal> for Refused {
+    fn from(Refusal { message, hint, .. }: Refusal) -> Self {
+        Self { message, hint }
+    }
+}
+
 pub async fn index(headers: HeaderMap) -> Response {
     // The guard has seen that there is one, and that it is this machine.
     page::index(headers.get("host").and_then(|host| host.to_str().ok()).unwrap_or("127.0.0.1"))
@@ -147,9 +153,7 @@ pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None });
         Ok(match edit::know(&folder, &texts, &path, &text) {
             Ok(changes) => Changes { changes, refusal: None },
-            Err(Refusal { message, hint, .. }) => {
-                Changes { changes: Vec::new(), refusal: Some(Refused { message, hint }) }
-            }
+            Err(refusal) => Changes { changes: Vec::new(), refusal: Some(refusal.into()) },
         })
     });
     Ok(json(&changes.await?))
@@ -188,6 +192,12 @@ fn new_folder(folder: &Folder, name: &str) -> Result<std::path::PathBuf, Refusal
     Ok(place)
 }
 
+/// Makes a new folder.
+fn make_folder(folder: &Folder, name: &str) -> Result<(), Refusal> {
+    let place = new_folder(folder, name)?;
+    std::fs::create_dir(place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))
+}
+
 /// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
 pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
     #[derive(Deserialize)]
@@ -205,18 +215,17 @@ pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
     let Sent { drawn, folder: name } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
-        let wrong = |message, hint| Said { says: Vec::new(), refusal: Some(Refused { message, hint }), study: None };
+        let wrong = |refusal: Refusal| Said { says: Vec::new(), refusal: Some(refusal.into()), study: None };
         let texts = match drawn.texts() {
             Ok(texts) => texts,
-            Err(Refusal { message, hint, .. }) => return Ok(wrong(message, hint)),
+            Err(refusal) => return Ok(wrong(refusal)),
         };
         let says = match texts.says {
             Ok(says) => says,
-            Err(found) => return Ok(wrong(found.join("\n"), None)),
+            Err(found) => return Ok(wrong(Refusal::bad(found.join("\n")))),
         };
         let Some(name) = name else { return Ok(Said { says, refusal: None, study: None }) };
-        let place = new_folder(&folder, &name)?;
-        std::fs::create_dir(&place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
+        make_folder(&folder, &name)?;
         let study = format!("{name}/study.toml");
         folder.write(&format!("{name}/model.toml"), &texts.model, None)?;
         folder.write(&study, &texts.study, None)?;
@@ -251,8 +260,7 @@ pub async fn import(
             };
             Refusal { hint, ..Refusal::bad(error.to_string()) }
         })?;
-        let place = new_folder(&folder, &name)?;
-        std::fs::create_dir(&place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
+        make_folder(&folder, &name)?;
         let model = format!("{name}/model.toml");
         folder.write(&model, &imported.model, None)?;
         Ok(Said { model, notes: imported.notes })

@@ -1,4 +1,5 @@
 // Where the angles and values of a chart stand in it, as the server says in `data-plot`, `data-x` and `data-y`.
+import { pointIn } from './screen.ts';
 
 export interface Plot {
   left: number;
@@ -27,9 +28,8 @@ export function yAt(plot: Plot, value: number): number {
 
 /** The value at a place of the screen; beyond the frame it goes on. */
 export function valueAt(plot: Plot, svg: SVGSVGElement, clientX: number, clientY: number): number | null {
-  const matrix = svg.getScreenCTM();
-  if (!matrix) return null;
-  const at = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+  const at = pointIn(svg, clientX, clientY);
+  if (!at) return null;
   return plot.high - ((at.y - plot.top) / plot.height) * (plot.high - plot.low);
 }
 
@@ -38,9 +38,8 @@ export function xAt(plot: Plot, angle: number): number {
 }
 
 export function angleAt(plot: Plot, svg: SVGSVGElement, clientX: number, clientY: number): number | null {
-  const matrix = svg.getScreenCTM();
-  if (!matrix) return null;
-  const at = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+  const at = pointIn(svg, clientX, clientY);
+  if (!at) return null;
   const share = (at.x - plot.left) / plot.width;
   return plot.first + Math.min(Math.max(share, 0), 1) * (plot.last - plot.first);
 }

@@ -8,6 +8,7 @@ use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::parse_toml;
 use loosepin::model::{JointKind, Model, PointId, QuantityId, describe_path};
 use loosepin::result::simulation::Drawing;
+use loosepin::study::number_and_unit;
 
 use super::behind::{Setting, behind};
 use super::reshape::{Pose, Posed, length, minus};
@@ -202,9 +203,9 @@ fn shifted<'a>(
 
 /// `120 ± 0.1 mm` with another first number.
 fn nominal_moved(text: &str, by_si: f64) -> Option<String> {
-    let digits = text.strip_prefix('-').unwrap_or(text);
-    let end = text.len() - digits.len() + digits.find(|c: char| !matches!(c, '0'..='9' | '.'))?;
-    let (nominal, limits) = text.split_at(end);
+    let (nominal, _) = number_and_unit(text)?;
+    // Behind it, with its spaces as they are written.
+    let limits = text.strip_prefix(nominal)?;
     let own_unit = limits.trim_start().split(|c: char| !c.is_alphabetic()).next().filter(|unit| !unit.is_empty());
     let last_unit = limits.rsplit(|c: char| !c.is_alphabetic()).next()?;
     let moved = Written::read(&format!("{nominal} {}", own_unit.unwrap_or(last_unit)))?.moved_by_si(by_si);

@@ -15,6 +15,13 @@ use crate::texts::Texts;
 /// A quarter of a degree apart, so that no joint goes far from one to the next.
 const POSITIONS: usize = 1441;
 
+/// A served folder with nothing in it, and what keeps it.
+fn served() -> (tempfile::TempDir, Folder) {
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::new(desk.path()).unwrap();
+    (desk, folder)
+}
+
 fn texts(folder: &Folder, model: &str, study: &str) -> Texts {
     let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
@@ -57,8 +64,7 @@ fn furthest_mm(record: &MotionRecord, due: &[[f64; 2]]) -> f64 {
 
 #[test]
 fn a_dragged_pin_is_where_it_was_dragged_and_the_others_stay() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let (mut dragged, mut refused) = (0, Vec::new());
     // Links of a pantograph share their lengths: more than one centre goes with each.
     for template in TEMPLATES.iter().filter(|template| template.name != "pantograph") {
@@ -108,8 +114,7 @@ fn a_dragged_pin_is_where_it_was_dragged_and_the_others_stay() {
 
 #[test]
 fn lengths_become_round_and_the_tolerances_follow() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("slider-crank").unwrap();
     let texts = texts(&folder, template.model, template.study);
     let old = record(&texts).unwrap();
@@ -140,8 +145,7 @@ fn lengths_become_round_and_the_tolerances_follow() {
 
 #[test]
 fn a_drag_that_is_of_another_model_is_refused() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("four-bar").unwrap();
     let texts = texts(&folder, template.model, template.study);
     let model = Model::from_text("model.toml", template.model).unwrap();
@@ -192,8 +196,7 @@ fn study(texts: &Texts) -> String {
 
 #[test]
 fn whatever_is_known_of_a_number_is_read_back_and_the_comments_stay() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let forms = ["±0.05", "+0.02 -0.01 mm", "sd 0.03", "uniform ±0.1 mm", "100..140 mm", "119, 120, 121 mm", "121 mm"];
     for template in TEMPLATES {
         let mut texts = texts(&folder, template.model, template.study);
@@ -233,8 +236,7 @@ fn whatever_is_known_of_a_number_is_read_back_and_the_comments_stay() {
 
 #[test]
 fn a_joint_gets_play_with_a_bearing_and_a_contact() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("four-bar").unwrap();
     let old = texts(&folder, template.model, template.study);
     let texts = known(&folder, &old, "joint.crank_pin.radial_clearance", "0.05..0.2 mm");
@@ -256,8 +258,7 @@ fn a_joint_gets_play_with_a_bearing_and_a_contact() {
 
 #[test]
 fn what_cannot_be_known_so_is_refused() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("slider-crank").unwrap();
     let texts = texts(&folder, template.model, template.study);
     for (path, text, words) in [
@@ -283,8 +284,7 @@ fn what_cannot_be_known_so_is_refused() {
 
 #[test]
 fn whatever_is_typed_the_texts_stay_toml() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("four-bar").unwrap();
     let texts = texts(&folder, template.model, template.study);
     let pieces = [
@@ -326,8 +326,7 @@ fn with_random(random: &str) -> String {
 
 #[test]
 fn studies_that_are_written_otherwise_keep_all_that_they_say() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let model = find_template("four-bar").unwrap().model;
     let coupler = "{ normal = { mean = \"260 mm\", standard_deviation = \"0.05 mm\" } }";
     let texts_of = |random: &str| texts(&folder, model, &with_random(random));
@@ -367,8 +366,7 @@ fn studies_that_are_written_otherwise_keep_all_that_they_say() {
 
 #[test]
 fn lines_end_as_they_do_in_the_text() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("four-bar").unwrap();
     let [model, study_text] = [template.model, template.study].map(|text| text.replace('\n', "\r\n"));
     let texts = texts(&folder, &model, &study_text);
@@ -383,8 +381,7 @@ fn lines_end_as_they_do_in_the_text() {
 
 #[test]
 fn a_link_that_an_actuator_turns_keeps_its_angle() {
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::new(desk.path()).unwrap();
+    let (_desk, folder) = served();
     let template = find_template("two-link-arm").unwrap();
     let texts = texts(&folder, template.model, template.study);
     let model = Model::from_text("model.toml", template.model).unwrap();
