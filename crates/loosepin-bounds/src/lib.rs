@@ -43,6 +43,7 @@ pub use by_surrogate::{
 pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatment, Witness};
 pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES};
 pub use data::problem::{Problem, Reading, Request, Sampling};
+pub use data::scratch::Scratch;
 pub use data::statistic::Statistic;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use estimators::quantile::between_order_statistics;

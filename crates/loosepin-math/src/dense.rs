@@ -53,7 +53,7 @@ impl Cholesky {
             #[inline(always)]
             || self.invert_into(&mut entries),
         );
-        LowerTriangle { order, four_rows: FourTriangleRows::new(&entries, order), entries }
+        LowerTriangle(FourTriangleRows::new(&entries, order))
     }
 
     /// Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii; all of them are zero before.
@@ -90,44 +90,28 @@ impl Cholesky {
 
 /// A lower triangular matrix.
 #[derive(Debug, Clone)]
-pub struct LowerTriangle {
-    order: usize,
-    /// Rows, full storage, zero above the diagonal.
-    entries: Vec<f64>,
-    /// The same for products with vectors.
-    four_rows: FourTriangleRows,
-}
+pub struct LowerTriangle(FourTriangleRows);
 
 impl LowerTriangle {
     /// T x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
-        self.four_rows.multiply(vector)
+        self.0.multiply(vector)
     }
 
     /// Tᵀ x
     pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; self.order];
-        on_vectors(
-            #[inline(always)]
-            || {
-                for (i, (row, factor)) in self.rows().zip(vector).enumerate() {
-                    for (sum, entry) in product.iter_mut().zip(&row[..=i]) {
-                        *sum += factor * entry;
-                    }
-                }
-            },
-        );
-        product
+        self.0.multiply_transposed(vector)
     }
 
     /// TᵀT, row by row, its lower triangle; the rest is zero.
     pub fn gram(&self) -> Vec<f64> {
-        let order = self.order;
+        let order = self.0.order();
         let mut product = vec![0.0; order * order];
-        for row in self.rows() {
+        for last in 0..order {
+            let row: Vec<f64> = self.0.row(last).collect();
             for (i, factor) in row.iter().enumerate() {
                 if *factor != 0.0 {
-                    for (sum, entry) in product[i * order..=i * order + i].iter_mut().zip(row) {
+                    for (sum, entry) in product[i * order..=i * order + i].iter_mut().zip(&row) {
                         *sum += factor * entry;
                     }
                 }
@@ -138,17 +122,7 @@ impl LowerTriangle {
 
     /// Sum of squares of each column.
     pub fn column_squares(&self) -> Vec<f64> {
-        let mut squares = vec![0.0; self.order];
-        for row in self.rows() {
-            for (sum, entry) in squares.iter_mut().zip(row) {
-                *sum += entry * entry;
-            }
-        }
-        squares
-    }
-
-    fn rows(&self) -> impl Iterator<Item = &[f64]> {
-        self.entries.chunks(self.order.max(1))
+        self.0.column_squares()
     }
 }
 

@@ -113,6 +113,69 @@ impl FourTriangleRows {
     }
 }
 
+impl FourTriangleRows {
+    /// Number of rows.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// The entries of row `row` up to the diagonal.
+    pub fn row(&self, row: usize) -> impl Iterator<Item = f64> {
+        let (group, place) = ((row + 1) / 4, (row + 1) % 4);
+        let begin: usize = (0..group).map(|group| self.length(group)).sum();
+        self.entries[begin..=begin + row].iter().map(move |four| four[place])
+    }
+
+    /// Tᵀ x, row by row.
+    pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; self.order];
+        on_vectors(
+            #[inline(always)]
+            || {
+                for (rows, own) in self.groups() {
+                    // A row that is missing has no entries.
+                    let factors: Four = from_fn(|row| rows[row].map_or(0.0, |row| vector[row]));
+                    for (sum, four) in product.iter_mut().zip(own) {
+                        let mut own = *sum;
+                        for row in 0..4 {
+                            own += factors[row] * four[row];
+                        }
+                        *sum = own;
+                    }
+                }
+            },
+        );
+        product
+    }
+
+    /// Sum of squares of each column.
+    pub fn column_squares(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.order];
+        for (_, own) in self.groups() {
+            for (sum, four) in squares.iter_mut().zip(own) {
+                *sum = four.iter().fold(*sum, |sum, entry| sum + entry * entry);
+            }
+        }
+        squares
+    }
+
+    /// Four rows behind four rows: which they are, nothing in the place of one that is missing, and their entries.
+    fn groups(&self) -> impl Iterator<Item = ([Option<usize>; 4], &[Four])> {
+        let mut begin = 0;
+        (0..(self.order + 4) / 4).map(move |group| {
+            let own = &self.entries[begin..begin + self.length(group)];
+            begin += own.len();
+            let row = |place: usize| (4 * group + place).checked_sub(1).filter(|row| *row < self.order);
+            (from_fn(row), own)
+        })
+    }
+
+    /// Entries of each row of a group.
+    fn length(&self, group: usize) -> usize {
+        self.order.min(4 * group + 3)
+    }
+}
+
 /// The scalar products of four rows with a vector.
 #[inline(always)]
 fn scalar_products(rows: &[Four], vector: &[f64]) -> Four {
@@ -177,6 +240,26 @@ mod tests {
             let rows = matrix.chunks(order.max(1)).enumerate();
             let expected = bits(rows.map(|(i, row)| dot(&row[..=i], &vector[..=i])));
             assert_eq!(bits(FourTriangleRows::new(&matrix, order).multiply(&vector)), expected, "{order}");
+        }
+    }
+
+    #[test]
+    fn identity_a_triangle_is_what_it_was_made_of() {
+        for order in 0..40 {
+            let entry = |k: usize| if k % order <= k / order { number(k) } else { 0.0 };
+            let matrix: Vec<f64> = (0..order * order).map(entry).collect();
+            let triangle = FourTriangleRows::new(&matrix, order);
+            let vector: Vec<f64> = (0..order).map(|i| number(1000 + i)).collect();
+            let (mut products, mut squares) = (vec![0.0; order], vec![0.0; order]);
+            for (i, row) in matrix.chunks(order.max(1)).enumerate() {
+                assert_eq!(bits(triangle.row(i)), bits(row[..=i].iter().copied()), "row {i} of {order}");
+                for (j, entry) in row.iter().enumerate() {
+                    products[j] += vector[i] * entry;
+                    squares[j] += entry * entry;
+                }
+            }
+            assert_eq!(bits(triangle.multiply_transposed(&vector)), bits(products), "{order}");
+            assert_eq!(bits(triangle.column_squares()), bits(squares), "{order}");
         }
     }
 

@@ -92,11 +92,12 @@ fn conduct_with(
 ) -> Result<Conducted, StudyError> {
     let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
-    let plans = Plans::new(study, &response)?;
+    let plans = Plans::new(study, &response, store.is_some())?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let (before, keeping) = (AtomicUsize::new(0), Keeping::new(store));
     let runner = Runner { pool: &pool, progress, stop, before, keeping, part, maker };
-    let mut sheet = Sheet::new(&runner, study, &response, plans.table(), plans.limits.most_runs());
+    let table = plans.table(store.and_then(|store| store.path().parent()));
+    let mut sheet = Sheet::new(&runner, study, &response, table, plans.limits.most_runs());
     // A surrogate that stands alone has rounds of its own.
     let is_told = progress.wants_drafts() && !plans.is_surrogate_alone;
     let drafting = is_told.then(|| Drafting::new(study, &response, plans.refinement.plan(&sheet.table)));

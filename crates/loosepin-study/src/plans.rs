@@ -13,13 +13,21 @@ use super::promise::promise_plan;
 use super::rare::{most_rare_runs, requests};
 use super::response::StudyResponse;
 use super::surrogate::{most_surrogate_runs, surrogate_plan};
-use loosepin_bounds::{PromisePlan, Refinement, SampleTable, SurrogatePlan};
+use loosepin_bounds::{PromisePlan, Refinement, SampleTable, Scratch, SurrogatePlan};
+use std::path::Path;
 
 /// What a run takes in memory beside its numbers: two copies of its inputs with their places, while a round is made.
 const BYTES_PER_RUN: usize = 400;
-/// What each number of a run takes: its value, and two copies while bounds are computed. Measured on 4,000 to 260,000 runs of 30 and of
-/// 560 numbers: 11 to 19 bytes a number and 500 a run.
+/// What each number of a run takes in memory: its value, and two copies while bounds are computed. Measured on 4,000 to 260,000 runs of
+/// 30 and of 560 numbers: 11 to 19 bytes a number and 500 a run.
 const BYTES_PER_NUMBER: usize = 24;
+/// What is kept of each number at each value of the epistemic inputs where the runs are in a file: its statistics and models of them.
+/// Measured on 512 values and 541 numbers: 1.5 kB with models, of which larger studies have no more.
+const BYTES_PER_SAMPLE: usize = 1600;
+/// What was read of the file lately.
+const BYTES_OF_SCRATCH: usize = 128 << 20;
+/// So many numbers of all runs, 128 MiB, are in a file beside the results rather than in memory.
+const LEAST_IN_SCRATCH: usize = 1 << 24;
 const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 
 /// Plans of all questions of a study.
@@ -41,11 +49,11 @@ pub(super) struct Plans {
 }
 
 impl Plans {
-    /// The plans of `study`.
+    /// The plans of `study`, whose runs may be in a file where it has a folder.
     ///
     /// # Errors
     /// Its sampling, its surrogates or its contributors are not possible.
-    pub fn new(study: &Study, response: &StudyResponse) -> Result<Self, StudyError> {
+    pub fn new(study: &Study, response: &StudyResponse, has_folder: bool) -> Result<Self, StudyError> {
         let row_length = response.row_length();
         let refinement = Refinement::try_new(problem(study, response), goals(study, &response.shared.plan))?;
         let direct = refinement.plan(&SampleTable::new(row_length));
@@ -67,27 +75,62 @@ impl Plans {
         };
         let limits = Limits { budget: budget(study, stated_runs, row_length), stated_runs, reserved };
         let numbers = row_length + study.random.len() + study.epistemic.len();
-        check_size(limits.most_runs().min(stated_runs), numbers, memory_at_hand_bytes())?;
+        let points = if has_folder { Some(direct.problem().sampling.outer) } else { None };
+        let size = Size { runs: limits.most_runs().min(stated_runs), numbers, points };
+        size.check(memory_at_hand_bytes())?;
         Ok(Self { refinement, contributors, surrogate, promise, is_surrogate_alone, limits, row_length })
     }
 
-    /// An empty table with room for the runs of the first question.
-    pub fn table(&self) -> SampleTable {
-        SampleTable::with_capacity(self.row_length, self.limits.stated_runs - self.limits.reserved)
+    /// An empty table with room for the runs of the first question. Where they are many their numbers are in a file in `folder`, which
+    /// has no name there; in memory where there is no folder.
+    pub fn table(&self, folder: Option<&Path>) -> SampleTable {
+        let runs = self.limits.stated_runs - self.limits.reserved;
+        let scratch = folder.filter(|_| is_large(runs, self.row_length)).and_then(|folder| Scratch::in_folder(folder).ok());
+        SampleTable::with_capacity(self.row_length, runs, scratch)
     }
 }
 
-/// That there are no more runs than anybody waits for, and that the memory at hand holds their numbers.
-fn check_size(runs: usize, numbers: usize, at_hand_bytes: u64) -> Result<(), StudyError> {
-    if runs as u64 > MOST_RUNS {
-        return Err(StudyError::TooManyRuns { runs });
+/// What a study has to have room for.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    runs: usize,
+    /// Numbers of a run.
+    numbers: usize,
+    /// Values of the epistemic inputs where its runs may be in a file.
+    points: Option<usize>,
+}
+
+impl Size {
+    /// That there are no more runs than anybody waits for, and that the memory at hand suffices for them.
+    fn check(self, at_hand_bytes: u64) -> Result<(), StudyError> {
+        let Self { runs, numbers, .. } = self;
+        if runs as u64 > MOST_RUNS {
+            return Err(StudyError::TooManyRuns { runs });
+        }
+        let needed_bytes = self.needed_bytes();
+        if needed_bytes <= at_hand_bytes {
+            return Ok(());
+        }
+        let [needed_gib, at_hand_gib] = [needed_bytes, at_hand_bytes].map(|bytes| bytes as f64 / BYTES_PER_GIB);
+        Err(StudyError::TooMuchMemory { runs, numbers, needed_gib, at_hand_gib })
     }
-    let needed_bytes = runs as u64 * (BYTES_PER_RUN + numbers * BYTES_PER_NUMBER) as u64;
-    if needed_bytes <= at_hand_bytes {
-        return Ok(());
+
+    fn needed_bytes(self) -> u64 {
+        let of_runs = self.runs as u64 * BYTES_PER_RUN as u64;
+        let in_memory = of_runs + self.runs as u64 * (self.numbers * BYTES_PER_NUMBER) as u64;
+        match self.points.filter(|_| is_large(self.runs, self.numbers)) {
+            Some(points) => {
+                let of_samples = points as u64 * (self.numbers * BYTES_PER_SAMPLE) as u64;
+                in_memory.min(of_runs + of_samples + BYTES_OF_SCRATCH as u64)
+            }
+            None => in_memory,
+        }
     }
-    let [needed_gib, at_hand_gib] = [needed_bytes, at_hand_bytes].map(|bytes| bytes as f64 / BYTES_PER_GIB);
-    Err(StudyError::TooMuchMemory { runs, numbers, needed_gib, at_hand_gib })
+}
+
+/// Whether so many runs are in a file where there is a folder for it.
+fn is_large(runs: usize, numbers: usize) -> bool {
+    numbers.saturating_mul(runs) >= LEAST_IN_SCRATCH
 }
 
 /// How many runs `study` comes to at most; with a budget of time or rounds, how many it has before its samples grow.
@@ -101,7 +144,7 @@ pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
 
 /// The plans of `study`, whose budget suffices for a first answer.
 pub(super) fn planned(study: &Study, response: &StudyResponse) -> Result<Plans, StudyError> {
-    let plans = Plans::new(study, response)?;
+    let plans = Plans::new(study, response, true)?;
     if matches!(plans.limits.budget, Some(Budget::Runs { .. })) {
         let first = match &plans.surrogate {
             Some(surrogate) if plans.is_surrogate_alone => surrogate.most_runs(),
@@ -133,21 +176,37 @@ pub(super) fn refuse_time(study: &Study) -> Result<(), StudyError> {
 
 #[cfg(test)]
 mod tests {
-    use super::check_size;
+    use super::Size;
+
+    /// A million runs of 15 numbers.
+    const MILLION: Size = Size { runs: 1_000_000, numbers: 15, points: None };
 
     #[test]
     fn analytic_what_a_plan_needs_and_what_there_is() {
         // 400 bytes a run and 24 a number.
         let needed = 1_000_000 * (400 + 15 * 24);
-        assert!(check_size(1_000_000, 15, needed).is_ok());
-        let said = check_size(1_000_000, 15, needed - 1).expect_err("a byte too few").to_string();
+        assert!(MILLION.check(needed).is_ok());
+        let said = MILLION.check(needed - 1).expect_err("a byte too few").to_string();
         assert_eq!(said, "1000000 runs of 15 numbers each need about 0.71 GiB of memory; 0.71 GiB are at hand");
     }
 
     #[test]
+    fn analytic_runs_in_a_file_need_memory_for_their_statistics_alone() {
+        // A million runs of 541 numbers at 256 values: 400 bytes a run, 1600 a number and value, 128 MiB of what was read.
+        let large = Size { numbers: 541, points: Some(256), ..MILLION };
+        let needed = 1_000_000 * 400 + 256 * 541 * 1600 + (128 << 20);
+        assert!(needed < 1 << 30 && large.check(needed).is_ok() && large.check(needed - 1).is_err());
+        // Without a folder they are in memory; and what is small is, with one.
+        assert_eq!(Size { points: None, ..large }.needed_bytes(), 1_000_000 * (400 + 541 * 24));
+        let small = Size { runs: 10_000, ..large };
+        assert_eq!(small.needed_bytes(), 10_000 * (400 + 541 * 24));
+    }
+
+    #[test]
     fn more_runs_than_anybody_waits_for_are_refused_whatever_the_memory() {
-        assert!(check_size(1 << 30, 0, u64::MAX).is_ok());
-        let said = check_size((1 << 30) + 1, 0, u64::MAX).expect_err("one too many").to_string();
+        let of = |runs| Size { runs, numbers: 0, points: None };
+        assert!(of(1 << 30).check(u64::MAX).is_ok());
+        let said = of((1 << 30) + 1).check(u64::MAX).expect_err("one too many").to_string();
         assert_eq!(said, "1073741825 runs; must be at most 1073741824");
     }
 }

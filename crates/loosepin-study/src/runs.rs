@@ -1,6 +1,7 @@
 //! The runs of a study as a table: one row a run, every column with its name and unit.
 
 use loosepin_text::units::SiUnit;
+use std::borrow::Cow;
 
 /// One run a row. All columns have the same length; [`crate::files::runs_parquet`] refuses others.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -28,7 +29,7 @@ pub enum RunData {
     /// Counts and indices.
     U64(Vec<u64>),
     /// Words.
-    Text(Vec<String>),
+    Text(Vec<Cow<'static, str>>),
 }
 
 impl RunData {

@@ -7,6 +7,7 @@ use super::runs::{RunColumn, RunData, RunsTable, named_angle_rad};
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
 use loosepin_text::units::SiUnit;
+use std::borrow::Cow;
 
 /// What a column is called that is one number a run.
 pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
@@ -26,15 +27,15 @@ pub fn curve_name(plan: &ColumnPlan, index: usize) -> String {
 
 /// The table for `runs.parquet`. Curves are left out: they would be most of it.
 pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) -> RunsTable {
-    let rows = 0..table.len();
     let mut columns = Vec::new();
     let mut push = |name: String, unit: SiUnit, data: RunData| columns.push(RunColumn { name, unit, data });
     let inputs = table.inputs();
-    push("index".to_owned(), SiUnit::NONE, RunData::U64(rows.clone().map(|run| run as u64).collect()));
-    let text = |f: &dyn Fn(usize) -> String| RunData::Text(rows.clone().map(f).collect());
+    let rows = 0..table.len();
+    let text = |f: &dyn Fn(usize) -> Cow<'static, str>| RunData::Text(rows.clone().map(f).collect());
     let count = |f: &dyn Fn(usize) -> u64| RunData::U64(rows.clone().map(f).collect());
     let number = |f: &dyn Fn(usize) -> f64| RunData::F64(rows.clone().map(f).collect());
-    push("purpose".to_owned(), SiUnit::NONE, text(&|run| inputs[run].purpose.word().to_owned()));
+    push("index".to_owned(), SiUnit::NONE, count(&|run| run as u64));
+    push("purpose".to_owned(), SiUnit::NONE, text(&|run| inputs[run].purpose.word().into()));
     push("round".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].round)));
     push("outer".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].point)));
     push("replicate".to_owned(), SiUnit::NONE, count(&|run| u64::from(inputs[run].replicate)));
@@ -48,37 +49,82 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
             EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => {
                 number(&|run| inputs[run].epistemic[k])
             }
-            EpistemicSubject::Law { .. } => text(&|run| input.written(&study.model, inputs[run].epistemic[k])),
+            EpistemicSubject::Law { .. } => {
+                text(&|run| input.written(&study.model, inputs[run].epistemic[k]).into())
+            }
         };
         push(input.path.clone(), input.unit(&study.model), data);
     }
     let plan = &response.shared.plan;
-    for (index, column) in plan.columns.iter().enumerate() {
-        let is_scalar =
-            plan.asks.iter().any(|planned| planned.ask.location != Where::Cycle && planned.columns.contains(&index))
-                || plan.requirements.iter().any(|planned| planned.columns.contains(&index));
-        if !is_scalar {
-            continue;
-        }
-        let unit = plan.outputs[column.output].unit.clone();
-        push(scalar_name(plan, index), unit, number(&|run| table.values(run)[index]));
+    let scalars: Vec<usize> = (0..plan.columns.len()).filter(|&column| is_scalar(plan, column)).collect();
+    let (values, extras) = numbers(response, table, &scalars);
+    for (&index, values) in scalars.iter().zip(values) {
+        let unit = plan.outputs[plan.columns[index].output].unit.clone();
+        push(scalar_name(plan, index), unit, RunData::F64(values));
     }
     let status = |run: usize| if table.failure(run).is_some() { "failed" } else { "finished" };
-    push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).to_owned()));
+    push("status".to_owned(), SiUnit::NONE, text(&|run| status(run).into()));
     let reason = |run: usize| table.failure(run).map_or("", |failure| RunFailure::code_of(failure.0));
-    push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).to_owned()));
-    let extras: Vec<_> = rows.clone().map(|run| response.extras(table.values(run))).collect();
-    // A failed run has no counters: zero evaluations.
-    let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
-    push("energy_residual".to_owned(), SiUnit::NONE, number(&|run| extras[run].energy_residual));
-    push("change_over_last_turn".to_owned(), SiUnit::NONE, number(&|run| extras[run].change_over_last_turn));
-    push("steps".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].steps)));
-    push("evaluations".to_owned(), SiUnit::NONE, count(&|run| whole(extras[run].evaluations)));
-    for (k, joint) in response.joints.iter().enumerate() {
-        push(format!("contacts {joint}"), SiUnit::NONE, count(&|run| whole(extras[run].joints[k].contacts)));
-        let depth = |run: usize| extras[run].joints[k].largest_penetration_m;
-        push(format!("largest_penetration {joint}"), SiUnit::LENGTH, number(&depth));
-        push(format!("peak_force {joint}"), SiUnit::FORCE, number(&|run| extras[run].joints[k].peak_force_n));
+    push("reason".to_owned(), SiUnit::NONE, text(&|run| reason(run).into()));
+    push("energy_residual".to_owned(), SiUnit::NONE, RunData::F64(extras.energy_residual));
+    push("change_over_last_turn".to_owned(), SiUnit::NONE, RunData::F64(extras.change_over_last_turn));
+    push("steps".to_owned(), SiUnit::NONE, RunData::U64(extras.steps));
+    push("evaluations".to_owned(), SiUnit::NONE, RunData::U64(extras.evaluations));
+    for (joint, own) in response.joints.iter().zip(extras.joints) {
+        push(format!("contacts {joint}"), SiUnit::NONE, RunData::U64(own.contacts));
+        push(format!("largest_penetration {joint}"), SiUnit::LENGTH, RunData::F64(own.largest_penetration_m));
+        push(format!("peak_force {joint}"), SiUnit::FORCE, RunData::F64(own.peak_force_n));
     }
     RunsTable { columns }
+}
+
+/// Whether `column` is one number a run that was asked for, and no point of a curve.
+fn is_scalar(plan: &ColumnPlan, column: usize) -> bool {
+    let is_asked =
+        plan.asks.iter().any(|planned| planned.ask.location != Where::Cycle && planned.columns.contains(&column));
+    is_asked || plan.requirements.iter().any(|planned| planned.columns.contains(&column))
+}
+
+/// Extras of all runs, column by column.
+#[derive(Default)]
+struct ExtraColumns {
+    energy_residual: Vec<f64>,
+    change_over_last_turn: Vec<f64>,
+    steps: Vec<u64>,
+    evaluations: Vec<u64>,
+    joints: Vec<JointColumns>,
+}
+
+/// Extras of one joint with play.
+#[derive(Default)]
+struct JointColumns {
+    contacts: Vec<u64>,
+    largest_penetration_m: Vec<f64>,
+    peak_force_n: Vec<f64>,
+}
+
+/// The `scalars` of all runs, column by column, and their extras. Every row is read once: where runs are many, rows lie in a file.
+fn numbers(response: &StudyResponse, table: &SampleTable, scalars: &[usize]) -> (Vec<Vec<f64>>, ExtraColumns) {
+    let mut values: Vec<Vec<f64>> = scalars.iter().map(|_| Vec::with_capacity(table.len())).collect();
+    let mut columns =
+        ExtraColumns { joints: response.joints.iter().map(|_| JointColumns::default()).collect(), ..Default::default() };
+    // A failed run has no counters: zero evaluations.
+    let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
+    for run in 0..table.len() {
+        let row = table.values(run);
+        for (own, &column) in values.iter_mut().zip(scalars) {
+            own.push(row[column]);
+        }
+        let extras = response.extras(row);
+        columns.energy_residual.push(extras.energy_residual);
+        columns.change_over_last_turn.push(extras.change_over_last_turn);
+        columns.steps.push(whole(extras.steps));
+        columns.evaluations.push(whole(extras.evaluations));
+        for (own, joint) in columns.joints.iter_mut().zip(&extras.joints) {
+            own.contacts.push(whole(joint.contacts));
+            own.largest_penetration_m.push(joint.largest_penetration_m);
+            own.peak_force_n.push(joint.peak_force_n);
+        }
+    }
+    (values, columns)
 }

@@ -4,6 +4,8 @@ use std::any::Any;
 use std::sync::Arc;
 
 use super::beside::Beside;
+use super::rows::Rows;
+use super::scratch::Scratch;
 pub use loosepin_terms::Purpose;
 use thiserror::Error;
 
@@ -44,26 +46,26 @@ pub enum TableError {
 /// column alone.
 #[derive(Debug, Clone, Default)]
 pub struct SampleTable {
-    columns: usize,
-    inputs: Vec<RunInputs>,
+    inputs: Arc<Vec<RunInputs>>,
     failures: Vec<Option<Failure>>,
-    values: Vec<f64>,
+    values: Rows,
     beside: Beside,
 }
 
 impl SampleTable {
     /// An empty table for a response with this number of columns.
     pub fn new(columns: usize) -> Self {
-        Self { columns, ..Self::default() }
+        Self { values: Rows::new(columns, None), ..Self::default() }
     }
 
     /// An empty table with room for `runs` runs, so that adding them never needs room for a second copy. Where there is no such room
-    /// now, it is looked for when it is needed: a plan may come to fewer runs.
-    pub fn with_capacity(columns: usize, runs: usize) -> Self {
-        let mut table = Self::new(columns);
-        let _ = table.inputs.try_reserve_exact(runs);
+    /// now, it is looked for when it is needed: a plan may come to fewer runs. The columns of the runs, and what is gathered from them,
+    /// are kept in `scratch`; in memory without one.
+    pub fn with_capacity(columns: usize, runs: usize, scratch: Option<Scratch>) -> Self {
+        let mut table = Self { values: Rows::new(columns, scratch), ..Self::default() };
+        let _ = Arc::make_mut(&mut table.inputs).try_reserve_exact(runs);
         let _ = table.failures.try_reserve_exact(runs);
-        let _ = table.values.try_reserve_exact(columns.saturating_mul(runs));
+        table.values.reserve(runs);
         table
     }
 
@@ -76,19 +78,30 @@ impl SampleTable {
         let run = self.inputs.len();
         match outcome {
             Ok(values) => {
-                if values.len() != self.columns {
-                    return Err(TableError::WrongColumns { run, found: values.len(), expected: self.columns });
+                let expected = self.columns();
+                if values.len() != expected {
+                    return Err(TableError::WrongColumns { run, found: values.len(), expected });
                 }
-                self.values.extend_from_slice(values);
+                self.values.push(values.iter().copied());
                 self.failures.push(None);
             }
             Err(failure) => {
-                self.values.resize(self.values.len() + self.columns, f64::NAN);
+                self.values.push(std::iter::repeat_n(f64::NAN, self.columns()));
                 self.failures.push(Some(failure));
             }
         }
-        self.inputs.push(inputs);
+        Arc::make_mut(&mut self.inputs).push(inputs);
         Ok(())
+    }
+
+    /// The same runs with a single column in place of theirs: what `of` makes of each row.
+    pub(crate) fn with_one_column(&self, of: impl Fn(&[f64]) -> f64) -> Self {
+        let mut values = Rows::new(1, None);
+        for run in 0..self.len() {
+            let is_finished = self.failures[run].is_none();
+            values.push(std::iter::once(if is_finished { of(self.values(run)) } else { f64::NAN }));
+        }
+        Self { inputs: Arc::clone(&self.inputs), failures: self.failures.clone(), values, beside: Beside::default() }
     }
 
     /// Rounds that the runs were made in, which is the number of the next one.
@@ -108,7 +121,7 @@ impl SampleTable {
 
     /// Number of columns of the response.
     pub fn columns(&self) -> usize {
-        self.columns
+        self.values.columns()
     }
 
     /// Inputs of all runs.
@@ -118,7 +131,12 @@ impl SampleTable {
 
     /// Columns of run `run`, not numbers where it failed.
     pub fn values(&self, run: usize) -> &[f64] {
-        &self.values[run * self.columns..(run + 1) * self.columns]
+        self.values.row(run)
+    }
+
+    /// The file that takes what is gathered from the columns, where there is one.
+    pub(crate) fn scratch(&self) -> Option<&Scratch> {
+        self.values.scratch()
     }
 
     /// Why run `run` failed, if it did.

@@ -4,10 +4,15 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::sample::{Gathering, Sample};
+use crate::data::scratch::Scratch;
 use crate::data::table::{Purpose, SampleTable};
 
 /// So many columns are gathered at once: they lie beside one another in memory, row by row.
 const COLUMNS_AT_ONCE: usize = 8;
+/// Fewer values of a point than these stay in memory: every part of a file has pages of its own, and systems allow some ten thousand.
+const LEAST_MOVED: usize = 1 << 13;
+/// So many values of a point are moved together.
+const MOST_WAITING: usize = 1 << 19;
 
 /// The samples of one point by their columns, and the number of runs that they were gathered from.
 #[derive(Debug, Clone, Default)]
@@ -51,6 +56,7 @@ impl OfPoint {
         missing: &[usize],
     ) {
         let mut gatherings = vec![Gathering::default(); COLUMNS_AT_ONCE.min(missing.len())];
+        let (mut gathered, mut waiting): (Vec<Sample>, Vec<Sample>) = (Vec::with_capacity(missing.len()), Vec::new());
         for columns in missing.chunks(COLUMNS_AT_ONCE) {
             for rows in replicates.clone() {
                 for &row in rows {
@@ -61,9 +67,17 @@ impl OfPoint {
                 }
                 gatherings.iter_mut().for_each(Gathering::end_replicate);
             }
-            let samples = columns.iter().zip(&mut gatherings).map(|(&column, own)| (column, Arc::new(own.finish())));
-            self.samples.extend(samples);
+            waiting.extend(gatherings[..columns.len()].iter_mut().map(Gathering::finish));
+            let values: usize = waiting.iter().map(|sample| sample.values().len()).sum();
+            if values >= MOST_WAITING {
+                gathered.extend(moved(std::mem::take(&mut waiting), table.scratch()));
+            }
         }
+        gathered.extend(moved(waiting, table.scratch()));
+        if let Some((first, others)) = gathered.split_first_mut() {
+            others.iter_mut().for_each(|sample| sample.share_replicates(first));
+        }
+        self.samples.extend(missing.iter().copied().zip(gathered.into_iter().map(Arc::new)));
     }
 
     /// Takes over the samples of `other` that are the same as its own: where a column does not depend on what differs between two points,
@@ -78,4 +92,19 @@ impl OfPoint {
             }
         }
     }
+}
+
+/// `samples` with their values in `scratch`, behind one another; as they are without it, where they are few or it has no room.
+fn moved(samples: Vec<Sample>, scratch: Option<&Scratch>) -> Vec<Sample> {
+    let count: usize = samples.iter().map(|sample| sample.values().len()).sum();
+    let Some(scratch) = scratch.filter(|_| count >= LEAST_MOVED) else { return samples };
+    let values: Vec<f64> = samples.iter().flat_map(|sample| sample.values().iter().copied()).collect();
+    let Ok(away) = scratch.put(&values) else { return samples };
+    let mut begin = 0;
+    let mut next = |sample: Sample| {
+        let own = begin..begin + sample.values().len();
+        begin = own.end;
+        sample.moved(away.at(own))
+    };
+    samples.into_iter().map(&mut next).collect()
 }

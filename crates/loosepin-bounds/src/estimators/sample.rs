@@ -5,14 +5,16 @@ use std::sync::{Arc, OnceLock};
 use super::in_order::in_order;
 use super::known::Known;
 use super::smooth::Smooth;
+use crate::data::scratch::{Away, Numbers};
 
 /// The values of one column that belong together, in the order of the plan.
 #[derive(Debug, Clone)]
 pub(crate) struct Sample {
-    values: Arc<[f64]>,
+    values: Numbers,
     replicate_ends: Arc<[usize]>,
     failed: usize,
-    smooth: Option<Smooth>,
+    /// Beside the sample, since most have none.
+    smooth: Option<Box<Smooth>>,
     known: Known,
     ends: OnceLock<Option<(f64, f64)>>,
 }
@@ -42,7 +44,7 @@ impl Gathering {
 
     /// The sample; what comes next belongs to another one.
     pub fn finish(&mut self) -> Sample {
-        let sample = Sample::of(self.values[..].into(), self.replicate_ends[..].into(), self.failed);
+        let sample = Sample::of(Numbers::Here(self.values[..].into()), self.replicate_ends[..].into(), self.failed);
         self.values.clear();
         self.replicate_ends.clear();
         self.failed = 0;
@@ -61,15 +63,15 @@ impl Sample {
         gathering.finish()
     }
 
-    fn of(values: Arc<[f64]>, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
+    fn of(values: Numbers, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
         Self { values, replicate_ends, failed, smooth: None, known: Known::default(), ends: OnceLock::new() }
     }
 
     /// A sample of these runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
     pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
         let values: Arc<[f64]> = self.values.iter().map(|&value| change(value)).collect();
-        let smooth = self.smooth.as_ref().map(|smooth| smooth.refitted(&values));
-        Self { smooth, ..Self::of(values, self.replicate_ends.clone(), self.failed) }
+        let smooth = self.smooth.as_ref().map(|smooth| Box::new(smooth.refitted(&values)));
+        Self { smooth, ..Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed) }
     }
 
     /// A value from each pair of this and `other`, which belong to the same runs and have failed in the same ones.
@@ -77,7 +79,7 @@ impl Sample {
         debug_assert_eq!(self.replicate_ends, other.replicate_ends, "the same runs");
         let pairs = self.values.iter().zip(&*other.values);
         let values = pairs.map(|(&a, &b)| of(a, b)).collect();
-        Self::of(values, self.replicate_ends.clone(), self.failed)
+        Self::of(Numbers::Here(values), self.replicate_ends.clone(), self.failed)
     }
 
     /// Whether `other` has the same values, to the last bit, from the same runs, and neither has polynomials: then all that is said of one
@@ -91,6 +93,19 @@ impl Sample {
             && other.smooth.is_none()
     }
 
+    /// This sample, of which nothing has been worked out, with its values at `away`, where they have been written.
+    pub fn moved(self, away: Away) -> Self {
+        debug_assert_eq!(*away, *self.values, "the same values");
+        Self { values: Numbers::Away(away), ..self }
+    }
+
+    /// Takes over the ends of the replicates of `other` where they are the same.
+    pub fn share_replicates(&mut self, other: &Self) {
+        if self.replicate_ends == other.replicate_ends {
+            self.replicate_ends = Arc::clone(&other.replicate_ends);
+        }
+    }
+
     /// What has been worked out of it so far.
     pub fn known(&self) -> &Known {
         &self.known
@@ -98,13 +113,13 @@ impl Sample {
 
     /// Its polynomials where the response is smooth in the random inputs.
     pub fn smooth(&self) -> Option<&Smooth> {
-        self.smooth.as_ref()
+        self.smooth.as_deref()
     }
 
     /// The same values, known to be smooth in the random inputs.
     pub fn with_polynomials(&self, smooth: Smooth) -> Self {
         let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
-        Self { smooth: Some(smooth), ..plain }
+        Self { smooth: Some(Box::new(smooth)), ..plain }
     }
 
     /// Finished values.

@@ -17,7 +17,7 @@ use super::random_set::RandomSet;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
 use crate::data::problem::Reading;
-use crate::data::table::{Purpose, SampleTable};
+use crate::data::table::SampleTable;
 use crate::search::measure::Measure;
 
 /// A half-width below this share of the largest is made as wide, so that round-off where a curve does not scatter is no excess.
@@ -102,17 +102,9 @@ impl BandShape {
         each.fold(0.0, |most: f64, own| if own.is_nan() || most.is_nan() { f64::NAN } else { most.max(own) })
     }
 
-    /// M of every run of the double loop in `table`, as a table of one column; `columns` are those of the curve.
+    /// M of every run in `table`, as a table of one column; `columns` are those of the curve.
     pub fn excesses(&self, table: &SampleTable, columns: &[usize]) -> SampleTable {
-        let mut excesses = SampleTable::new(1);
-        for (run, inputs) in table.inputs().iter().enumerate() {
-            if inputs.purpose == Purpose::DoubleLoop {
-                let outcome = [self.excess(table.values(run), columns)];
-                // A row of one column fits a table of one column.
-                let _ = excesses.push(inputs.clone(), table.failure(run).map_or(Ok(&outcome[..]), Err));
-            }
-        }
-        excesses
+        table.with_one_column(|values| self.excess(values, columns))
     }
 }
 

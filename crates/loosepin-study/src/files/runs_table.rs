@@ -152,7 +152,7 @@ fn write_chunk(
             chunk.typed::<Int64Type>().write_batch(&values, None, None)?;
         }
         RunData::Text(values) => {
-            let values: Vec<ByteArray> = values[rows].iter().map(|value| value.as_str().into()).collect();
+            let values: Vec<ByteArray> = values[rows].iter().map(|value| value.as_bytes().into()).collect();
             chunk.typed::<ByteArrayType>().write_batch(&values, None, None)?;
         }
     }
@@ -198,7 +198,7 @@ fn read_column(group: &dyn RowGroupReader, index: usize, data: &mut RunData) -> 
         }
         (ColumnReader::ByteArrayColumnReader(reader), RunData::Text(rows)) => {
             for value in read_values(reader)?.0 {
-                rows.push(value.as_utf8()?.to_owned());
+                rows.push(value.as_utf8()?.to_owned().into());
             }
         }
         _ => return Err(ParquetError::General(format!("column {index} has another type than the schema says"))),
