@@ -5,6 +5,7 @@ mod drawing;
 mod measured;
 mod motion_kind;
 mod spectrum;
+mod wear;
 
 use crate::repeat::Repeat;
 pub use control::{ControlHistory, Swing, SwingCourse};
@@ -16,6 +17,7 @@ pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
+pub use wear::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
@@ -79,6 +81,9 @@ pub struct SimulationRecord {
     /// Measured curves laid over the outputs; empty, and not written, where none were given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub measured: Vec<MeasuredCurve>,
+    /// Wear of the joints that wear; empty, and not written, where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub wear: Vec<JointWearRecord>,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot

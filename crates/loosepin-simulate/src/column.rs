@@ -58,6 +58,8 @@ pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
         OutputKind::Motion { of, derivative: Derivative::Acceleration } => Reading::Acceleration(of),
         OutputKind::Force { joint, component } => Reading::Force(joint, component),
         OutputKind::Effort { actuator, effort } => Reading::Effort(actuator, effort),
+        // No number of an instant.
+        OutputKind::Wear { .. } => return Vec::new(),
         OutputKind::Path(point) => {
             let coordinate = |axis| Reading::Position(Position::Point(point, axis));
             return vec![(coordinate(Axis::X), " x"), (coordinate(Axis::Y), " y")];

@@ -12,7 +12,7 @@ use super::plain::Plain;
 use super::programs::numbers;
 use super::reads::ReadLayout;
 use super::recorded::Recorded;
-use super::report::{EnergyAccount, FrictionLoss, PlaySummary};
+use super::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary};
 use super::resume::MotionState;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::PlayState;
@@ -400,6 +400,12 @@ impl<'a> Core<'a> {
             loss_j: self.state(lane, place),
         };
         self.pass.layout.watched_losses().map(loss).collect()
+    }
+
+    /// Friction paths in a lane since the start of its run, J.
+    pub fn friction_paths(&self, lane: usize) -> Vec<FrictionPath> {
+        let places = self.pass.layout.friction_path_places();
+        places.map(|(place, play)| FrictionPath { play, path_j: self.state(lane, place) }).collect()
     }
 
     /// Computes what looks inside of the step at hand need.

@@ -17,6 +17,7 @@ use super::sections::SectionRecorder;
 use super::settings::{Settings, Window};
 use super::turns::Turns;
 use super::watched::Watched;
+use super::wear::WearRecorder;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
@@ -214,6 +215,7 @@ struct Recorder<'a> {
     states: Option<BodyStates>,
     flight: FlightClock,
     sections: SectionRecorder,
+    wear: WearRecorder,
     with_forces: bool,
     has_dampers: bool,
 }
@@ -271,6 +273,7 @@ impl<'a> Recorder<'a> {
             states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
             flight: FlightClock::new(mechanism, window.start_s),
             sections,
+            wear: WearRecorder::new(mechanism, values),
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             has_dampers: mechanism.model.springs.iter().any(|spring| spring.damping.is_some()),
             columns,
@@ -503,6 +506,7 @@ impl<'a> Recorder<'a> {
             drawing: self.drawing,
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
+            wear: self.wear.records(self.mechanism, &report),
         };
         Simulation { record, states: self.states, report, failure: None }
     }
@@ -565,6 +569,7 @@ impl Observer for Recorder<'_> {
         self.record_sections(step);
         self.note_extremes(step);
         self.note_peak_forces(step);
+        self.wear.step(self.mechanism, step);
     }
 
     fn contact_begins(&mut self, onset: &Onset) {

@@ -5,7 +5,7 @@ use super::column::Arms;
 use super::depth_limit::DepthLimit;
 use super::follow::LaneFollow;
 use super::gap::{Crossing, GapJet, first_crossing};
-use super::report::PlaySummary;
+use super::report::{FrictionPath, PlaySummary};
 use super::settings::Window;
 use loosepin_mechanics::mechanism::{GapMeasure, Sample};
 
@@ -19,7 +19,7 @@ pub enum Event {
         /// Which of the two.
         crossing: Crossing,
     },
-    /// The sliding velocity passes a kink of the friction law.
+    /// The sliding velocity passes a kink of the friction law, or reverses where the joint wears.
     Kink {
         /// Index in [`loosepin_mechanics::mechanism::Mechanism::contacts`].
         contact: usize,
@@ -98,6 +98,8 @@ pub struct LaneRun {
     pub smallest_exchange_j: f64,
     /// By contact.
     pub contacts: Vec<PlaySummary>,
+    /// Friction paths at the start of the recorded part.
+    pub paths_before: Vec<FrictionPath>,
     /// By contact: how deep it may be pressed in.
     pub depth_limits: Vec<DepthLimit>,
     /// The contact the root of whose penetration is an unknown.
@@ -162,16 +164,14 @@ impl LaneRun {
         }
         for contact in (0..step.gaps.len()).filter(|&contact| step.is_closed[contact]) {
             let [start, end] = step.slidings_m_s[contact];
-            let friction = &self.sample.play_of(contact).friction;
-            let tolerance_m_s = friction.kink_tolerance_m_s();
-            for speed_m_s in friction.kink_speeds_m_s().into_iter().flatten() {
-                for level_m_s in [speed_m_s, -speed_m_s] {
-                    let (from, to) = (start - level_m_s, end - level_m_s);
-                    if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
-                        let share = from / (from - to);
-                        if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
-                            earliest = Some((Event::Kink { contact, level_m_s }, share));
-                        }
+            let play = self.sample.play_of(contact);
+            for level_m_s in play.kink_levels_m_s() {
+                let tolerance_m_s = play.kink_tolerance_m_s(level_m_s);
+                let (from, to) = (start - level_m_s, end - level_m_s);
+                if from * to < 0.0 && from.abs() > tolerance_m_s && to.abs() > tolerance_m_s {
+                    let share = from / (from - to);
+                    if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+                        earliest = Some((Event::Kink { contact, level_m_s }, share));
                     }
                 }
             }
@@ -219,6 +219,7 @@ impl LaneRun {
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
         let may_hide = step.gaps.len() > 1
             || self.sample.play_of(0).friction.acts()
+            || self.sample.play_of(0).wears
             || step.time[1].jet[0] > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -251,7 +252,7 @@ impl LaneRun {
                     };
                     search.before = (trial, value);
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
-                    (sign * value, sign * slope, self.sample.play_of(contact).friction.kink_tolerance_m_s())
+                    (sign * value, sign * slope, self.sample.play_of(contact).kink_tolerance_m_s(level_m_s))
                 }
                 Event::Stop => {
                     let [time_s, pace, _] = step.time[1].jet;

@@ -35,6 +35,8 @@ pub struct Layout {
     pub has_dampers: bool,
     /// Frictions whose own loss is an integral, behind all others: it may come out below zero.
     pub watched: Vec<Watched>,
+    /// Joints with play whose friction path ∫F_N |v_T| dt is an integral, the last ones: indices in [`Mechanism::plays`].
+    pub friction_paths: Vec<usize>,
 }
 
 /// Friction that may give back more than it took: with a memory, or by another velocity than that of the materials.
@@ -86,7 +88,19 @@ impl Layout {
         let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
         let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
         let watched = Watched::all(sample);
-        Self { freedoms, roots, bristles, joint_bristles, error_integrals, dimension, has_dampers, watched }
+        let wearing = sample.plays.iter().enumerate().filter(|(_, play)| play.wears);
+        let friction_paths = wearing.map(|(play, _)| play).collect();
+        Self {
+            freedoms,
+            roots,
+            bristles,
+            joint_bristles,
+            error_integrals,
+            dimension,
+            has_dampers,
+            watched,
+            friction_paths,
+        }
     }
 
     /// Place of the time.
@@ -99,9 +113,9 @@ impl Layout {
         self.dimension + self.integrals()
     }
 
-    /// Integrals: those of the energy account, then the losses of what is watched.
+    /// Integrals: those of the energy account, then the losses of what is watched, then friction paths.
     pub fn integrals(&self) -> usize {
-        self.account_integrals() + self.watched.len()
+        self.account_integrals() + self.watched.len() + self.friction_paths.len()
     }
 
     /// Integrals of the energy account.
@@ -113,6 +127,12 @@ impl Layout {
     pub fn watched_losses(&self) -> impl Iterator<Item = (usize, Watched)> + '_ {
         let first = self.dimension + self.account_integrals();
         self.watched.iter().enumerate().map(move |(index, watched)| (first + index, *watched))
+    }
+
+    /// Place of each friction path, with the index of its joint in [`Mechanism::plays`].
+    pub fn friction_path_places(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let first = self.dimension + self.account_integrals() + self.watched.len();
+        self.friction_paths.iter().enumerate().map(move |(index, play)| (first + index, *play))
     }
 
     /// The energy account in a state.
@@ -239,6 +259,13 @@ impl<'a, T: Real> Motion<'a, T> {
         }
     }
 
+    /// Σ F_N |v_T| over the contacts of a joint with play at the last evaluation, W.
+    #[inline(always)]
+    fn friction_path_w(&self, play: usize) -> T {
+        let contacts = self.dynamics.mechanism().contacts.iter().zip(self.dynamics.contacts());
+        contacts.filter(|(at, _)| at.play == play).fold(T::zero(), |sum, (_, force)| sum + force.friction_path_w())
+    }
+
     /// w = dt/ds and dw/ds at the last evaluation.
     #[inline(always)]
     pub fn pace(&self) -> [T; 2] {
@@ -306,6 +333,9 @@ impl<T: Real> System<T> for Motion<'_, T> {
         }
         for (place, watched) in self.layout.watched_losses() {
             slope[place] = self.own_friction_loss_w(watched) * pace;
+        }
+        for (place, play) in self.layout.friction_path_places() {
+            slope[place] = self.friction_path_w(play) * pace;
         }
     }
 }

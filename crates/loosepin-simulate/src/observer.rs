@@ -6,7 +6,7 @@ use super::projection::Projection;
 use super::resume::MotionState;
 use super::work::KinematicAccount;
 use loosepin_math::Quintic;
-use loosepin_mechanics::dynamics::{Dynamics, PlayState};
+use loosepin_mechanics::dynamics::{ContactForce, Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{IdealMotion, Sample, SampleError};
 
 /// A contact that begins.
@@ -123,12 +123,14 @@ impl<'a> Step<'_, 'a> {
 
     /// Normal force of the contact `contact` at `time_s` within the step, N.
     pub fn normal_force_n(&mut self, contact: usize, time_s: f64) -> f64 {
+        self.contact_force(contact, time_s).0.normal_n
+    }
+
+    /// Force of the contact `contact` at `time_s` within the step, with positions and velocities there.
+    pub(super) fn contact_force(&mut self, contact: usize, time_s: f64) -> (ContactForce<f64>, &Dynamics<'a, f64>) {
         self.look(time_s, false);
-        match &self.source {
-            Source::Integrated { view: motion, .. } | Source::Kinematic { motion, .. } => {
-                motion.contact_force(contact).normal_n
-            }
-        }
+        let (Source::Integrated { view: motion, .. } | Source::Kinematic { motion, .. }) = &self.source;
+        (motion.contact_force(contact), &motion.dynamics)
     }
 
     /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.
@@ -184,6 +186,12 @@ impl<'a> Step<'_, 'a> {
             }
         }
         share
+    }
+
+    /// The time over the share of the step that has passed.
+    pub(super) fn time_polynomial(&self) -> Quintic {
+        let [start, end] = &self.time;
+        Quintic::new(start.jet, end.jet, self.length)
     }
 
     /// The time and its first two derivatives over the variable of integration at the start (0) or at the end (1).

@@ -364,10 +364,8 @@ impl Pass {
 
             let place = self.reads.sliding(contact);
             let (start, end) = (starts[place], ends[place]);
-            for speed in numbers.friction.kink_speeds_m_s().into_iter().flatten() {
-                for level in [speed, -speed] {
-                    eventful = T::select(((start - level) * (end - level)).less_than(zero), one, eventful);
-                }
+            for level in numbers.kink_levels_m_s() {
+                eventful = T::select(((start - level) * (end - level)).less_than(zero), one, eventful);
             }
         }
         blocks.lane[LaneLayout::EVENTFUL] = eventful;

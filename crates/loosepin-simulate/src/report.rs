@@ -90,6 +90,15 @@ pub struct FrictionLoss {
     pub loss_j: f64,
 }
 
+/// The friction path of a joint with play over the recorded part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionPath {
+    /// The joint: its index in [`loosepin_mechanics::mechanism::Mechanism::plays`].
+    pub play: usize,
+    /// W = ∫F_N |v_T| dt, J.
+    pub path_j: f64,
+}
+
 /// Report of a finished run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunReport {
@@ -101,6 +110,8 @@ pub struct RunReport {
     pub energy: Option<EnergyAccount>,
     /// Of the joints whose friction may give more than it takes: with a memory, or by the literal sliding velocity.
     pub friction_losses: Vec<FrictionLoss>,
+    /// Of the joints with play that wear.
+    pub friction_paths: Vec<FrictionPath>,
     /// Of what was followed.
     pub findings: Findings,
 }

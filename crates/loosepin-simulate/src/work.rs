@@ -6,7 +6,7 @@ use loosepin_mechanics::dynamics::MechanicalEnergy;
 use loosepin_mechanics::mechanism::{IdealMotion, SampleError};
 
 /// Nodes and weights of Gauss and Legendre's rule with five points over [0, 1]: exact for polynomials up to the ninth degree.
-const NODES: [(f64, f64); 5] = [
+pub(super) const NODES: [(f64, f64); 5] = [
     (0.046_910_077_030_668_004, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
     (0.5, 0.284_444_444_444_444_44),

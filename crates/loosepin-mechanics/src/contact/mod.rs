@@ -27,6 +27,7 @@ mod film;
 #[cfg(test)]
 mod free_impact;
 mod friction;
+mod hertz_line;
 mod line;
 mod linear;
 mod normal;
@@ -43,6 +44,7 @@ pub use film::{
 pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };
+pub use hertz_line::{LinePatch, share_below};
 pub use line::{LINE_LAWS, LineLaw, LinePair};
 pub use linear::{LINEAR_LAWS, LinearLaw};
 pub use normal::{

@@ -109,7 +109,7 @@ impl<T: Real> PlayMotion<T> {
             result.on_journal_n += push_n;
             result.moment_on_bearing_n_m = -contact.reaches_m[0].cross(result.on_journal_n);
         }
-        if play.friction.acts() {
+        if play.friction.acts() || play.wears {
             let Sliding { sliding_m_s, material_m_s, arms_m } = match &play.shape {
                 PlayShape::Pin { bearing_radius_m } => {
                     pin::sliding(self, play, *bearing_radius_m, tangent, penetration_m)
@@ -121,22 +121,24 @@ impl<T: Real> PlayMotion<T> {
                     Sliding { sliding_m_s: T::zero(), material_m_s: T::zero(), arms_m: [T::zero(); 2] }
                 }
             };
-            let friction_n = match unknowns.bristle_m {
-                None => play.friction.force_n(sliding_m_s, normal_n),
-                Some(bristle_m) => {
-                    let friction = play.friction.force_with_bristle(sliding_m_s, normal_n, bristle_m);
-                    result.bristle_rate_m_s = friction.rate_m_s;
-                    friction.force_n
-                }
-            };
             result.sliding_m_s = sliding_m_s;
-            result.on_journal_n += tangent * friction_n;
-            result.moment_on_journal_n_m = arms_m[1] * friction_n;
-            match play.shape {
-                PlayShape::Slot(_) => result.moment_on_bearing_n_m -= arms_m[0] * friction_n,
-                _ => result.moment_on_bearing_n_m = -(arms_m[0] * friction_n),
+            if play.friction.acts() {
+                let friction_n = match unknowns.bristle_m {
+                    None => play.friction.force_n(sliding_m_s, normal_n),
+                    Some(bristle_m) => {
+                        let friction = play.friction.force_with_bristle(sliding_m_s, normal_n, bristle_m);
+                        result.bristle_rate_m_s = friction.rate_m_s;
+                        friction.force_n
+                    }
+                };
+                result.on_journal_n += tangent * friction_n;
+                result.moment_on_journal_n_m = arms_m[1] * friction_n;
+                match play.shape {
+                    PlayShape::Slot(_) => result.moment_on_bearing_n_m -= arms_m[0] * friction_n,
+                    _ => result.moment_on_bearing_n_m = -(arms_m[0] * friction_n),
+                }
+                result.friction_loss_w = -(friction_n * material_m_s);
             }
-            result.friction_loss_w = -(friction_n * material_m_s);
         }
         if let Some(film) = &play.film {
             film::add(self, film, play.clearance_m, &mut result);

@@ -1,6 +1,6 @@
 //! Motion, unknowns and force of one contact.
 
-use loosepin_math::Vec2;
+use loosepin_math::{Real, Vec2};
 
 /// The root u = √δ of a penetration as an unknown of its own, for contact that is smooth from its beginning to its end.
 #[derive(Debug, Clone, Copy)]
@@ -75,13 +75,21 @@ pub struct ContactForce<T> {
     pub penetration_rate_m_s: T,
     /// Rate ż of the deflection of the bristles, m/s; zero without any.
     pub bristle_rate_m_s: T,
-    /// Sliding velocity v_T that friction goes by, m/s; zero where there is no friction.
+    /// Sliding velocity v_T that friction goes by, m/s; zero where there is neither friction nor wear.
     pub sliding_m_s: T,
     /// Normal force here over that of the contact's law: one but for the ends of a slot, which are stiffer, and the edges of a guide, on
     /// which the block leans.
     pub force_share: T,
     /// Abscissa of the corner along the guide's line, m; zero but for a slider.
     pub along_m: T,
+}
+
+impl<T: Real> ContactForce<T> {
+    /// F_N |v_T|, W: what the contact adds to the friction path ∫F_N |v_T| dt. A contact that pulls does not wear.
+    #[inline(always)]
+    pub fn friction_path_w(&self) -> T {
+        self.normal_n.max(T::zero()) * self.sliding_m_s.abs()
+    }
 }
 
 /// The gap function of a contact, positive in contact, and the second derivative of the penetration.

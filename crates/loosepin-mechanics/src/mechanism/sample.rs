@@ -40,6 +40,8 @@ pub struct PlayGeometry<T> {
     pub film: Option<Film<T>>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
+    /// Whether its friction path ∫F_N |v_T| dt is integrated, because it wears.
+    pub wears: bool,
     /// Floor v_min of the impact speed, m/s.
     pub minimum_impact_speed_m_s: T,
     /// Impact speed beyond which the law is not meant to hold, m/s; infinite where no density is given.
@@ -50,8 +52,29 @@ pub struct PlayGeometry<T> {
 
 numbers!(struct PlayGeometry {
     bearing_arm_m, journal_arm_m, shape, clearance_m, normal, friction, film, minimum_impact_speed_m_s;
-    sliding_velocity, largest_valid_impact_speed_m_s, delivered_restitution
+    sliding_velocity, wears, largest_valid_impact_speed_m_s, delivered_restitution
 });
+
+/// Sliding velocity of a wearing joint up to which |v_T| counts as zero, m/s: by then nothing is worn.
+const REVERSAL_TOLERANCE_M_S: f64 = 1e-8;
+
+impl<T: Real> PlayGeometry<T> {
+    /// Sliding velocities at which what is integrated has a kink while the contact is closed, m/s: those of the friction law, in both
+    /// directions, and zero where the joint wears.
+    #[inline(always)]
+    pub fn kink_levels_m_s(&self) -> impl Iterator<Item = T> {
+        let of_friction = self.friction.kink_speeds_m_s().into_iter().flatten().flat_map(|speed| [speed, -speed]);
+        of_friction.chain(self.wears.then(T::zero))
+    }
+}
+
+impl PlayGeometry<f64> {
+    /// Difference of sliding velocities below which a kink at `level_m_s` counts as met, m/s.
+    pub fn kink_tolerance_m_s(&self, level_m_s: f64) -> f64 {
+        let of_friction_m_s = self.friction.kink_tolerance_m_s();
+        if level_m_s == 0.0 && self.wears { of_friction_m_s.min(REVERSAL_TOLERANCE_M_S) } else { of_friction_m_s }
+    }
+}
 
 /// The numbers of one sample: the ideal mechanism, the real one, its contacts, springs, loads and drives.
 #[derive(Debug, Clone)]
@@ -258,6 +281,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         .as_ref()
         .map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
+        wears: model.joints[joint.0].wear.is_some(),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
         delivered_restitution: delivered(&normal, contact, values),
@@ -288,6 +312,7 @@ fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Opti
         friction: FrictionLaw::None,
         film: None,
         sliding_velocity: SlidingVelocity::Material,
+        wears: false,
         minimum_impact_speed_m_s: number(contact.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
         delivered_restitution: delivered(&normal, contact, values),

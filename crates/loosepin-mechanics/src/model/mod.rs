@@ -29,6 +29,7 @@ mod sizes;
 mod spring;
 mod table_curve;
 mod topology;
+mod wear;
 
 pub use control::{Control, FeedForward};
 pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
@@ -59,3 +60,4 @@ pub use topology::{
     Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
     SlotClearance, Stiffness,
 };
+pub use wear::{JointWear, WearLife, WearMeasure, WearPressure};

@@ -1,5 +1,6 @@
 //! Outputs: what a run measures.
 
+use super::wear::WearMeasure;
 use super::ids::{Actuator, Axis, BodyId, JointId, PointId};
 use loosepin_text::units::{Dimension, ReadableUnit};
 
@@ -40,6 +41,13 @@ pub enum OutputKind {
     },
     /// Path of a point: two columns, x and y, m.
     Path(Relative<PointId>),
+    /// Wear of a joint after all cycles: one number of a run, without a history.
+    Wear {
+        /// The joint.
+        joint: JointId,
+        /// Which measure.
+        measure: WearMeasure,
+    },
 }
 
 /// A coordinate of a point or the angle of a body.
@@ -117,6 +125,7 @@ impl OutputKind {
             Self::Path(_) => Dimension::LENGTH,
             Self::Force { .. } => Dimension::FORCE,
             Self::Effort { effort, .. } => effort.dimension(),
+            Self::Wear { measure, .. } => measure.dimension(),
         }
     }
 }

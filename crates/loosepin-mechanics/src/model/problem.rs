@@ -103,6 +103,18 @@ problems! {
         FilmNeedsLength { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'contact' needs 'bearing_length'"),
             hint("the contact has a film of oil, whose force depends on the length of the bearing");
+        NothingWears { entry: String } => Code::MissingKey,
+            says("{entry}: neither 'bearing' nor 'journal' has a coefficient"),
+            hint("for example bearing = {{ coefficient = \"1e-15 m^2/N\" }}");
+        WearByLiteral { entry: String, contact: String } => Code::ConflictingKeys,
+            says("{entry} cannot be used with contact '{contact}', whose sliding_velocity is \"literal\""),
+            hint("wear goes by the sliding of the materials: write sliding_velocity = \"material\"");
+        WearNeedsMaterials { entry: String, contact: String } => Code::ConflictingKeys,
+            says("{entry}: Hertz's pressure needs the materials of contact '{contact}', whose stiffness is given"),
+            hint("give youngs_modulus and poisson_ratio in place of the stiffness, or write pressure = \"concentrated\"");
+        DoesNotWear { entry: String, joint: String } => Code::UnknownReference,
+            says("{entry}: joint '{joint}' does not wear"),
+            hint("give it [joint.{joint}.wear]");
         /// A key without effect in this combination.
         KeyWithoutEffect { entry: String, key: &'static str, beside: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' cannot be used with '{beside}'");

@@ -10,6 +10,7 @@ use super::load::Load;
 use super::output::Output;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
+use super::wear::{JointWear, WearLife};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -48,6 +49,8 @@ pub struct Model {
     pub initial: Vec<InitialValue>,
     /// The part of the motion that is run and recorded.
     pub cycle: Cycle,
+    /// For how long wear is stated; none where no joint wears.
+    pub wear: Option<WearLife>,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
     /// Warnings: entries that are allowed and yet look like an oversight.
@@ -128,6 +131,8 @@ pub struct Joint {
     pub kind: JointKind,
     /// Friction of an ideal revolute or prismatic joint.
     pub friction: Option<JointFriction>,
+    /// Wear of a revolute joint.
+    pub wear: Option<JointWear>,
 }
 
 /// Friction of an ideal joint.

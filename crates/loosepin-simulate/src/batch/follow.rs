@@ -13,6 +13,7 @@ impl Batch<'_> {
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
         let Some(run) = &mut self.runs[lane] else { return };
         run.is_recorded = true;
+        run.paths_before = self.core.friction_paths(lane);
         self.core.set_number(lane, LaneLayout::IS_RECORDED, 1.0);
         let core = &mut self.core;
         run.follow.begin(&self.follow, time_s, |place, number| core.set_followed(lane, place, number));

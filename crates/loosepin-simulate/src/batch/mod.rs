@@ -27,7 +27,7 @@ use crate::pace::{energy_at_pace_j, fastest_drive_rad_s, pace_of_start_rad_s};
 use crate::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
-use crate::report::{Counters, PlaySummary, RunReport, smallest_exchange_j};
+use crate::report::{Counters, FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::{Settings, Window};
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
@@ -195,6 +195,7 @@ impl<'a> Batch<'a> {
             events: 0,
             smallest_exchange_j: smallest_exchange_j(&at_start),
             contacts: vec![PlaySummary::default(); self.mechanism.contacts.len()],
+            paths_before: Vec::new(),
             root: None,
         });
         for (place, number) in [
@@ -507,6 +508,7 @@ impl<'a> Batch<'a> {
             plays,
             energy: Some(self.core.account(lane)),
             friction_losses: self.core.friction_losses(lane, &run.sample),
+            friction_paths: recorded_paths(self.core.friction_paths(lane), &run.paths_before),
             findings,
         };
         self.finish(lane, Ok(report), queue);
@@ -547,6 +549,14 @@ impl<'a> Batch<'a> {
             self.is_root[contact] = is_root;
         }
     }
+}
+
+/// Friction paths over the recorded part: those at its end without those before.
+fn recorded_paths(mut at_end: Vec<FrictionPath>, before: &[FrictionPath]) -> Vec<FrictionPath> {
+    for (path, before) in at_end.iter_mut().zip(before) {
+        path.path_j -= before.path_j;
+    }
+    at_end
 }
 
 /// The lanes that are flagged.

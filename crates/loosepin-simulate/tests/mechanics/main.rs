@@ -13,3 +13,4 @@ mod lanes;
 mod outputs;
 mod slot_play;
 mod spectra;
+mod wear;

@@ -6,7 +6,9 @@ pub(super) mod drive;
 pub(super) mod load;
 pub(super) mod spring;
 mod table;
+pub(super) mod wear;
 
+use crate::model::wear::WearMeasure;
 use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use control::CONTROL_KEYS;
 use coupling::{CAM_KEYS, COUPLING_KINDS};
@@ -15,6 +17,7 @@ use load::LOAD_KINDS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 use spring::SPRING_KINDS;
+use wear::{JOINT_WEAR, LIFE_KEYS};
 
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 const POINTS_DOC: &str = "named points in the frame of the body";
@@ -289,6 +292,7 @@ static REVOLUTE_KEYS: Keys = Keys::new(
             "\"8 mm\"",
             "radius of the pin, at whose surface friction acts",
         ),
+        JOINT_WEAR,
     ],
 );
 
@@ -516,7 +520,7 @@ pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
 );
 
 /// Quantities that an output may measure.
-pub(in crate::model) const MEASURES: [&str; 11] = [
+pub(in crate::model) const MEASURES: [&str; 12] = [
     "position_of",
     "velocity_of",
     "acceleration_of",
@@ -528,7 +532,19 @@ pub(in crate::model) const MEASURES: [&str; 11] = [
     "force_of",
     "power_of",
     "path_of",
+    "wear_of",
 ];
+
+/// Components of forces, then measures of wear.
+const COMPONENTS: [&str; 8] = {
+    let mut words = ["x", "y", "magnitude", "", "", "", "", ""];
+    let mut measure = 0;
+    while measure < WearMeasure::ALL.len() {
+        words[3 + measure] = WearMeasure::ALL[measure].word();
+        measure += 1;
+    }
+    words
+};
 
 pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
     "a column of the results",
@@ -559,6 +575,12 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
             "the power that a drive or control supplies",
         ),
         optional(MEASURES[10], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
+        optional(
+            MEASURES[11],
+            Kind::Reference("joint"),
+            "\"joint.gudgeon\"",
+            "the wear of a joint after all cycles: one number of a run",
+        ),
         optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground, or of the body of relative_to"),
         optional(
             "relative_to",
@@ -566,7 +588,7 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
             "\"crank.pin\"",
             "what a motion is seen from: a point of a body, or for angles a body; the ground if left out",
         ),
-        optional("component", Kind::Choice(&["x", "y", "magnitude"]), "\"magnitude\"", "the component of a force"),
+        optional("component", Kind::Choice(&COMPONENTS), "\"magnitude\"", "the component of a force, or the measure of wear"),
         optional(
             "unit",
             Kind::Unit,
@@ -635,6 +657,7 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
+        optional("wear", Kind::Table(&LIFE_KEYS), "", "for how long the wear of joints is stated, under [wear]"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "the turns to run and to record, under [cycle]"),
         optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),
     ],

@@ -8,6 +8,7 @@ use crate::model::keys::{GUIDE_KEYS, JOINT_FRICTION_KEYS, JOINT_KINDS, SLIDER_KE
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use crate::model::topology::{Clearance, Joint, JointFriction, JointKind};
+use crate::model::wear::JointWear;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Table};
 use loosepin_text::units::{Dimension, Op, Rule};
@@ -18,20 +19,27 @@ impl ModelReader {
         for entry in self.reader.named(entry, "a joint") {
             self.remember(&entry);
             let kind = self.joint_kind(&entry);
-            let id = kind.map(|(kind, friction)| {
-                self.joints.push(Joint { name: entry.name.to_owned(), kind, friction });
+            let id = kind.map(|(kind, friction, wear)| {
+                self.joints.push(Joint { name: entry.name.to_owned(), kind, friction, wear });
                 JointId(self.joints.len() - 1)
             });
             self.joint_names.push((entry.name.to_owned(), id));
         }
     }
 
-    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>)> {
+    fn joint_kind(&mut self, entry: &Entry<'_>) -> Option<(JointKind, Option<JointFriction>, Option<JointWear>)> {
         let (kind, table) = self.table_of_kind(entry, JOINT_KINDS)?;
+        let mut wear = Some(None);
         let (kind, friction) = match kind {
             "revolute" => {
                 let friction = self.joint_friction(&table, "pin_radius");
-                (self.revolute(&table), friction)
+                let kind = self.revolute(&table);
+                let clearance = match &kind {
+                    Some(JointKind::Revolute { clearance, .. }) => clearance.as_ref(),
+                    _ => None,
+                };
+                wear = self.joint_wear(&table, clearance);
+                (kind, friction)
             }
             "prismatic" => {
                 let friction = self.joint_friction(&table, "guide_length");
@@ -40,7 +48,7 @@ impl ModelReader {
             "slot" => (self.slot(&table), Some(None)),
             _ => (self.rigid(&table), Some(None)),
         };
-        let (kind, friction) = kind.zip(friction)?;
+        let ((kind, friction), wear) = kind.zip(friction).zip(wear)?;
         if kind.play().is_some() && friction.is_some() {
             let beside = [RADIAL, DIAMETRAL].into_iter().find(|key| table.has(key)).unwrap_or("clearance");
             let problem = ModelProblem::KeyWithoutEffect { entry: entry.path.describe(), key: "friction", beside };
@@ -48,7 +56,7 @@ impl ModelReader {
         }
         let [first, second] = kind.bodies();
         if first != second {
-            return Some((kind, friction));
+            return Some((kind, friction, wear));
         }
         let body = self.bodies[first.0].name.clone();
         self.reader.refuse(&ModelProblem::SameBody { entry: entry.path.describe(), body }, entry.key_span)

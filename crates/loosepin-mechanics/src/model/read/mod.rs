@@ -20,6 +20,7 @@ mod spring;
 mod table_points;
 mod unitless;
 mod warm;
+mod wear;
 
 use crate::model::ids::BodyId;
 use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
@@ -116,6 +117,7 @@ impl ModelReader {
             Some(entry) => self.read_initial(&entry),
             None => self.initial_of_controls(),
         };
+        let wear = self.read_life(root);
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();
@@ -135,6 +137,7 @@ impl ModelReader {
                 guesses,
                 initial,
                 cycle,
+                wear,
                 outputs,
                 warnings: self.warnings,
                 source: self.reader.source,
@@ -168,6 +171,9 @@ impl ModelReader {
         paths.extend(self.parameters.unused().map(|name| format!("parameter.{name}")));
         if self.has_temperature_rise && !self.uses_temperature_rise {
             paths.push("temperature_rise".to_owned());
+        }
+        if self.places.contains_key("wear") && !self.uses_life {
+            paths.push("wear".to_owned());
         }
         for path in paths {
             let written = self.quantities.id(&path).and_then(|id| self.quantities[id].span);

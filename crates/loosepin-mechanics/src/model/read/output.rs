@@ -5,6 +5,7 @@ use crate::model::ids::{Actuator, Axis, BodyId, PointId};
 use crate::model::keys::{MEASURES, OUTPUT_KEYS};
 use crate::model::output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
 use crate::model::problem::ModelProblem;
+use crate::model::wear::WearMeasure;
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
 
@@ -37,7 +38,7 @@ impl ModelReader {
         if !is_of_point {
             self.refuse_beside(table, "along", measure);
         }
-        if measure != "force_in" {
+        if !matches!(measure, "force_in" | "wear_of") {
             self.refuse_beside(table, "component", measure);
         }
         if moves.is_none() && measure != "path_of" {
@@ -61,6 +62,18 @@ impl ModelReader {
                 let name = text.strip_prefix("joint.").unwrap_or(text);
                 let joint = self.named(&entry, "joint", name, |file| &file.joint_names)?;
                 Some(OutputKind::Force { joint, component: component? })
+            }
+            "wear_of" => {
+                let measures = WearMeasure::ALL.map(|measure| (measure.word(), measure));
+                let component = self.beside(table, "component", measure, "\"bearing_volume\"", &measures);
+                let text = self.reader.text(&entry)?;
+                let name = text.strip_prefix("joint.").unwrap_or(text).to_owned();
+                let joint = self.named(&entry, "joint", &name, |file| &file.joint_names)?;
+                if self.joints[joint.0].wear.is_none() {
+                    let problem = ModelProblem::DoesNotWear { entry: entry.path.describe(), joint: name };
+                    return self.reader.refuse(&problem, entry.span);
+                }
+                Some(OutputKind::Wear { joint, measure: component? })
             }
             "torque_of" => self.effort(&entry, Effort::Torque),
             "force_of" => self.effort(&entry, Effort::Force),
@@ -155,10 +168,10 @@ impl ModelReader {
         match table.get(key) {
             Some(entry) => self.reader.choice(&entry, choices),
             None => {
-                let doc = if measure == "force_in" {
-                    "the component of the force"
-                } else {
-                    "the axis of the ground, or of the body of relative_to"
+                let doc = match measure {
+                    "force_in" => "the component of the force",
+                    "wear_of" => "the measure of wear",
+                    _ => "the axis of the ground, or of the body of relative_to",
                 };
                 let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
                 self.reader.refuse(&problem, table.span)

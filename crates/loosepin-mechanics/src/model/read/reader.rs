@@ -42,6 +42,8 @@ pub(super) struct ModelReader {
     pub has_temperature_rise: bool,
     /// Whether a body takes it.
     pub uses_temperature_rise: bool,
+    /// Whether a joint wears for as long as `[wear]` says.
+    pub uses_life: bool,
     /// Shares by which bodies are longer than their drawings.
     pub elongations: HashMap<BodyId, QuantityId>,
     pub contact_names: NamesOf<ContactId>,
@@ -80,6 +82,7 @@ impl ModelReader {
             temperature_rise_k: None,
             has_temperature_rise: false,
             uses_temperature_rise: false,
+            uses_life: false,
             elongations: HashMap::new(),
             bodies: vec![ground],
             contact_names: Vec::new(),

@@ -128,6 +128,7 @@ pub fn worn_pin() -> SimulationRecord {
         drawing: drawing(&sample, true),
         quasi_static_check: Vec::new(),
         measured: Vec::new(),
+        wear: Vec::new(),
         time_s,
     }
 }

@@ -1,0 +1,147 @@
+//! The friction path of wearing joints by sectors, step by step of a run.
+
+use super::joint::WearingJoint;
+use super::profile::{Pressed, WearProfile};
+use crate::observer::Step;
+use crate::work::NODES;
+use loosepin_math::Vec2;
+use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Values;
+
+/// Halvings that locate where an ideal joint turns back, within a step.
+const HALVINGS: usize = 48;
+
+/// Takes the steps of a recorded part into the profiles of all wearing joints: Gauss's rule over each step in contact, on its dense
+/// output. Steps end where v_T of a joint with play reverses; those of ideal joints are cut there.
+#[derive(Debug, Clone)]
+pub struct WearRecorder {
+    /// The joints.
+    pub joints: Vec<WearingJoint>,
+    /// Of each, what its recorded part has worn so far.
+    pub profiles: Vec<WearProfile>,
+    /// Slots of bearing body and journal body, in the real tree.
+    slots: Vec<[usize; 2]>,
+}
+
+impl WearRecorder {
+    /// Nothing worn yet.
+    pub fn new(mechanism: &Mechanism, values: &Values) -> Self {
+        let joints = WearingJoint::all(mechanism, values);
+        let slots_of = |joint: &WearingJoint| {
+            let bodies = mechanism.model.joints[joint.joint.0].kind.bodies();
+            bodies.map(|body| mechanism.real.slot_of_body[body.0])
+        };
+        Self {
+            profiles: joints.iter().map(WearProfile::new).collect(),
+            slots: joints.iter().map(slots_of).collect(),
+            joints,
+        }
+    }
+
+    /// Whether no joint wears.
+    pub fn is_empty(&self) -> bool {
+        self.joints.is_empty()
+    }
+
+    /// Takes a step in.
+    pub fn step(&mut self, mechanism: &Mechanism, step: &mut Step<'_, '_>) {
+        for (index, joint) in self.joints.iter().enumerate() {
+            let profile = &mut self.profiles[index];
+            match joint.play {
+                Some(play) => {
+                    // A pin touches its hole at one place.
+                    for contact in mechanism.contacts_of(play) {
+                        if !step.is_in_contact(contact) {
+                            continue;
+                        }
+                        for (time_s, weight_s) in gauss_points(step, [0.0, 1.0]) {
+                            let pressed = with_play(step, (contact, play), self.slots[index], (time_s, weight_s));
+                            profile.add(joint, &pressed);
+                        }
+                    }
+                }
+                None => {
+                    for part in parts(step, self.slots[index]) {
+                        for (time_s, weight_s) in gauss_points(step, part) {
+                            let pressed = ideal(step, joint, self.slots[index], (time_s, weight_s));
+                            profile.add(joint, &pressed);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Points of Gauss's rule between two shares of a step: their times, s, and the times that they stand for, s.
+fn gauss_points(step: &Step<'_, '_>, [from, to]: [f64; 2]) -> [(f64, f64); NODES.len()] {
+    let time = step.time_polynomial();
+    NODES.map(|(node, weight)| {
+        let share = from + node * (to - from);
+        (time.value(share), weight * (to - from) * time.slope(share))
+    })
+}
+
+/// A joint with play.
+fn with_play(
+    step: &mut Step<'_, '_>,
+    (contact, play): (usize, usize),
+    slots: [usize; 2],
+    (time_s, weight_s): (f64, f64),
+) -> Pressed {
+    let (force, dynamics) = step.contact_force(contact, time_s);
+    Pressed {
+        normal_rad: angle(dynamics.plays()[play].eccentricity_m),
+        bodies_rad: angles(dynamics, slots),
+        force_n: force.normal_n.max(0.0),
+        path_j: force.friction_path_w() * weight_s,
+    }
+}
+
+/// An ideal joint: its pin is pressed against the side that its force comes from, and slides by R_i (ω_j - ω_i).
+fn ideal(
+    step: &mut Step<'_, '_>,
+    joint: &WearingJoint,
+    slots: [usize; 2],
+    (time_s, weight_s): (f64, f64),
+) -> Pressed {
+    let dynamics = step.evaluate(time_s);
+    let force_n = dynamics.joint_force_n(joint.joint);
+    let length_n = force_n.length();
+    Pressed {
+        normal_rad: angle(-force_n),
+        bodies_rad: angles(dynamics, slots),
+        force_n: length_n,
+        path_j: length_n * joint.radii_m[0] * turning_rad_s(dynamics, slots).abs() * weight_s,
+    }
+}
+
+/// The shares of a step between which an ideal joint turns one way.
+fn parts(step: &mut Step<'_, '_>, slots: [usize; 2]) -> Vec<[f64; 2]> {
+    let time = step.time_polynomial();
+    let mut turning = |share: f64| turning_rad_s(step.set_state(time.value(share)), slots);
+    let (first, last) = (turning(0.0), turning(1.0));
+    if !(first * last < 0.0) {
+        return vec![[0.0, 1.0]];
+    }
+    let [mut low, mut high] = [0.0, 1.0];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if turning(middle) * first > 0.0 { low = middle } else { high = middle }
+    }
+    vec![[0.0, high], [high, 1.0]]
+}
+
+fn turning_rad_s(dynamics: &Dynamics<'_, f64>, [bearing, journal]: [usize; 2]) -> f64 {
+    let twists = &dynamics.kinematics.twists;
+    twists[journal].angular - twists[bearing].angular
+}
+
+fn angles(dynamics: &Dynamics<'_, f64>, slots: [usize; 2]) -> [f64; 2] {
+    slots.map(|slot| dynamics.kinematics.poses[slot].angle_rad)
+}
+
+fn angle(vector: Vec2<f64>) -> f64 {
+    vector.y.atan2(vector.x)
+}
