@@ -569,7 +569,7 @@ impl Observer for Recorder<'_> {
         self.record_sections(step);
         self.note_extremes(step);
         self.note_peak_forces(step);
-        self.wear.step(self.mechanism, step);
+        self.wear.step(step);
     }
 
     fn contact_begins(&mut self, onset: &Onset) {

@@ -7,7 +7,7 @@ use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings,
-    Step, Window, conduct,
+    Step, WearRecorder, Window, conduct,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -67,7 +67,8 @@ impl StudyResponse {
         };
         let followed = self.shared.followed(curve.clone(), &window, turn_s);
         let references = References { own, curve, nominal, nominal_window: self.nominal_window };
-        let recorder = Recorder::new(&self.shared, arms.clone(), references, &window, turn_s);
+        let wear = self.shared.needs_wear.then(|| WearRecorder::new(mechanism, &values));
+        let recorder = Recorder::new(&self.shared, (arms.clone(), wear), references, &window, turn_s);
         let contacts = sample
             .plays
             .iter()
@@ -113,7 +114,7 @@ impl StudyResponse {
     /// The row of a finished run.
     fn row(&self, mut run: StudyRun<'_>, report: &RunReport) -> Result<Vec<f64>, RunFailure> {
         report.check_energy(&self.mechanism().model)?;
-        run.recorder.finish(&report.findings);
+        run.recorder.finish(report);
         if let Some(failure) = run.recorder.failure.take() {
             return Err(failure.into());
         }

@@ -1,6 +1,6 @@
 //! What a study can ask about: the columns of its model, and the errors of its paths.
 
-use loosepin_mechanics::model::{Model, OutputKind};
+use loosepin_mechanics::model::{JointId, Model, OutputKind, WearMeasure};
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Reading, columns, relative_words};
 use loosepin_text::units::{Dimension, SiUnit};
@@ -33,16 +33,19 @@ pub enum Seen {
     Reading(Reading),
     /// A part of the error of a point from its ideal path; x and y of the point.
     Path([Reading; 2], PathError),
+    /// The wear of a joint after all cycles: one number of a run.
+    Wear(JointId, WearMeasure),
 }
 
 impl Seen {
     /// The readings that it is made of.
     pub fn readings(&self) -> impl Iterator<Item = Reading> + use<> {
         let (first, second) = match *self {
-            Self::Reading(reading) => (reading, None),
-            Self::Path([x, y], _) => (x, Some(y)),
+            Self::Reading(reading) => (Some(reading), None),
+            Self::Path([x, y], _) => (Some(x), Some(y)),
+            Self::Wear(..) => (None, None),
         };
-        std::iter::once(first).chain(second)
+        first.into_iter().chain(second)
     }
 }
 
@@ -75,6 +78,18 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 unit: column.unit.clone(),
                 dimension,
                 seen: Seen::Reading(column.reading),
+            });
+        }
+        if let OutputKind::Wear { joint, measure } = output.kind {
+            outputs.push(StudyOutput {
+                output: index,
+                name: output.name.clone(),
+                component: None,
+                words: format!("{} of {}", measure.words(), model.joints[joint.0].name),
+                point: None,
+                unit: SiUnit::of_dimension(dimension),
+                dimension,
+                seen: Seen::Wear(joint, measure),
             });
         }
         if let (OutputKind::Path(point), [x, y]) = (&output.kind, &own[..]) {

@@ -8,10 +8,12 @@ use super::outputs::Seen;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
+use loosepin_mechanics::model::{JointId, WearMeasure};
 use loosepin_result::study::PathError;
 use loosepin_simulate::{
-    Arms, DeviationRange, Findings, Follow, FollowedDeviation, FollowedPath, FollowedRun, FreeMotion, GAUSS,
-    IdealCurve, IdealReference, Observer, Reading, Step, Window, extremes_within, path_error, points_within,
+    Arms, DeviationRange, Follow, FollowedDeviation, FollowedPath, FollowedRun, FreeMotion, GAUSS, IdealCurve,
+    IdealReference, Observer, Reading, RunReport, Step, WearRecorder, Window, extremes_within, path_error,
+    points_within, wear_value,
 };
 use std::sync::Arc;
 
@@ -26,6 +28,8 @@ enum Origin {
     PathInstant { readings: [usize; 2], part: PathError, instant: usize },
     /// The same followed on the lanes: its index in [`Follow::paths`], and that of the part.
     FollowedPath { path: usize, part: usize, reduction: Reduction },
+    /// The wear of a joint over the whole run.
+    Wear { joint: JointId, measure: WearMeasure },
     /// A look inside a step at a pose.
     Look,
     /// A deviation that is followed by looks inside the steps: its index in [`Recorder::looked`].
@@ -47,6 +51,10 @@ pub struct Shared {
     looked: Vec<(usize, Deviation)>,
     /// Columns at poses that need a look inside a step, in the order of time.
     looks: Vec<usize>,
+    /// Whether any column is of the wear of a joint.
+    pub needs_wear: bool,
+    /// Whether any of these needs depths.
+    needs_depths: bool,
     /// Whether any column asks for a deviation from the sample's own ideal motion.
     pub needs_own_ideal: bool,
     /// Whether any of these columns is of an output without a table.
@@ -94,6 +102,7 @@ impl Shared {
             let instant = |turns: f64| instants_turns.partition_point(|&instant| instant < turns);
             let of = column.deviation;
             let followed = match plan.outputs[column.output].seen {
+                Seen::Wear(joint, measure) => Some(Origin::Wear { joint, measure }),
                 Seen::Reading(reading) => place(reading).map(|reading| match column.spot {
                     Spot::Pose { turns, .. } => Origin::Instant { reading, instant: instant(turns) },
                     Spot::Reduced(reduction) => follow_deviation(&mut follow.deviations, (reading, of), reduction),
@@ -126,7 +135,12 @@ impl Shared {
         let needs_own_ideal = of_own.clone().next().is_some();
         let is_position = |output: usize| plan.outputs[output].seen.readings().all(|reading| reading.is_position());
         let needs_own_reference = of_own.any(|column| !is_position(column.output));
+        let needs_wear = origins.iter().any(|origin| matches!(origin, Origin::Wear { .. }));
+        let needs_depths =
+            origins.iter().any(|origin| matches!(origin, Origin::Wear { measure, .. } if measure.is_depth()));
         Self {
+            needs_wear,
+            needs_depths,
             follow,
             instants_turns,
             origins,
@@ -210,6 +224,8 @@ pub struct Recorder<'r> {
     nominal_per_own: f64,
     window: Window,
     turn_s: f64,
+    /// The joints that wear, where a column is of their wear.
+    wear: Option<WearRecorder>,
     /// Of [`Shared::looks`].
     next_look: usize,
     looked: Vec<DeviationRange>,
@@ -236,7 +252,13 @@ pub struct References<'r> {
 
 impl<'r> Recorder<'r> {
     /// Ready for a run over `window` whose turns last `turn_s`.
-    pub fn new(shared: &'r Shared, arms: Arms, references: References<'r>, window: &Window, turn_s: f64) -> Self {
+    pub fn new(
+        shared: &'r Shared,
+        (arms, wear): (Arms, Option<WearRecorder>),
+        references: References<'r>,
+        window: &Window,
+        turn_s: f64,
+    ) -> Self {
         let Window { start_s, end_s } = references.nominal_window;
         Self {
             shared,
@@ -245,6 +267,7 @@ impl<'r> Recorder<'r> {
             nominal_per_own: (end_s - start_s) / (window.end_s - window.start_s),
             window: *window,
             turn_s,
+            wear,
             next_look: 0,
             looked: vec![DeviationRange::NONE; shared.looked.len()],
             turn_before: None,
@@ -255,7 +278,8 @@ impl<'r> Recorder<'r> {
     }
 
     /// Fills the columns that were followed on the lanes, and all that are reduced, once the run is over.
-    pub fn finish(&mut self, findings: &Findings) {
+    pub fn finish(&mut self, report: &RunReport) {
+        let findings = &report.findings;
         let (shared, readings) = (self.shared, self.shared.follow.readings.len());
         let span_s = self.window.end_s - self.window.start_s;
         let turns = span_s / self.turn_s;
@@ -280,9 +304,23 @@ impl<'r> Recorder<'r> {
                     reduced(&findings.paths[path][part], reduction, span_s)
                 }
                 Origin::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
+                Origin::Wear { joint, measure } => self.wear_value(joint, measure, report),
                 Origin::Look => self.values[index],
             };
         }
+    }
+
+    /// The wear of a joint.
+    fn wear_value(&self, joint: JointId, measure: WearMeasure, report: &RunReport) -> f64 {
+        let Some(wear) = &self.wear else { return f64::NAN };
+        let place = wear.joints.iter().position(|own| own.joint == joint);
+        place.map_or(f64::NAN, |place| wear_value(&wear.joints[place], measure, report, Some(&wear.profiles[place])))
+    }
+
+    /// Whether every step is looked at for wear: for depths, and of an ideal joint for its friction path too.
+    fn looks_for_wear(&self) -> bool {
+        let has_ideal = |wear: &WearRecorder| wear.joints.iter().any(|joint| joint.play.is_none());
+        self.wear.as_ref().is_some_and(|wear| self.shared.needs_depths || has_ideal(wear))
     }
 
     /// A part of the error of a point whose coordinates are the readings `own`, and which is at `actual`, at a share of the recorded part.
@@ -407,12 +445,17 @@ impl<'r> Recorder<'r> {
 impl Observer for Recorder<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         self.look_through(step);
+        if self.looks_for_wear()
+            && let Some(wear) = &mut self.wear
+        {
+            wear.step(step);
+        }
         self.look_at_poses(step);
         self.note_turn(step);
     }
 
     fn awaits_s(&self) -> f64 {
-        if !self.looked.is_empty() {
+        if !self.looked.is_empty() || self.looks_for_wear() {
             return f64::NEG_INFINITY;
         }
         let look = self.shared.looks.get(self.next_look).map(|&column| self.look_s(column));
@@ -477,7 +520,7 @@ mod tests {
     use crate::response::StudyResponse;
     use crate::texts::study_with;
     use loosepin_result::study::PathError;
-    use loosepin_simulate::Execution;
+    use loosepin_simulate::{Execution, Plan, simulate};
     use std::path::Path;
 
     /// The largest deviation of the slider in a turn that begins `transient` turns after the start, and the largest at its poses, m.
@@ -575,5 +618,85 @@ mod tests {
         let response = StudyResponse::new(&study_with("cases/slider_crank_worn_pin/study.toml", &[])).unwrap();
         let nodes = &response.shared.nominal_curve.nodes;
         assert_eq!(nodes.pieces(), [1; 96]);
+    }
+
+    /// The slider-crank whose gudgeon wears, with the wear asked for by `components`.
+    fn wear_response(components: &[&str]) -> StudyResponse {
+        const STUDY: &str = "name = \"wear\"\nmodel = \"model.toml\"\n[cycle]\ntransient_turns = 0.5\nrecorded_turns = 0.75\n\
+            [sampling]\nouter = 8\ninner = 8\ntolerance = \"1e-8 m\"\n\
+            [random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n\
+            [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n\
+            \"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }\n";
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
+        let mut texts = Study::from_path(&path).unwrap().texts();
+        let wear = "bearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\n\
+            wear.journal = { archard = 2e-6, hardness = \"2 GPa\" }\nradial_clearance";
+        texts.model.1 = texts.model.1.replacen("radial_clearance", wear, 1) + "\n[wear]\ncycles = 1e6\n";
+        let asked = |component: &&str| {
+            let output = format!("[output.{component}]\nwear_of = \"joint.gudgeon\"\ncomponent = \"{component}\"\n");
+            let ask = format!(
+                "[[ask]]\noutput = \"{component}\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n"
+            );
+            (output, ask)
+        };
+        let (outputs, asks): (Vec<String>, Vec<String>) = components.iter().map(asked).unzip();
+        texts.model.1 += &outputs.concat();
+        texts.study.1 = STUDY.to_owned() + &asks.concat();
+        StudyResponse::new(&Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))).unwrap()
+    }
+
+    const WEAR: [&str; 5] = ["friction_path", "bearing_volume", "journal_volume", "bearing_depth", "journal_depth"];
+
+    #[test]
+    fn identity_wear_has_the_same_bits_alone_and_on_lanes() {
+        let response = wear_response(&WEAR);
+        let bits = |execution| {
+            let inputs = [[1e-4, 2e-15], [3e-4, 1e-15], [5e-4, 7e-15], [2.2e-4, 3e-16]];
+            let mut next = inputs.iter().enumerate();
+            let mut rows = vec![Vec::new(); inputs.len()];
+            let next = || next.next().map(|(index, epistemic)| (index, &[0.120_01][..], &epistemic[..]));
+            response.run_all(0, execution, next, |index, row| rows[index] = row.unwrap());
+            rows.into_iter().map(|row| row[..5].iter().map(|value| value.to_bits()).collect()).collect::<Vec<Vec<u64>>>()
+        };
+        let alone = bits(Execution::Scalar);
+        assert!(alone.iter().flatten().all(|bits| f64::from_bits(*bits) > 0.0));
+        for execution in Execution::available() {
+            assert_eq!(bits(execution), alone, "{}", execution.name());
+        }
+    }
+
+    #[test]
+    fn identity_wear_of_a_study_is_that_of_a_single_run() {
+        let response = wear_response(&WEAR);
+        let mut row = vec![0.0; response.row_length()];
+        response.run(&[0.120_01], &[3e-4, 4e-15], &mut row).unwrap();
+        let values = response.values(&[0.120_01], &[3e-4, 4e-15]).unwrap();
+        let mut plan = Plan::of_model(&response.mechanism().model);
+        (plan.cycle.transient_turns, plan.cycle.recorded_turns) = (0.5, 0.75);
+        plan.settings = *response.settings();
+        let record = simulate(response.mechanism(), &values, &plan).unwrap().record;
+        let [bearing, journal] = &record.wear[0].surfaces[..] else { panic!("two surfaces") };
+        let single = [
+            record.wear[0].friction_path_j,
+            bearing.volume_m3,
+            journal.volume_m3,
+            bearing.greatest_depth_m,
+            journal.greatest_depth_m,
+        ];
+        assert_eq!(row[..5], single);
+        assert!((bearing.volume_m3 / (1e6 * 4e-15 * single[0]) - 1.0).abs() < 1e-12);
+        assert!((journal.volume_m3 / (1e6 * 1e-15 * single[0]) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn identity_volumes_alone_need_no_look_inside_steps() {
+        let [alone, beside_depths] = [&WEAR[..3], &WEAR[..]].map(|components| {
+            let response = wear_response(components);
+            let mut row = vec![0.0; response.row_length()];
+            response.run(&[0.12], &[3e-4, 4e-15], &mut row).unwrap();
+            (row[..3].to_vec(), response.extras(&row).evaluations)
+        });
+        assert_eq!(alone.0, beside_depths.0);
+        assert!(alone.1 < beside_depths.1, "{} {}", alone.1, beside_depths.1);
     }
 }

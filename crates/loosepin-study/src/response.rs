@@ -453,6 +453,8 @@ fn share_nominal(
             Seen::Reading(reading) => reading.value(&arms, dynamics),
             // The ideal motion has no error.
             Seen::Path(..) => 0.0,
+            // Wear is no number of a pose.
+            Seen::Wear(..) => f64::NAN,
         };
     }
     check_paths(&plan, &positions, &nominal_curve, span_s)?;

@@ -20,6 +20,8 @@ pub struct WearRecorder {
     pub joints: Vec<WearingJoint>,
     /// Of each, what its recorded part has worn so far.
     pub profiles: Vec<WearProfile>,
+    /// The contact of each; none of an ideal joint. A pin touches its hole at one place.
+    contacts: Vec<Option<usize>>,
     /// Slots of bearing body and journal body, in the real tree.
     slots: Vec<[usize; 2]>,
 }
@@ -34,6 +36,7 @@ impl WearRecorder {
         };
         Self {
             profiles: joints.iter().map(WearProfile::new).collect(),
+            contacts: joints.iter().map(|joint| Some(mechanism.contacts_of(joint.play?).start)).collect(),
             slots: joints.iter().map(slots_of).collect(),
             joints,
         }
@@ -45,27 +48,21 @@ impl WearRecorder {
     }
 
     /// Takes a step in.
-    pub fn step(&mut self, mechanism: &Mechanism, step: &mut Step<'_, '_>) {
+    pub fn step(&mut self, step: &mut Step<'_, '_>) {
         for (index, joint) in self.joints.iter().enumerate() {
-            let profile = &mut self.profiles[index];
-            match joint.play {
-                Some(play) => {
-                    // A pin touches its hole at one place.
-                    for contact in mechanism.contacts_of(play) {
-                        if !step.is_in_contact(contact) {
-                            continue;
-                        }
-                        for (time_s, weight_s) in gauss_points(step, [0.0, 1.0]) {
-                            let pressed = with_play(step, (contact, play), self.slots[index], (time_s, weight_s));
-                            profile.add(joint, &pressed);
-                        }
+            let (profile, slots) = (&mut self.profiles[index], self.slots[index]);
+            match joint.play.zip(self.contacts[index]) {
+                Some((play, contact)) if step.is_in_contact(contact) => {
+                    for point in gauss_points(step, [0.0, 1.0]) {
+                        profile.add(joint, &with_play(step, (contact, play), slots, point));
                     }
                 }
+                // In flight nothing wears.
+                Some(_) => {}
                 None => {
-                    for part in parts(step, self.slots[index]) {
-                        for (time_s, weight_s) in gauss_points(step, part) {
-                            let pressed = ideal(step, joint, self.slots[index], (time_s, weight_s));
-                            profile.add(joint, &pressed);
+                    for part in parts(step, slots) {
+                        for point in gauss_points(step, part) {
+                            profile.add(joint, &ideal(step, joint, slots, point));
                         }
                     }
                 }

@@ -232,6 +232,32 @@ fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set()
     }
 }
 
+/// A case whose joint with play wears.
+fn worn(name: &str) -> Case {
+    let wear = "bearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\nradial_clearance";
+    compiled(name, &case_text(name).replacen("radial_clearance", wear, 1))
+}
+
+#[test]
+fn identity_friction_paths_of_wearing_joints_have_the_same_bits_in_lanes() {
+    // Without friction, where the root of the penetration is an unknown, and with friction.
+    for (name, turns) in [("slider_crank_5000", 0.4), ("four_bar_friction", 0.2)] {
+        let case = worn(name);
+        let (order, settings) = ((0..RUNS).collect::<Vec<usize>>(), Settings::for_study());
+        let alone = conducted(&case, order.clone(), turns, Execution::Scalar, &settings);
+        for seen in &alone {
+            let paths = &seen.report.as_ref().expect("a report").friction_paths;
+            assert!(paths.len() == 1 && paths[0].path_j > 0.0, "{name}: {paths:?}");
+        }
+        for execution in Execution::available() {
+            let together = conducted(&case, order.clone(), turns, execution, &settings);
+            for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
+                assert_eq!(one, other, "{name}, run {index}, {}", execution.name());
+            }
+        }
+    }
+}
+
 /// The slider-crank with another contact between pin and hole.
 fn slider_crank_with(contact: &str) -> Case {
     let text = case_text("slider_crank_5000");

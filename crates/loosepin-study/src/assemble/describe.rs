@@ -162,7 +162,7 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
                     let point = output.point.as_deref().unwrap_or_default();
                     Some(PathOutput { point: point.to_owned(), part })
                 }
-                Seen::Reading(_) => None,
+                Seen::Reading(_) | Seen::Wear(..) => None,
             },
         })
         .collect()

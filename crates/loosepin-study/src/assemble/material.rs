@@ -102,7 +102,8 @@ impl Material<'_> {
     /// Whether the numbers of a column are magnitudes.
     fn is_never_negative(&self, column: usize) -> bool {
         let column = &self.plan().columns[column];
-        let is_distance = matches!(self.plan().outputs[column.output].seen, Seen::Path(_, PathError::Magnitude));
+        let seen = self.plan().outputs[column.output].seen;
+        let is_distance = matches!(seen, Seen::Path(_, PathError::Magnitude) | Seen::Wear(..));
         // The reductions of a distance are distances.
         is_distance || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())
     }

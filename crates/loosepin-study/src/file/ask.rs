@@ -97,6 +97,7 @@ impl StudyReader {
         let output = self.output(table);
         let deviation = self.deviation(table, output);
         let location = self.location(table, "at", Some("reduce"), output.zip(deviation));
+        let location = location.and_then(|location| self.place_of_wear(table, output, location));
         // Without the output the dimension of limits is not known.
         let output = output?;
         let statistics = self.statistics(table, self.outputs[output].dimension);
@@ -174,6 +175,10 @@ impl StudyReader {
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
+        if self.is_wear(Some(output)) && !(location == Where::Cycle && matches!(limit, Limit::Below(_))) {
+            let problem = StudyProblem::LimitOfWear { entry: table.path.describe() };
+            return self.refused(&problem, table.span);
+        }
         Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised })
     }
 
@@ -213,11 +218,30 @@ impl StudyReader {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
             return self.refused(&problem, entry.span);
         }
+        if deviation != Deviation::Value && self.is_wear(output) {
+            let problem = StudyProblem::WearOfDeviation { entry: entry.path.describe() };
+            return self.refused(&problem, entry.span);
+        }
         let has_play = self.model.plays().next().is_some();
         if deviation == Deviation::Clearance && !has_play {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }
         Some(deviation)
+    }
+
+    /// Whether an output is the wear of a joint.
+    fn is_wear(&self, output: Option<usize>) -> bool {
+        output.is_some_and(|output| matches!(self.outputs[output].seen, Seen::Wear(..)))
+    }
+
+    /// The place of a question, where the output has a number there: wear grows through the recorded part, and its maximum is the wear at
+    /// the end.
+    fn place_of_wear(&mut self, table: &Table<'_>, output: Option<usize>, location: Where) -> Option<Where> {
+        if !self.is_wear(output) || location == Where::Reduced(Reduction::Maximum) {
+            return Some(location);
+        }
+        let entry = PLACES.into_iter().find_map(|key| table.get(key))?;
+        self.refused(&StudyProblem::PlaceOfWear { entry: entry.path.describe() }, entry.key_span)
     }
 
     /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it, which is

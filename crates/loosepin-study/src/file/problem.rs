@@ -198,6 +198,18 @@ problems! {
         OtherSign { path: String, found: String, nominal: String } => Code::HardlyPossible,
             says("the sample of '{path}' holds {found}, with {nominal} in the model"),
             hint("correct the sign or leave the value out, or ignore this if it is meant");
+        /// Wear as a deviation from the ideal motion.
+        WearOfDeviation { entry: String } => Code::AskNotPossible,
+            says("{entry}: wear is no deviation from an ideal motion; must be \"value\""),
+            hint("write of = \"value\"");
+        /// Wear at a pose or as another number of the cycle.
+        PlaceOfWear { entry: String } => Code::AskNotPossible,
+            says("{entry}: wear is one number of a run; must be reduce = \"maximum\""),
+            hint("wear grows through the recorded part: its maximum is the wear after all cycles");
+        /// A requirement of wear that is no upper limit.
+        LimitOfWear { entry: String } => Code::AskNotPossible,
+            says("{entry}: wear has an upper limit over the cycle only"),
+            hint("write over = \"cycle\" and below = \"0.2 mm^3\"");
         /// The same question again.
         AskedTwice { entry: String, what: String } => Code::AskNotPossible,
             says("{entry}: {what} is already asked, of the same output at the same place"),
