@@ -40,6 +40,7 @@ pub enum Command {
     Check(CheckArguments),
     Motion(MotionArguments),
     Simulate(SimulateArguments),
+    Wear(WearArguments),
     Study(StudyArguments),
     Merge(MergeArguments),
     Sweep(SweepArguments),
@@ -162,6 +163,32 @@ pub struct SimulateArguments {
     pub output: OutputArguments,
 }
 
+/// Simulate a cycle and show the wear of its joints
+#[derive(Debug, Clone, Args)]
+#[command(after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of a cycle, and worn volumes and \
+    greatest depths after the cycles of [wear], with the unworn geometry. Makes the same run and files as loosepin simulate; wear.csv \
+    holds the depth of every sector.\n\n\
+    Examples:\n  loosepin wear model.toml\n  loosepin wear model.toml --set wear.cycles=1e6 --turns 4")]
+pub struct WearArguments {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// Change a quantity of the model, with its unit; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Turns of a cycle [default: from the model]
+    #[arg(long, value_name = "N", value_parser = recorded_turns, allow_negative_numbers = true)]
+    pub turns: Option<f64>,
+    /// Turns to run before the cycle [default: from the model]
+    #[arg(long, value_name = "N", value_parser = transient_turns, allow_negative_numbers = true)]
+    pub transient: Option<f64>,
+    /// Position accuracy over the first half turn, with its unit
+    #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
+    pub tolerance: String,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
 /// Compute bounds of the deviation under all uncertain inputs
 #[derive(Debug, Args)]
 #[command(
@@ -275,7 +302,7 @@ pub struct SweepArguments {
 }
 
 /// Where results go.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct OutputArguments {
     /// Output folder [default: results/NAME/HASH; HASH depends on all inputs]
     #[arg(long = "out", value_name = "DIR")]

@@ -30,6 +30,7 @@ fn main() -> ExitCode {
         Command::Check(check) => command::check::run(check),
         Command::Motion(motion) => command::motion::run(motion),
         Command::Simulate(simulate) => command::simulate::run(simulate),
+        Command::Wear(wear) => command::wear::run(wear),
         Command::Study(study) => command::study::run(study),
         Command::Merge(merge) => command::merge::run(merge),
         Command::Sweep(sweep) => command::sweep::run(sweep),

@@ -15,6 +15,7 @@
 //! | percentiles of statistics | `percentile_words.rs` |
 //! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
+//! | the wear of joints | `wear_words.rs` |
 //! | the terms of a page | `glossary.rs` |
 //! | one picture or table of a page: what it shows | the file of the picture or table; for a study in `study_page` |
 //!
@@ -64,6 +65,8 @@ mod terminal_table;
 mod ticks;
 mod together;
 mod told;
+mod wear_section;
+mod wear_words;
 mod wording;
 mod zone_figure;
 
@@ -78,6 +81,6 @@ pub use simulation_page::simulation_page;
 pub use study_page::{study_excerpt, study_page};
 pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
-pub use terminal::{motion_text, simulation_text, study_text, sweep_text};
+pub use terminal::{motion_text, simulation_text, study_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
 pub use wording::verdict_words;

@@ -14,6 +14,7 @@ use super::page::{Page, Section, cards, facts, sentences};
 use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
+use super::wear_section::wear_section;
 use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
@@ -61,6 +62,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if !record.joints.is_empty() {
         sections.push(Section::new("contact", "Contact and impacts", contact(record, &writer)));
+    }
+    if !record.wear.is_empty() {
+        sections.push(Section::new("wear", "Wear", wear_section(record)));
     }
     if !record.controls.is_empty() {
         sections.push(Section::new("control", "Controls", controls(record, &writer)));

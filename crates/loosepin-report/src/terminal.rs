@@ -14,6 +14,7 @@ use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
+use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
     output_unit, place_words, promise_word, reading_beside, response_words, share_words, statistic_words,
@@ -192,6 +193,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     if record.joints.iter().any(|joint| joint.share_outside_validity.is_some()) {
         text.push_str("too fast: share of the impacts faster than the contact law is valid for\n");
     }
+    push_wear(&mut text, record);
     let mut measured = table(&["measured", "values", "rms", "largest", "at"], &[1, 2, 3]);
     for curve in &record.measured {
         measured.add_row([
@@ -215,6 +217,39 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         counted(counters.contact_changes, "contact change", &writer)
     ));
     as_shown(&text)
+}
+
+/// The wear of the joints of a run as text for a terminal.
+pub fn wear_text(record: &SimulationRecord) -> String {
+    let mut text = format!("{}\n", record.model);
+    push_wear(&mut text, record);
+    as_shown(&text)
+}
+
+/// Adds the wear of joints, where any wear.
+fn push_wear(text: &mut String, record: &SimulationRecord) {
+    let Some(first) = record.wear.first() else { return };
+    let units = wear_units(&record.display_units);
+    let writer = NumberWriter::for_terminal(&units);
+    let [of_coefficient, of_volume] = units_of_wear();
+    let heads = ["surface", "coefficient", "friction path", "volume", "greatest depth", "in the sector from"];
+    let mut worn = table(&heads, &[1, 2, 3, 4, 5]);
+    for (wear, surface) in record.wear.iter().flat_map(|wear| wear.surfaces.iter().map(move |own| (wear, own))) {
+        worn.add_row([
+            format!("{}, {}", wear.joint, surface.surface.word()),
+            writer.value_trimmed(surface.coefficient_m2_n, &of_coefficient),
+            writer.value(wear.friction_path_j, &SiUnit::ENERGY),
+            writer.value(surface.volume_m3, &of_volume),
+            writer.value(surface.greatest_depth_m, &SiUnit::LENGTH),
+            deepest_words(surface, &writer),
+        ]);
+    }
+    text.push_str(&format!("\n{}\n", wrapped(&life_words(record, first, &writer), "")));
+    push_table(text, &worn);
+    text.push_str("friction path: of a cycle; sectors: from the x axis of the body with the surface\n");
+    for sentence in record.wear.iter().flat_map(|wear| wear_sentences(wear, &writer)) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
 }
 
 /// The ideal motion and the quasi-static answer as text for a terminal.

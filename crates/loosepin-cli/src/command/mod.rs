@@ -22,3 +22,4 @@ mod stored;
 pub mod study;
 pub mod sweep;
 mod threads;
+pub mod wear;

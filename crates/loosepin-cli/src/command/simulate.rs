@@ -6,13 +6,15 @@ use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Rule, SetValues, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
 use loosepin::results::{
-    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder, SPECTRUM_FILE,
+    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder, SPECTRUM_FILE, WEAR_FILE,
 };
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
 use loosepin::simulate::{
-    Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate, spectrum_csv,
+    Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate, spectrum_csv, wear_csv,
 };
 use loosepin::units::Dimension;
+
+use serde::Serialize;
 
 use super::inputs::{add_model, check_tolerance, read_model};
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
@@ -21,6 +23,11 @@ use crate::ending::{Done, Ending, Failure};
 
 /// Runs the model, or shows the run that is there.
 pub fn run(arguments: &SimulateArguments) -> Ending {
+    run_shown::<SimulationRecord>(arguments)
+}
+
+/// Runs the model, or takes the run that is there, and shows it as `R` does.
+pub fn run_shown<R: StoredResult + Serialize + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
@@ -37,9 +44,9 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
     }
     let folder = claim.take()?;
     if folder.is_finished() {
-        return show_found::<SimulationRecord>(folder);
+        return show_found::<R>(folder);
     }
-    run_and_write(folder, |folder| simulated(&mechanism, &set, &plan, &measured, folder))
+    run_and_write(folder, |folder| simulated::<R>(&mechanism, &set, &plan, &measured, folder))
 }
 
 impl StoredResult for SimulationRecord {
@@ -55,7 +62,7 @@ impl StoredResult for SimulationRecord {
 }
 
 /// Runs the model and writes what came of it.
-fn simulated(
+fn simulated<R: StoredResult + Serialize + From<SimulationRecord>>(
     mechanism: &Mechanism,
     set: &SetValues,
     plan: &Plan,
@@ -79,7 +86,10 @@ fn simulated(
     if let Some(spectrum) = spectrum_csv(&simulation.record) {
         folder.write(SPECTRUM_FILE, spectrum.as_bytes())?;
     }
-    let ending = write_and_tell(&simulation.record, folder)?;
+    if let Some(wear) = wear_csv(&simulation.record.wear) {
+        folder.write(WEAR_FILE, wear.as_bytes())?;
+    }
+    let ending = write_and_tell(&R::from(simulation.record), folder)?;
     // The files stay: they show what went wrong.
     simulation.failure.map_or(Ok(ending), |failure| Err(failure.complaint(model).into()))
 }

@@ -112,6 +112,9 @@ problems! {
         WearNeedsMaterials { entry: String, contact: String } => Code::ConflictingKeys,
             says("{entry}: Hertz's pressure needs the materials of contact '{contact}', whose stiffness is given"),
             hint("give youngs_modulus and poisson_ratio in place of the stiffness, or write pressure = \"concentrated\"");
+        NoJointWears => Code::MissingKey,
+            says("no joint of the model wears"),
+            hint("give a joint with play its wear, for example wear.bearing.coefficient = \"1e-15 m^2/N\"");
         DoesNotWear { entry: String, joint: String } => Code::UnknownReference,
             says("{entry}: joint '{joint}' does not wear"),
             hint("give it [joint.{joint}.wear]");

@@ -68,6 +68,9 @@ impl Model {
     /// outputs of a dimension the first one that states another unit than the usual one decides.
     pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
         let mut units = usual;
+        if self.wear.is_some() {
+            units.set(Dimension::VOLUME, &ReadableUnit::default_for(Dimension::VOLUME));
+        }
         for output in self.outputs.iter().rev() {
             let dimension = output.kind.dimension();
             if output.unit != ReadableUnit::default_for(dimension) {

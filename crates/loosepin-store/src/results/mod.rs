@@ -33,3 +33,5 @@ pub const HISTORY_FILE: &str = "history.csv";
 pub const IMPACTS_FILE: &str = "impacts.csv";
 /// Name of the file with one order of the drive a row.
 pub const SPECTRUM_FILE: &str = "spectrum.csv";
+/// Name of the file with one sector of a worn surface a row.
+pub const WEAR_FILE: &str = "wear.csv";

@@ -29,6 +29,7 @@ impl ReadableUnit {
             (Dimension::ANGULAR_VELOCITY, "rpm"),
             (Dimension::PRESSURE, "GPa"),
             (Dimension::TIME, "ms"),
+            (Dimension::VOLUME, "mm^3"),
         ];
         custom
             .into_iter()

@@ -1,0 +1,57 @@
+//! `loosepin wear`.
+
+use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::model::ModelProblem;
+use loosepin::report::{simulation_page, wear_text};
+use loosepin::simulate::record::SimulationRecord;
+use serde::{Deserialize, Serialize};
+
+use super::inputs::read_model;
+use super::simulate::run_shown;
+use super::stored::StoredResult;
+use crate::arguments::{SimulateArguments, WearArguments};
+use crate::ending::{Done, Ending};
+
+/// Simulates a cycle, or takes the simulation that is there, and shows the wear of its joints.
+pub fn run(arguments: &WearArguments) -> Ending {
+    let WearArguments { model, set, turns, transient, tolerance, output } = arguments.clone();
+    let read = read_model(&model)?;
+    if read.wear.is_none() {
+        let mut complaints = Complaints::new();
+        complaints.push(Complaint::error(&ModelProblem::NoJointWears, read.place("joint")));
+        return Err(complaints.into());
+    }
+    let simulation = SimulateArguments {
+        model,
+        set,
+        turns,
+        transient,
+        tolerance,
+        output,
+        states: false,
+        samples: None,
+        lyapunov: None,
+        measured: Vec::new(),
+    };
+    run_shown::<ShownWear>(&simulation)
+}
+
+/// A simulation of which the wear is shown.
+#[derive(Serialize, Deserialize)]
+#[serde(transparent)]
+struct ShownWear(SimulationRecord);
+
+impl From<SimulationRecord> for ShownWear {
+    fn from(record: SimulationRecord) -> Self {
+        Self(record)
+    }
+}
+
+impl StoredResult for ShownWear {
+    const PAGE: fn(&Self) -> String = |shown| simulation_page(&shown.0);
+    const TEXT: fn(&Self) -> String = |shown| wear_text(&shown.0);
+
+    fn done(&self) -> Done {
+        self.0.done()
+    }
+}

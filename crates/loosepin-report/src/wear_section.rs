@@ -1,0 +1,110 @@
+//! Wear of the joints of a run: numbers, checks, and profiles around the pin.
+
+use super::figure::{Picture, csv_number, name_of};
+use super::number::NumberWriter;
+use super::page::cards;
+use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
+use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear, WornSurface};
+use loosepin_text::units::SiUnit;
+use maud::{Markup, html};
+use std::f64::consts::TAU;
+
+/// Half the side of the picture, radii of bearing and journal, and the greatest depth, in units of the picture.
+const HALF_SIDE: f64 = 1180.0;
+const BEARING_RADIUS: f64 = 760.0;
+const JOURNAL_RADIUS: f64 = 700.0;
+const GREATEST: f64 = 360.0;
+
+/// The section.
+pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
+    let units = wear_units(&record.display_units);
+    let writer = NumberWriter::for_page(&units);
+    let [of_coefficient, of_volume] = units_of_wear();
+    let rows = record.wear.iter().flat_map(|wear| wear.surfaces.iter().map(move |surface| (wear, surface)));
+    let rows = rows.map(|(wear, surface)| {
+        [
+            html! { (wear.joint) ", " (surface.surface.word()) },
+            html! { (writer.value_trimmed(surface.coefficient_m2_n, &of_coefficient)) },
+            html! { (writer.value(wear.friction_path_j, &SiUnit::ENERGY)) },
+            html! { (writer.value(surface.volume_m3, &of_volume)) },
+            html! { (writer.value(surface.greatest_depth_m, &SiUnit::LENGTH)) },
+            html! { (deepest_words(surface, &writer)) },
+        ]
+    });
+    let heads =
+        ["Surface", "#Coefficient", "#Friction path of a cycle", "#Volume", "#Greatest depth", "#In the sector from"];
+    let told: Vec<String> = record.wear.iter().flat_map(|wear| wear_sentences(wear, &writer)).collect();
+    html! {
+        @if let Some(wear) = record.wear.first() { p { (life_words(record, wear, &writer)) } }
+        (cards(heads, rows))
+        @for sentence in &told { p.quiet { (sentence) } }
+        div.orbits { @for wear in &record.wear { (profile_figure(wear, &writer)) } }
+    }
+}
+
+/// Depths around the pin: of the bearing outwards, of the journal inwards.
+fn profile_figure(wear: &JointWearRecord, writer: &NumberWriter) -> Markup {
+    let greatest_m = wear.surfaces.iter().map(|surface| surface.greatest_depth_m).fold(0.0, f64::max);
+    let per_m = if greatest_m > 0.0 { GREATEST / greatest_m } else { 0.0 };
+    let drawn = html! {
+        g transform="scale(1 -1)" {
+            line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
+            line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
+            @for surface in &wear.surfaces {
+                @let (radius, class) = shape(surface.surface);
+                path class=(class) fill-rule="evenodd" d=(outline(surface, per_m)) {}
+                circle.surface r=(radius) {}
+            }
+        }
+    };
+    let greatest = writer.value_trimmed(greatest_m, &SiUnit::LENGTH);
+    let alternative = format!("Depth of wear around the pin of {}: at most {greatest}.", wear.joint);
+    let caption = html! {
+        strong { (wear.joint) } ". Depth by sector, from the x axis of each body: of the bearing outwards, of the journal inwards. "
+        "Greatest depth " (greatest) "."
+    };
+    let view = [-HALF_SIDE, -HALF_SIDE, 2.0 * HALF_SIDE, 2.0 * HALF_SIDE];
+    Picture { name: name_of("wear", &wear.joint), class: "polar", view, below: 0.0, alternative, drawn }
+        .figure(caption, Some(&csv(wear, writer)))
+}
+
+/// Radius of a surface in the picture, and its style.
+fn shape(surface: WornSurface) -> (f64, &'static str) {
+    match surface {
+        WornSurface::Bearing => (BEARING_RADIUS, "worn bearing"),
+        WornSurface::Journal => (JOURNAL_RADIUS, "worn journal"),
+    }
+}
+
+/// The area between a surface and its worn outline: stairs over the sectors, and the circle.
+fn outline(surface: &SurfaceWear, per_m: f64) -> String {
+    let (radius, _) = shape(surface.surface);
+    let sign = if surface.surface == WornSurface::Bearing { 1.0 } else { -1.0 };
+    let width_rad = TAU / surface.depth_m.len() as f64;
+    let mut path = String::new();
+    for (sector, depth_m) in surface.depth_m.iter().enumerate() {
+        let worn = radius + sign * depth_m * per_m;
+        for edge in [sector, sector + 1] {
+            let (sine, cosine) = (edge as f64 * width_rad).sin_cos();
+            path.push_str(&format!("{}{:.1} {:.1}", if path.is_empty() { "M" } else { "L" }, worn * cosine, worn * sine));
+        }
+    }
+    format!("{path}ZM{radius} 0A{radius} {radius} 0 1 0 -{radius} 0A{radius} {radius} 0 1 0 {radius} 0Z")
+}
+
+/// The depths: a row for each sector.
+fn csv(wear: &JointWearRecord, writer: &NumberWriter) -> String {
+    let symbol = writer.symbol(&SiUnit::LENGTH);
+    let heads = wear.surfaces.iter().map(|surface| format!("{} [{symbol}]", surface.surface.word()));
+    let heads: Vec<String> = ["from [deg]", "to [deg]"].map(str::to_owned).into_iter().chain(heads).collect();
+    let mut table = format!("{}\n", heads.join(","));
+    let sectors = wear.surfaces.first().map_or(0, |surface| surface.depth_m.len());
+    for sector in 0..sectors {
+        let edges = [sector, sector + 1].map(|edge| 360.0 * edge as f64 / sectors as f64);
+        let depths = wear.surfaces.iter().filter_map(|surface| surface.depth_m.get(sector));
+        let depths = depths.map(|depth_m| writer.scaled(*depth_m, &SiUnit::LENGTH));
+        let cells: Vec<String> = edges.into_iter().chain(depths).map(csv_number).collect();
+        table.push_str(&format!("{}\n", cells.join(",")));
+    }
+    table
+}
