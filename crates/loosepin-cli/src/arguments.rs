@@ -165,10 +165,12 @@ pub struct SimulateArguments {
 
 /// Simulate a cycle and show the wear of its joints
 #[derive(Debug, Clone, Args)]
-#[command(after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of a cycle, and worn volumes and \
+#[command(
+    after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of a cycle, and worn volumes and \
     greatest depths after the cycles of [wear], with the unworn geometry. Makes the same run and files as loosepin simulate; wear.csv \
     holds the depth of every sector.\n\n\
-    Examples:\n  loosepin wear model.toml\n  loosepin wear model.toml --set wear.cycles=1e6 --turns 4")]
+    Examples:\n  loosepin wear model.toml\n  loosepin wear model.toml --set wear.cycles=1e6 --turns 4"
+)]
 pub struct WearArguments {
     /// Model file
     #[arg(value_name = "MODEL")]

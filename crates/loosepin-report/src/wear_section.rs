@@ -86,7 +86,12 @@ fn outline(surface: &SurfaceWear, per_m: f64) -> String {
         let worn = radius + sign * depth_m * per_m;
         for edge in [sector, sector + 1] {
             let (sine, cosine) = (edge as f64 * width_rad).sin_cos();
-            path.push_str(&format!("{}{:.1} {:.1}", if path.is_empty() { "M" } else { "L" }, worn * cosine, worn * sine));
+            path.push_str(&format!(
+                "{}{:.1} {:.1}",
+                if path.is_empty() { "M" } else { "L" },
+                worn * cosine,
+                worn * sine
+            ));
         }
     }
     format!("{path}ZM{radius} 0A{radius} {radius} 0 1 0 -{radius} 0A{radius} {radius} 0 1 0 {radius} 0Z")

@@ -48,8 +48,7 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
     let (joint, checks) = (&wear.joint, &wear.checks);
     let share = |share: f64| writer.rounded(share.abs(), &SiUnit::NONE, 2, Rounding::Up);
     let mut sentences = Vec::new();
-    let of_sectors =
-        wear.surfaces.iter().map(|surface| surface.sum_of_sectors_error.abs()).fold(0.0, f64::max);
+    let of_sectors = wear.surfaces.iter().map(|surface| surface.sum_of_sectors_error.abs()).fold(0.0, f64::max);
     let sectors = wear.surfaces.first().map_or(0, |surface| surface.depth_m.len());
     sentences.push(match checks.path_error {
         Some(error) => format!(
@@ -59,7 +58,11 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
             share(error),
             share(of_sectors)
         ),
-        None => format!("{joint}: volume and {} differ by {} of it.", counted(sectors as u64, "sector", writer), share(of_sectors)),
+        None => format!(
+            "{joint}: volume and {} differ by {} of it.",
+            counted(sectors as u64, "sector", writer),
+            share(of_sectors)
+        ),
     });
     for surface in &wear.surfaces {
         if let Some(coarse_m) = surface.coarse_greatest_depth_m.filter(|_| surface.greatest_depth_m > 0.0) {

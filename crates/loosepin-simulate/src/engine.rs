@@ -211,7 +211,14 @@ fn run_kinematics(
     }
     let energy = account.map(|account| account.total());
     let counters = Counters { steps, ..Counters::default() };
-    Ok(RunReport { counters, plays: Vec::new(), energy, friction_losses: Vec::new(), friction_paths: Vec::new(), findings: follower.findings() })
+    Ok(RunReport {
+        counters,
+        plays: Vec::new(),
+        energy,
+        friction_losses: Vec::new(),
+        friction_paths: Vec::new(),
+        findings: follower.findings(),
+    })
 }
 
 /// Follows a run whose steps are equal parts of time.

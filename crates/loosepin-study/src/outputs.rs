@@ -85,7 +85,7 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 output: index,
                 name: output.name.clone(),
                 component: None,
-                words: format!("{} of {}", measure.words(), model.joints[joint.0].name),
+                words: measure.words(&model.joints[joint.0].name),
                 point: None,
                 unit: SiUnit::of_dimension(dimension),
                 dimension,

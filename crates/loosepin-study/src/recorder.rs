@@ -656,7 +656,9 @@ mod tests {
             let mut rows = vec![Vec::new(); inputs.len()];
             let next = || next.next().map(|(index, epistemic)| (index, &[0.120_01][..], &epistemic[..]));
             response.run_all(0, execution, next, |index, row| rows[index] = row.unwrap());
-            rows.into_iter().map(|row| row[..5].iter().map(|value| value.to_bits()).collect()).collect::<Vec<Vec<u64>>>()
+            rows.into_iter()
+                .map(|row| row[..5].iter().map(|value| value.to_bits()).collect())
+                .collect::<Vec<Vec<u64>>>()
         };
         let alone = bits(Execution::Scalar);
         assert!(alone.iter().flatten().all(|bits| f64::from_bits(*bits) > 0.0));

@@ -17,8 +17,9 @@ pub fn run(arguments: &WearArguments) -> Ending {
     let WearArguments { model, set, turns, transient, tolerance, output } = arguments.clone();
     let read = read_model(&model)?;
     if read.wear.is_none() {
+        let place = read.joints.first().and_then(|joint| read.place(&format!("joint.{}", joint.name)));
         let mut complaints = Complaints::new();
-        complaints.push(Complaint::error(&ModelProblem::NoJointWears, read.place("joint")));
+        complaints.push(Complaint::error(&ModelProblem::NoJointWears, place));
         return Err(complaints.into());
     }
     let simulation = SimulateArguments {

@@ -17,4 +17,5 @@ mod study;
 mod study_queries;
 mod sweep;
 mod templates;
+mod wear;
 mod words;

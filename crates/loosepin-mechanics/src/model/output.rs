@@ -1,7 +1,7 @@
 //! Outputs: what a run measures.
 
-use super::wear::WearMeasure;
 use super::ids::{Actuator, Axis, BodyId, JointId, PointId};
+use super::wear::WearMeasure;
 use loosepin_text::units::{Dimension, ReadableUnit};
 
 /// An output column of a run.

@@ -63,15 +63,16 @@ impl WearMeasure {
         }
     }
 
-    /// What it is in words, before ` of JOINT`.
-    pub const fn words(self) -> &'static str {
-        match self {
+    /// The measure of a joint in words.
+    pub fn words(self, joint: &str) -> String {
+        let measure = match self {
             Self::FrictionPath => "friction path",
             Self::BearingVolume => "worn volume of the bearing",
             Self::JournalVolume => "worn volume of the journal",
             Self::BearingDepth => "greatest depth of wear of the bearing",
             Self::JournalDepth => "greatest depth of wear of the journal",
-        }
+        };
+        format!("{measure} of {joint}")
     }
 
     /// Its dimension.

@@ -97,12 +97,7 @@ fn with_play(
 }
 
 /// An ideal joint: its pin is pressed against the side that its force comes from, and slides by R_i (ω_j - ω_i).
-fn ideal(
-    step: &mut Step<'_, '_>,
-    joint: &WearingJoint,
-    slots: [usize; 2],
-    (time_s, weight_s): (f64, f64),
-) -> Pressed {
+fn ideal(step: &mut Step<'_, '_>, joint: &WearingJoint, slots: [usize; 2], (time_s, weight_s): (f64, f64)) -> Pressed {
     let dynamics = step.evaluate(time_s);
     let force_n = dynamics.joint_force_n(joint.joint);
     let length_n = force_n.length();

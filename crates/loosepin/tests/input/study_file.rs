@@ -309,3 +309,35 @@ fn a_tolerance_is_held_against_the_smallest_clearance_of_the_inputs() {
     );
     assert!(of(random, "0.107 mm").starts_with("warned of: "), "{}", of(random, "0.107 mm"));
 }
+
+/// Wear is one number of a run: other questions about it are refused.
+#[test]
+fn wear_is_asked_for_as_one_number_of_a_run() {
+    let wear = "bearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\nradial_clearance";
+    let output = "\n[output.hole]\nwear_of = \"joint.gudgeon\"\ncomponent = \"bearing_volume\"\n";
+    let text = find_template("slider-crank").expect("a template").model.replacen("radial_clearance", wear, 1) + output;
+    let of = |asked: &str| {
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let text = format!("name = \"wear\"\nmodel = \"model.toml\"\n{asked}\n");
+        Study::from_text("study.toml", &text, model)
+            .err()
+            .map_or("read".to_owned(), |complaints| complaints.to_string())
+    };
+    let ask = |rest: &str| of(&format!("[[ask]]\noutput = \"hole\"\nstatistics = [\"mean\"]\n{rest}"));
+    let require = |rest: &str| of(&format!("[[require]]\noutput = \"hole\"\nprobability_at_least = 0.9\n{rest}"));
+    assert_eq!(ask("of = \"value\"\nreduce = \"maximum\""), "read");
+    assert_eq!(require("of = \"value\"\nover = \"cycle\"\nbelow = \"3 mm^3\""), "read");
+    assert_eq!(
+        ask("of = \"total\"\nreduce = \"maximum\""),
+        "study.toml:6:6: error[E0603]: ask 1: of: wear is no deviation from an ideal motion; must be \"value\"\n\
+         hint: write of = \"value\""
+    );
+    for place in ["at = \"cycle\"", "reduce = \"mean\"", "poses = { crank = [\"60 deg\"] }"] {
+        let said = ask(&format!("of = \"value\"\n{place}"));
+        assert!(said.contains("wear is one number of a run; must be reduce = \"maximum\""), "{said}");
+    }
+    for limit in ["over = \"cycle\"\nabove = \"3 mm^3\"", "over = \"cycle\"\nwithin = \"3 mm^3\""] {
+        let said = require(&format!("of = \"value\"\n{limit}"));
+        assert!(said.contains("wear has an upper limit over the cycle only"), "{said}");
+    }
+}

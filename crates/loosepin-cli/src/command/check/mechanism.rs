@@ -5,8 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, Model, PlayId,
-    PointId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, JointWear, Model,
+    OutputKind, PlayId, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -75,6 +75,9 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
                 if matches!(joint.kind, JointKind::Prismatic { .. }) { "a guide length of" } else { "a pin radius of" };
             let size = format_value(values[friction.size_m], Dimension::LENGTH);
             let _ = writeln!(text, "{indent}{}, at {what} {size}", friction_words(model, &friction.friction, values));
+        }
+        if let Some(wear) = &joint.wear {
+            let _ = writeln!(text, "{indent}{}", wear_words(model, wear, values));
         }
         let Some((clearance, contact)) = joint.kind.play() else { continue };
         let Some(play) = mechanism.plays.iter().position(|play| *play == PlayId::Joint(joint_id)) else {
@@ -170,6 +173,22 @@ fn play_words(joint: &Joint, clearance: String, values: &Values) -> String {
         }
         _ => String::new(),
     }
+}
+
+fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {
+    let surfaces = ["bearing", "journal"].into_iter().zip(wear.coefficients_m2_n);
+    let surfaces = surfaces.filter_map(|(surface, coefficient)| {
+        let coefficient = format_value(values[coefficient?], Dimension::WEAR_COEFFICIENT);
+        Some(format!("{surface} {coefficient}"))
+    });
+    let surfaces = surfaces.collect::<Vec<String>>().join(", ");
+    let cycles = model.wear.map_or(1.0, |life| values[life.cycles]);
+    let word = if cycles == 1.0 { "cycle" } else { "cycles" };
+    format!(
+        "wear: {surfaces}, in {} sectors; stated after {} {word}",
+        wear.sectors,
+        format_value(cycles, Dimension::NUMBER)
+    )
 }
 
 fn contact_lines(
@@ -418,10 +437,17 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
         format_value(tried.turn_s, Dimension::TIME),
         counted(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
-    let columns = columns(&mechanism.model);
-    let width = columns.iter().map(|column| column.name.chars().count()).max().unwrap_or(0);
-    for column in &columns {
-        let _ = writeln!(text, "  {:width$}  {}", column.name, column.words);
+    let columns = columns(&mechanism.model).into_iter().map(|column| (column.name, column.words));
+    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind {
+        OutputKind::Wear { joint, measure } => {
+            Some((output.name.clone(), measure.words(&mechanism.model.joints[joint.0].name)))
+        }
+        _ => None,
+    });
+    let outputs: Vec<(String, String)> = columns.chain(wear).collect();
+    let width = outputs.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, words) in &outputs {
+        let _ = writeln!(text, "  {name:width$}  {words}");
     }
     let _ = writeln!(
         text,

@@ -8,8 +8,8 @@ pub(super) mod spring;
 mod table;
 pub(super) mod wear;
 
-use crate::model::wear::WearMeasure;
 use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use crate::model::wear::WearMeasure;
 use control::CONTROL_KEYS;
 use coupling::{CAM_KEYS, COUPLING_KINDS};
 use drive::DRIVE_KEYS;
@@ -588,7 +588,12 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
             "\"crank.pin\"",
             "what a motion is seen from: a point of a body, or for angles a body; the ground if left out",
         ),
-        optional("component", Kind::Choice(&COMPONENTS), "\"magnitude\"", "the component of a force, or the measure of wear"),
+        optional(
+            "component",
+            Kind::Choice(&COMPONENTS),
+            "\"magnitude\"",
+            "the component of a force, or the measure of wear",
+        ),
         optional(
             "unit",
             Kind::Unit,
