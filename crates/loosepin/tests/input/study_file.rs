@@ -318,7 +318,8 @@ fn wear_is_asked_for_as_one_number_of_a_run() {
     let text = find_template("slider-crank").expect("a template").model.replacen("radial_clearance", wear, 1) + output;
     let of = |asked: &str| {
         let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let text = format!("name = \"wear\"\nmodel = \"model.toml\"\n{asked}\n");
+        let input = "[epistemic]\n\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";
+        let text = format!("name = \"wear\"\nmodel = \"model.toml\"\n{asked}\n{input}\n");
         Study::from_text("study.toml", &text, model)
             .err()
             .map_or("read".to_owned(), |complaints| complaints.to_string())
@@ -329,7 +330,7 @@ fn wear_is_asked_for_as_one_number_of_a_run() {
     assert_eq!(require("of = \"value\"\nover = \"cycle\"\nbelow = \"3 mm^3\""), "read");
     assert_eq!(
         ask("of = \"total\"\nreduce = \"maximum\""),
-        "study.toml:6:6: error[E0603]: ask 1: of: wear is no deviation from an ideal motion; must be \"value\"\n\
+        "study.toml:6:6: error[E0608]: [[ask]] 1: of: wear is no deviation from an ideal motion; must be \"value\"\n\
          hint: write of = \"value\""
     );
     for place in ["at = \"cycle\"", "reduce = \"mean\"", "poses = { crank = [\"60 deg\"] }"] {
