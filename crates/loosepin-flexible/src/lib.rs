@@ -1,0 +1,23 @@
+//! Slender links that bend and stretch: a beam in a floating frame, described by few shapes.
+//!
+//! [`Shapes`] are what does not depend on length, section and material; [`Beam`] holds the numbers of one beam, over any
+//! [`loosepin_math::Real`]. Both know nothing of mechanisms: who has one gives the motion of the frame and the coordinates of the shapes,
+//! and gets points, mass matrix, bias forces and elastic forces.
+
+mod beam;
+mod functions;
+mod legendre;
+mod shapes;
+mod spectrum;
+
+pub use beam::{Beam, Inertia};
+pub use functions::Frame;
+pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station};
+
+#[cfg(test)]
+mod tests;
+
+/// The program of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,109 @@
+//! Eigenvalues of a small stiffness matrix with its mass matrix, and the damping that goes with them.
+
+/// Sweeps of Jacobi's rotations; four are enough for twenty rows.
+const SWEEPS: usize = 30;
+
+/// Lower triangle L with L Lᵀ = `matrix`, row by row.
+pub(crate) fn cholesky(matrix: &[f64], n: usize) -> Vec<f64> {
+    let mut lower = vec![0.0; n * n];
+    for row in 0..n {
+        for column in 0..=row {
+            let known: f64 = (0..column).map(|k| lower[row * n + k] * lower[column * n + k]).sum();
+            let rest = matrix[row * n + column] - known;
+            lower[row * n + column] = if row == column { rest.sqrt() } else { rest / lower[column * n + column] };
+        }
+    }
+    lower
+}
+
+/// L⁻¹ K L⁻ᵀ.
+fn reduced(lower: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
+    let mut matrix = stiffness.to_vec();
+    // Rows, then columns, by forward substitution.
+    for _ in 0..2 {
+        for column in 0..n {
+            for row in 0..n {
+                let known: f64 = (0..row).map(|k| lower[row * n + k] * matrix[k * n + column]).sum();
+                matrix[row * n + column] = (matrix[row * n + column] - known) / lower[row * n + row];
+            }
+        }
+        for row in 0..n {
+            for column in 0..row {
+                matrix.swap(row * n + column, column * n + row);
+            }
+        }
+    }
+    matrix
+}
+
+/// Eigenvalues, and eigenvectors in columns, of a symmetric matrix: Jacobi's rotations.
+fn jacobi(mut a: Vec<f64>, n: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut vectors = vec![0.0; n * n];
+    (0..n).for_each(|k| vectors[k * n + k] = 1.0);
+    for _ in 0..SWEEPS {
+        for p in 0..n {
+            for q in p + 1..n {
+                if a[p * n + q] == 0.0 {
+                    continue;
+                }
+                let half = (a[q * n + q] - a[p * n + p]) / (2.0 * a[p * n + q]);
+                let tangent = half.signum() / (half.abs() + (half * half + 1.0).sqrt());
+                let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
+                let sine = tangent * cosine;
+                for k in 0..n {
+                    let (kp, kq) = (a[k * n + p], a[k * n + q]);
+                    (a[k * n + p], a[k * n + q]) = (cosine * kp - sine * kq, sine * kp + cosine * kq);
+                }
+                for k in 0..n {
+                    let (pk, qk) = (a[p * n + k], a[q * n + k]);
+                    (a[p * n + k], a[q * n + k]) = (cosine * pk - sine * qk, sine * pk + cosine * qk);
+                    let (kp, kq) = (vectors[k * n + p], vectors[k * n + q]);
+                    (vectors[k * n + p], vectors[k * n + q]) = (cosine * kp - sine * kq, sine * kp + cosine * kq);
+                }
+            }
+        }
+    }
+    ((0..n).map(|k| a[k * n + k]).collect(), vectors)
+}
+
+/// λ of K v = λ M v, ascending.
+pub(crate) fn eigenvalues(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
+    let (mut values, _) = jacobi(reduced(&cholesky(mass, n), stiffness, n), n);
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+/// M V diag(√λ) Vᵀ M with K V = M V diag(λ) and Vᵀ M V = 1: times 2ζ the damping of all shapes with the ratio ζ.
+pub(crate) fn root_damping(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
+    let lower = cholesky(mass, n);
+    let (values, vectors) = jacobi(reduced(&lower, stiffness, n), n);
+    // M V = L W with the eigenvectors W of the reduced matrix.
+    let column = |row: usize, k: usize| -> f64 { (0..n).map(|j| lower[row * n + j] * vectors[j * n + k]).sum() };
+    (0..n * n)
+        .map(|place| (0..n).map(|k| values[k].max(0.0).sqrt() * column(place / n, k) * column(place % n, k)).sum())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{eigenvalues, root_damping};
+
+    #[test]
+    fn analytic_two_masses_between_three_springs() {
+        // Masses 2 and 3, springs 5, 7 and 11: 6 λ² - 72 λ + 167 = 0.
+        let (mass, stiffness) = ([2.0, 0.0, 0.0, 3.0], [12.0, -7.0, -7.0, 18.0]);
+        let root = (72.0_f64 * 72.0 - 4.0 * 6.0 * 167.0).sqrt();
+        for (found, exact) in eigenvalues(&mass, &stiffness, 2).iter().zip([(72.0 - root) / 12.0, (72.0 + root) / 12.0])
+        {
+            assert!((found - exact).abs() < 1e-14 * exact, "{found} for {exact}");
+        }
+        // D M⁻¹ D = K for the root.
+        let damping = root_damping(&mass, &stiffness, 2);
+        for row in 0..2 {
+            for column in 0..2 {
+                let square: f64 = (0..2).map(|k| damping[row * 2 + k] / mass[k * 3] * damping[k * 2 + column]).sum();
+                assert!((square - stiffness[row * 2 + column]).abs() < 1e-13);
+            }
+        }
+    }
+}
