@@ -92,6 +92,25 @@ impl<T: Real> Beam<T> {
         }
     }
 
+    /// D q̇, m/s: velocity of the point at `station` in the frame.
+    pub fn rate_m_s(&self, station: &Station, q: &[T], rates: &[T]) -> Vec2<T> {
+        let (a, b) = rates.split_at(station.axial.len());
+        let mut along = dot(&station.axial, a);
+        if self.foreshortening {
+            along += -(self.length_m * form(&station.shortening, &q[station.axial.len()..], b));
+        }
+        Vec2::new(along, self.length_m * dot(&station.lateral, b))
+    }
+
+    /// Acceleration of the point at `station` along the axis by foreshortening where q̈ = 0, -f ḃᵀHḃ, m/s².
+    pub fn shortening_m_s2(&self, station: &Station, rates: &[T]) -> T {
+        if !self.foreshortening {
+            return T::zero();
+        }
+        let b = &rates[station.axial.len()..];
+        -(self.length_m * form(&station.shortening, b, b))
+    }
+
     /// What (F2) adds to the acceleration of the frame and -ω² d where q̈ = 0: 2ω k×(D q̇) + (-f ḃᵀHḃ, 0), m/s², for D q̇ = `rate_m_s`.
     pub fn relative_acceleration_m_s2(
         &self,
@@ -102,8 +121,7 @@ impl<T: Real> Beam<T> {
     ) -> Vec2<T> {
         let mut acceleration = rate_m_s.turned() * (spin_rad_s + spin_rad_s);
         if self.foreshortening {
-            let b = &rates[station.axial.len()..];
-            acceleration.x += -(self.length_m * form(&station.shortening, b, b));
+            acceleration.x += self.shortening_m_s2(station, rates);
         }
         acceleration
     }
@@ -118,7 +136,7 @@ impl<T: Real> Beam<T> {
             let at_kg = self.mass_kg * T::from_f64(*weight);
             let d = self.point_m(station, q);
             self.partials(station, q, partials);
-            let rate = partials.iter().zip(rates).fold(Vec2::zero(), |sum: Vec2<T>, (d, rate)| sum.plus(*d, *rate));
+            let rate = self.rate_m_s(station, q, rates);
             let relative = self.relative_acceleration_m_s2(station, rate, rates, spin_rad_s);
             let push = relative.plus(d, -spin_rad_s.squared()) * at_kg;
             let turned = d.turned();
@@ -151,12 +169,10 @@ impl<T: Real> Beam<T> {
 
     /// Kinetic energy, J, of the points of the mass for the velocity of the root, in the axes of the frame, and the frame's spin.
     pub fn kinetic_j(&self, shapes: &Shapes, q: &[T], rates: &[T], velocity_m_s: Vec2<T>, spin_rad_s: T) -> T {
-        let mut partials = vec![Vec2::zero(); shapes.count()];
         let mut energy = T::zero();
         for MassPoint { station, weight } in &shapes.points {
-            self.partials(station, q, &mut partials);
             let of_point = velocity_m_s.plus(self.point_m(station, q).turned(), spin_rad_s);
-            let velocity = partials.iter().zip(rates).fold(of_point, |sum, (d, rate)| sum.plus(*d, *rate));
+            let velocity = of_point + self.rate_m_s(station, q, rates);
             energy = velocity.length_squared().mul_add(T::from_f64(0.5 * weight), energy);
         }
         self.mass_kg * energy

@@ -86,7 +86,8 @@ impl Layout {
         let joint_bristles = sample.frictions.iter().map(|friction| place_if(friction.law.has_bristle())).collect();
         let controls = sample.controls.iter();
         let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
-        let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some());
+        let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some())
+            || mechanism.real.beams.iter().any(|beam| beam.is_damped);
         let watched = Watched::all(sample);
         let wearing = sample.plays.iter().enumerate().filter(|(_, play)| play.wears);
         let friction_paths = wearing.map(|(play, _)| play).collect();
@@ -342,7 +343,7 @@ impl<T: Real> System<T> for Motion<'_, T> {
 
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
-/// Angles: divided by the size of the mechanism. Velocities: times the rate of the fastest drive. The time: the angle's over
+/// Angles: divided by the size of the mechanism; so the lateral shapes of a beam, whose coordinates are turns of its ends. Velocities: times the rate of the fastest drive. The time: the angle's over
 /// that rate, and so integrals of errors of controls. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every
 /// step. Deflections of bristles: the same share of their largest in steady sliding as a length has of the size. With oil, with
 /// friction, whose kinks the work of friction shows one derivative earlier than the velocities, with forces that begin as
@@ -367,6 +368,9 @@ pub fn tolerances(
             Attachment::Free { first } => tolerances[first..first + 2].fill(local_m),
             _ => {}
         }
+    }
+    for beam in &tree.beams {
+        tolerances[beam.axial()].fill(local_m);
     }
     for k in 0..n {
         tolerances[n + k] = tolerances[k] * rate_1_s;

@@ -12,7 +12,7 @@ pub struct MechanicalEnergy<T> {
     pub free_kinetic_j: T,
     /// -Σ m g·r.
     pub potential_j: T,
-    /// Σ ∫ F_el dδ over the contacts, and Σ k (x - x0)²/2 + P (x - x0) over the springs.
+    /// Σ ∫ F_el dδ over the contacts, Σ k (x - x0)²/2 + P (x - x0) over the springs, and the strain energy of flexible bodies.
     pub stored_j: T,
 }
 
@@ -42,6 +42,17 @@ impl<T: Real> Dynamics<'_, T> {
         let tree = &self.mechanism.real;
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
+            let is_free = link.dependences.iter().any(|dependence| dependence.coordinate < tree.free);
+            if let Some(beam) = link.beam {
+                let [kinetic_j, potential_j, strain_j] = self.beam_energy_j(beam);
+                energy.kinetic_j += kinetic_j;
+                energy.free_kinetic_j += kinetic_j;
+                energy.potential_j += potential_j;
+                energy.stored_j += strain_j;
+            }
+            if link.is_flexible() {
+                continue;
+            }
             let pose = &self.kinematics.poses[slot];
             let twist = &self.kinematics.twists[slot];
             let arm = pose.turn(numbers.centre_of_mass_m);
@@ -49,7 +60,7 @@ impl<T: Real> Dynamics<'_, T> {
             let kinetic_j =
                 half * (numbers.mass_kg * velocity.length_squared() + numbers.inertia_kg_m2 * twist.angular.squared());
             energy.kinetic_j += kinetic_j;
-            if link.dependences.iter().any(|dependence| dependence.coordinate < tree.free) {
+            if is_free {
                 energy.free_kinetic_j += kinetic_j;
             }
             energy.potential_j -= numbers.mass_kg * self.sample.real.gravity_m_s2.dot(pose.position_m + arm);

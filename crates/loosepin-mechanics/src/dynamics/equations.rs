@@ -1,5 +1,6 @@
 //! Mass matrix, forces and accelerations.
 
+use super::beam::BeamRoom;
 use super::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
 use super::element_force::{ActuatorForce, LoadForce};
 use super::inverse::InverseDynamics;
@@ -10,7 +11,7 @@ use crate::mechanism::{
     JointPlace, Kinematics, Mechanism, PlayShape, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room,
     turned_by,
 };
-use crate::model::{Course, FeedForward, PlayId};
+use crate::model::{Course, FeedForward, LoadKind, PlayId, SpringKind};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
@@ -54,6 +55,10 @@ pub struct Dynamics<'a, T> {
     pub(super) spring_slots: Vec<[usize; 2]>,
     /// Power that the dampers turned into heat at the last evaluation, W.
     pub(super) damping_loss_w: T,
+    /// Room for flexible bodies.
+    pub(super) beam_rooms: Vec<BeamRoom<T>>,
+    /// Power that the damping of flexible bodies turned into heat at the last evaluation, W.
+    pub(super) beam_loss_w: T,
     /// Loads at the last evaluation.
     pub(super) loads: Vec<LoadForce<T>>,
     /// Power of the loads at the last evaluation, W.
@@ -83,7 +88,7 @@ pub struct Dynamics<'a, T> {
     /// Where M may have entries other than zero.
     envelope: Envelope,
     /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
-    driven_mass: Vec<T>,
+    pub(super) driven_mass: Vec<T>,
     /// h for all coordinates: free ones, then driven ones.
     pub(super) forces: Vec<T>,
     /// Partial velocities of the centre of mass of the link at hand.
@@ -108,7 +113,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             .iter()
             .map(|play| match play {
                 PlayId::Joint(joint) => {
-                    mechanism.model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0])
+                    mechanism.model.joints[joint.0].kind.points().map(|point| tree.slot_of_point(point))
                 }
                 // A coupling acts on the bodies of two joints.
                 PlayId::Coupling(_) => [0, 0],
@@ -126,7 +131,10 @@ impl<'a, T: Real> Dynamics<'a, T> {
             .collect();
         let springs = mechanism.model.springs.iter();
         let loads = mechanism.model.loads.iter().map(|load| LoadForce {
-            slot: tree.slot_of_body[load.kind.body().0],
+            slot: match load.kind {
+                LoadKind::Force { point, .. } => tree.slot_of_point(point),
+                LoadKind::Torque { body } => tree.slot_of_body[body.0],
+            },
             arm_m: Vec2::zero(),
             force_n: Vec2::zero(),
             torque_n_m: T::zero(),
@@ -155,7 +163,18 @@ impl<'a, T: Real> Dynamics<'a, T> {
             has_elements: !(mechanism.model.springs.is_empty()
                 && mechanism.model.loads.is_empty()
                 && mechanism.model.controls.is_empty()),
-            spring_slots: springs.map(|spring| spring.kind.bodies().map(|body| tree.slot_of_body[body.0])).collect(),
+            spring_slots: springs
+                .map(|spring| match spring.kind {
+                    SpringKind::Linear { first, second } => [first, second].map(|point| tree.slot_of_point(point)),
+                    SpringKind::Torsional { first, second } => [first, second].map(|body| tree.slot_of_body[body.0]),
+                })
+                .collect(),
+            beam_rooms: tree
+                .beams
+                .iter()
+                .map(|beam| BeamRoom::new(beam, tree.links[beam.slot - 1].dependences.len()))
+                .collect(),
+            beam_loss_w: T::zero(),
             damping_loss_w: T::zero(),
             loads,
             loads_w: T::zero(),
@@ -221,6 +240,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
             frictions.begin(&self.kinematics, &self.sample.frictions);
         }
         self.add_bodies();
+        if !self.beam_rooms.is_empty() {
+            self.add_beams();
+        }
         if self.has_elements {
             self.add_elements();
         }
@@ -260,6 +282,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.forces.fill(T::zero());
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
+            if link.is_flexible() {
+                continue;
+            }
             let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
             let bias = self.kinematics.biases[slot];
             let acceleration = acceleration_at(&bias, &self.kinematics.twists[slot], arm);
@@ -359,6 +384,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
             friction_loss_w: T::zero(),
             damping_loss_w: self.damping_loss_w,
         };
+        if !self.beam_rooms.is_empty() {
+            powers.damping_loss_w += self.beam_loss_w;
+        }
         for force in &self.contacts {
             powers.contact_loss_w += force.contact_loss_w;
             powers.friction_loss_w += force.friction_loss_w;

@@ -3,6 +3,7 @@
 //! Kane's method in tree coordinates q: the mass matrix M and the generalised forces h come from the partial velocities
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
+mod beam;
 mod contact;
 mod contact_motion;
 mod control;

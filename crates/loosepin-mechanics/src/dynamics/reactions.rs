@@ -89,7 +89,9 @@ impl<T: Real> Dynamics<'_, T> {
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
             beyond[slot] |= beyond[link.parent_slot];
-            if beyond[slot] {
+            if let (true, Some(beam)) = (beyond[slot], link.beam) {
+                needed += self.beam_force_n(beam);
+            } else if beyond[slot] && !link.is_flexible() {
                 let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
                 let change = self.acceleration(slot);
                 let acceleration = acceleration_at(&change, &self.kinematics.twists[slot], arm);

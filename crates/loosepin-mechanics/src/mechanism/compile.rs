@@ -53,7 +53,10 @@ impl Mechanism {
         let driven_loop =
             |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
         let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
-        let real = Tree::new(model, |id| !model.has_play(id, values)).map_err(driven_loop)?;
+        let real = Tree::flexible(model, |id| !model.has_play(id, values)).map_err(driven_loop)?;
+        if let Some(body) = real.beam_that_hangs_wrongly(model) {
+            return Err(MechanismError::BeamHangs { body: model.bodies[body.0].name.clone() });
+        }
         let size_m = size_m(model, values);
         let geometry = Geometry::new(model, &ideal, values);
         let numbers = initial_numbers(model, values);
@@ -91,14 +94,14 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// A copy with every clearance at zero: its real tree is the ideal one.
+    /// A copy with every clearance at zero and rigid bodies: its real tree is the ideal one.
     pub fn without_play(&self) -> Self {
         Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), dynamic_freedoms: 0, ..self.clone() }
     }
 
-    /// Whether the drives alone determine the motion: they move every freedom, and no joint has play.
+    /// Whether the drives alone determine the motion: they move every freedom, no joint has play, and no body is flexible.
     pub fn is_ideal(&self) -> bool {
-        self.plays.is_empty() && self.is_driven()
+        self.plays.is_empty() && self.real.beams.is_empty() && self.is_driven()
     }
 
     /// Whether the drives move every freedom that the mechanism has with all clearances at zero. Otherwise forces do, from
@@ -173,7 +176,8 @@ impl Mechanism {
                     let gap_rate = own_twist.at(own_arm) - parent_twist.at(parent_arm);
                     rates[coordinate] = direction.dot(gap_rate) + parent_twist.angular * direction.turned().dot(gap);
                 }
-                Attachment::Rigid { .. } => {}
+                // Beams begin undeformed and at rest in their frames.
+                Attachment::Rigid { .. } | Attachment::Section { .. } => {}
             }
         }
         (coordinates, rates)

@@ -41,6 +41,7 @@ impl MechanismError {
             Self::DrivenLoop { joint } | Self::CarriedNotDetermined { joint } => {
                 Complaint::error(self, model.place(&format!("joint.{joint}")))
             }
+            Self::BeamHangs { body } => Complaint::error(self, model.place(&format!("body.{body}.beam"))),
             Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }

@@ -39,6 +39,9 @@ problems! {
         DrivenLoop { joint: String } => Code::DrivenLoop,
             says("joint '{joint}' closes a loop in which every joint is driven"),
             hint("remove one of the drives of this loop");
+        BeamHangs { body: String } => Code::BeamNotPossible,
+            says("body '{body}' has a tangent frame, and what moves it comes to it through its other end"),
+            hint("exchange from and to in [body.{body}.beam], or take frame = \"secant\" there and in its joint no drive");
         /// A joint with friction in a mechanism whose constraint forces are not determined.
         CarriedNotDetermined { joint: String } => Code::FrictionNotPossible,
             says("joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints \

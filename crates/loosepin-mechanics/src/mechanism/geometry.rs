@@ -3,7 +3,9 @@
 use super::coupling_geometry::CouplingGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree};
-use crate::model::{JointId, JointKind, Model, PlayId, QuantityId, Values};
+use super::tree_beam::{BeamEnd, TreeBeam};
+use crate::model::{JointId, JointKind, Model, PlayId, PointId, QuantityId, Values};
+use loosepin_flexible::Beam;
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
@@ -60,11 +62,59 @@ pub struct Geometry<T> {
     pub cuts: Vec<CutGeometry<T>>,
     /// One for each ideal coupling.
     pub couplings: Vec<CouplingGeometry<T>>,
+    /// One for each flexible body of the tree.
+    pub beams: Vec<BeamGeometry<T>>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
 }
 
-numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings });
+numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings, beams });
+
+/// Numbers of a flexible body.
+#[derive(Debug, Clone)]
+pub struct BeamGeometry<T> {
+    /// The beam.
+    pub beam: Beam<T>,
+    /// Its root in the frame of the body, m.
+    pub root_m: Vec2<T>,
+    /// Its tip in the frame of the body, undeformed, m.
+    pub tip_m: Vec2<T>,
+    /// Direction from root to tip in the frame of the body.
+    pub axis: Vec2<T>,
+}
+
+numbers!(struct BeamGeometry { beam, root_m, tip_m, axis });
+
+impl<T: Real> BeamGeometry<T> {
+    /// An end in the frame of the body, undeformed, m.
+    pub fn end_m(&self, end: BeamEnd) -> Vec2<T> {
+        match end {
+            BeamEnd::Root => self.root_m,
+            BeamEnd::Tip => self.tip_m,
+        }
+    }
+
+    fn new(model: &Model, beam: &TreeBeam, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
+        let description = model.bodies[beam.body.0].beam.as_ref()?;
+        let mass_kg = model.bodies[beam.body.0].mass_kg?;
+        let point = |point: usize| numbered_point_m(model, number, PointId { body: beam.body, point });
+        let [root_m, tip_m] = beam.points().map(point);
+        let length_m = number(description.length_m);
+        Some(Self {
+            beam: Beam {
+                length_m,
+                mass_kg: number(mass_kg),
+                axial_stiffness_n_m: number(description.axial_stiffness_n_m),
+                bending_stiffness_n_m: number(description.bending_stiffness_n_m),
+                damping_ratio: description.damping_ratio.map_or(T::zero(), number),
+                foreshortening: description.foreshortening,
+            },
+            root_m,
+            tip_m,
+            axis: (tip_m - root_m) * (T::one() / length_m),
+        })
+    }
+}
 
 impl<T: Real> Geometry<T> {
     /// Lays out `values` for `tree`, all eccentricities zero.
@@ -94,6 +144,10 @@ impl<T: Real> Geometry<T> {
                     mass_kg: body.mass_kg.map_or(T::zero(), number),
                     inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
                 };
+                if let Attachment::Section { .. } = link.attachment {
+                    // All of the mass belongs to the frame.
+                    (geometry.mass_kg, geometry.inertia_kg_m2) = (T::zero(), T::zero());
+                }
                 if let Some((joint, forward)) = link.attachment.joint() {
                     let kind = &model.joints[joint.0].kind;
                     let (parent, own) = if forward { (0, 1) } else { (1, 0) };
@@ -124,7 +178,8 @@ impl<T: Real> Geometry<T> {
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
         let coupling = |&index: &usize| CouplingGeometry::new(model, &model.couplings[index], number);
         let couplings = tree.coupling_indices.iter().map(coupling).collect();
-        Self { links, cuts, couplings, gravity_m_s2 }
+        let beams = tree.beams.iter().filter_map(|beam| BeamGeometry::new(model, beam, number)).collect();
+        Self { links, cuts, couplings, beams, gravity_m_s2 }
     }
 
     /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second

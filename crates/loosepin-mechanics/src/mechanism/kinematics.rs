@@ -5,6 +5,7 @@
 
 use super::geometry::{Geometry, LinkGeometry};
 use super::tree::{Attachment, Tree};
+use super::tree_beam::BeamEnd;
 use loosepin_math::{Real, Vec2};
 
 /// Where a body frame is, seen from the ground.
@@ -179,6 +180,7 @@ impl<T: Real> Kinematics<T> {
                     self.carry_partials(tree, link.parent_slot, slot, inherited - 1);
                     self.partials[offset + inherited - 1] = direction;
                 }
+                Attachment::Section { beam, end } => self.set_section(tree, geometry, slot, (beam, end), coordinates),
                 Attachment::Rigid { .. } => {
                     let mut own = turned_with(&parent, numbers);
                     own.position_m = parent.position_m + parent_arm - own.turn(numbers.own_arm_m);
@@ -240,6 +242,7 @@ impl<T: Real> Kinematics<T> {
                     }
                     Twist { linear, angular: parent_bias.angular }
                 }
+                Attachment::Section { beam, end } => self.section_bias(tree, geometry, slot, (beam, end), rates),
                 Attachment::Rigid { .. } => {
                     let reach = self.poses[slot].position_m - self.poses[link.parent_slot].position_m;
                     let linear = acceleration_at(&parent_bias, &parent_twist, reach);
@@ -262,6 +265,65 @@ impl<T: Real> Kinematics<T> {
             }
         }
         total
+    }
+
+    /// Pose and partial velocities of a section. Out of line: few mechanisms have one.
+    #[inline(never)]
+    fn set_section(
+        &mut self,
+        tree: &Tree,
+        geometry: &Geometry<T>,
+        slot: usize,
+        (index, end): (usize, BeamEnd),
+        coordinates: &[T],
+    ) {
+        let (place, numbers) = (&tree.beams[index], &geometry.beams[index]);
+        let (station, q) = (place.station(end), &coordinates[place.coordinates.clone()]);
+        let frame = self.poses[place.slot];
+        let axis = frame.turn(numbers.axis);
+        let mut own = pose(frame.angle_rad + numbers.beam.angle_rad(station, q));
+        let from_root_m = numbers.beam.point_m(station, q).rotated(axis.y, axis.x);
+        let arm = own.turn(numbers.end_m(end));
+        own.position_m = frame.position_m + frame.turn(numbers.root_m) + from_root_m - arm;
+        self.poses[slot] = own;
+        let inherited = tree.links[place.slot - 1].dependences.len();
+        self.carry_partials(tree, place.slot, slot, inherited);
+        let of_shapes = self.offsets[slot] + inherited;
+        let dependences = &tree.links[slot - 1].dependences[inherited..];
+        let partials = &mut self.partials[of_shapes..of_shapes + dependences.len()];
+        match end {
+            // The root does not move in the frame.
+            BeamEnd::Root => partials.fill(Vec2::zero()),
+            BeamEnd::Tip => numbers.beam.partials(station, q, partials),
+        }
+        for (partial, dependence) in partials.iter_mut().zip(dependences) {
+            *partial = moved(partial.rotated(axis.y, axis.x), -arm.turned(), dependence.turning);
+        }
+    }
+
+    /// Acceleration of a section when the free coordinates have none.
+    #[inline(never)]
+    fn section_bias(
+        &self,
+        tree: &Tree,
+        geometry: &Geometry<T>,
+        slot: usize,
+        (index, end): (usize, BeamEnd),
+        rates: &[T],
+    ) -> Twist<T> {
+        let (place, numbers) = (&tree.beams[index], &geometry.beams[index]);
+        let (frame, twist, bias) = (self.poses[place.slot], self.twists[place.slot], self.biases[place.slot]);
+        let own_twist = self.twists[slot];
+        let arm = self.poses[slot].turn(numbers.end_m(end));
+        let reach = self.poses[slot].position_m + arm - frame.position_m;
+        // The end moves in the frame with what is left of its velocity.
+        let relative = own_twist.at(arm) - twist.at(reach);
+        let along = numbers.beam.shortening_m_s2(place.station(end), &rates[place.coordinates.clone()]);
+        let at_end = acceleration_at(&bias, &twist, reach)
+            .plus(relative.turned(), twist.angular + twist.angular)
+            .plus(frame.turn(numbers.axis), along);
+        let linear = at_end.plus(arm.turned(), -bias.angular).plus(arm, own_twist.angular.squared());
+        Twist { linear, angular: bias.angular }
     }
 
     /// The first `count` partials of `slot` follow those of its parent, with which it turns.

@@ -143,6 +143,9 @@ impl Scale {
                 _ => {}
             }
         }
+        for beam in &tree.beams {
+            columns_are_lengths[beam.axial()].fill(true);
+        }
         Self {
             size_m: size_m.log2().round().exp2(),
             rows_are_lengths: tree.cuts.iter().flat_map(of_cut).chain(of_couplings).collect(),

@@ -102,7 +102,7 @@ struct Point<'a, T> {
 impl<'a, T: Real> Point<'a, T> {
     #[inline(always)]
     fn new(id: PointId, tree: &Tree, kinematics: &'a Kinematics<T>, arm_m: &impl Fn(PointId) -> Vec2<T>) -> Self {
-        let slot = tree.slot_of_body[id.body.0];
+        let slot = tree.slot_of_point(id);
         let (pose, twist) = (&kinematics.poses[slot], &kinematics.twists[slot]);
         let arm_m = pose.turn(arm_m(id));
         Self { slot, pose, twist, arm_m, position_m: pose.position_m + arm_m }

@@ -1,8 +1,11 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
-use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PlayId};
+use super::tree_beam::{BeamEnd, TreeBeam, shapes_of};
+use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PlayId, PointId};
+use loosepin_flexible::Frame;
 use loosepin_math::Envelope;
 use loosepin_text::units::Dimension;
+use std::sync::Arc;
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
 /// first) and the child the second one (journal, slider, second).
@@ -48,13 +51,20 @@ pub enum Attachment {
         /// Direction of the joint along the tree.
         forward: bool,
     },
+    /// The section at an end of a beam, on the frame of its body.
+    Section {
+        /// Index in [`Tree::beams`].
+        beam: usize,
+        /// Which end.
+        end: BeamEnd,
+    },
 }
 
 impl Attachment {
     /// The joint by which a body hangs on its parent, and its direction along the tree; none for a body that hangs on nothing.
     pub fn joint(&self) -> Option<(JointId, bool)> {
         match *self {
-            Self::Free { .. } => None,
+            Self::Free { .. } | Self::Section { .. } => None,
             Self::Revolute { joint, forward, .. }
             | Self::DrivenRevolute { joint, forward, .. }
             | Self::Prismatic { joint, forward, .. }
@@ -69,7 +79,8 @@ impl Attachment {
             Self::Revolute { coordinate, .. }
             | Self::DrivenRevolute { coordinate, .. }
             | Self::Prismatic { coordinate, .. } => coordinate..coordinate + 1,
-            Self::Rigid { .. } => 0..0,
+            // Those of the shapes are counted where the section is made.
+            Self::Rigid { .. } | Self::Section { .. } => 0..0,
         }
     }
 }
@@ -95,6 +106,16 @@ pub struct Link {
     pub attachment: Attachment,
     /// Coordinates on which its motion depends: those of the parent first, then its own.
     pub dependences: Vec<Dependence>,
+    /// Index in [`Tree::beams`] where it is the frame of a flexible body.
+    pub beam: Option<usize>,
+}
+
+impl Link {
+    /// Whether it is the frame of a flexible body or one of its sections: its mass is that of the beam.
+    #[inline(always)]
+    pub fn is_flexible(&self) -> bool {
+        self.beam.is_some() || matches!(self.attachment, Attachment::Section { .. })
+    }
 }
 
 /// An ideal joint that closes a loop: a constraint between two bodies of the tree.
@@ -158,7 +179,7 @@ impl JointPlace {
     pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
         let kind = &model.joints[joint.0].kind;
         Self {
-            slots: kind.bodies().map(|body| tree.slot_of_body[body.0]),
+            slots: kind.points().map(|point| tree.slot_of_point(point)),
             is_prismatic: kind.coordinate() == Some(Dimension::LENGTH),
         }
     }
@@ -188,6 +209,8 @@ pub struct Tree {
     pub coupling_indices: Vec<usize>,
     /// Bodies that no ideal joint connects with the ground: each root has three coordinates of its own.
     pub floating_roots: Vec<BodyId>,
+    /// Flexible bodies; none in a tree of rigid ones.
+    pub beams: Vec<TreeBeam>,
 }
 
 /// The drives of these joints turn a closed loop against itself: no joint of the loop is free.
@@ -212,6 +235,15 @@ impl Tree {
         Self::with_driven(model, is_ideal, &driven)
     }
 
+    /// As [`Tree::new`], with flexible bodies where the model has beams. [`Tree::new`] takes all bodies for rigid.
+    ///
+    /// # Errors
+    /// A loop of driven joints alone.
+    pub fn flexible(model: &Model, is_ideal: impl Fn(PlayId) -> bool) -> Result<Self, DrivenLoop> {
+        let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
+        Self::grown(model, is_ideal, &driven, true)
+    }
+
     /// As [`Tree::new`], as if there were drives of the joints `driven`.
     ///
     /// # Errors
@@ -220,6 +252,15 @@ impl Tree {
         model: &Model,
         is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],
+    ) -> Result<Self, DrivenLoop> {
+        Self::grown(model, is_ideal, driven, false)
+    }
+
+    fn grown(
+        model: &Model,
+        is_ideal: impl Fn(PlayId) -> bool,
+        driven: &[JointId],
+        has_beams: bool,
     ) -> Result<Self, DrivenLoop> {
         let is_coupled = |index: usize| is_ideal(PlayId::Coupling(index));
         let is_ideal = |joint: JointId| is_ideal(PlayId::Joint(joint));
@@ -254,10 +295,13 @@ impl Tree {
             couplings: Vec::new(),
             coupling_indices: (0..model.couplings.len()).filter(|&index| is_coupled(index)).collect(),
             floating_roots: Vec::new(),
+            beams: Vec::new(),
         };
         tree.slot_of_body[0] = 0;
         // Placeholders beyond every free coordinate mark driven ones until the number of free ones is known.
-        let driven_from = 3 * model.bodies.len();
+        let shapes = |beam: &crate::model::Beam| beam.axial_shapes + beam.lateral_shapes;
+        let of_shapes: usize = model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(shapes).sum();
+        let driven_from = 3 * model.bodies.len() + of_shapes;
         let mut attached: Vec<BodyId> = vec![BodyId(0)];
         let mut next_root = 1;
         let mut tree_joints = vec![Vec::new(); model.bodies.len()];
@@ -267,7 +311,7 @@ impl Tree {
             }
         }
         loop {
-            tree.attach_descendants(model, &tree_joints, &drive_of, driven_from, &mut attached);
+            tree.attach_descendants((model, has_beams), &tree_joints, &drive_of, driven_from, &mut attached);
             while next_root < model.bodies.len() && tree.slot_of_body[next_root] != usize::MAX {
                 next_root += 1;
             }
@@ -279,6 +323,9 @@ impl Tree {
             let attachment = Attachment::Free { first: tree.free };
             tree.free += 3;
             tree.push(body, 0, attachment);
+            if has_beams {
+                tree.push_sections(model, body, None);
+            }
             attached.push(body);
         }
         tree.number_driven_coordinates(driven_from);
@@ -287,7 +334,7 @@ impl Tree {
             let kind = &model.joints[joint.0].kind;
             tree.cuts.push(Cut {
                 joint,
-                slots: kind.bodies().map(|body| tree.slot_of_body[body.0]),
+                slots: kind.points().map(|point| tree.slot_of_point(point)),
                 kind: match kind {
                     JointKind::Revolute { .. } => CutKind::Revolute,
                     JointKind::Prismatic { .. } => CutKind::Prismatic,
@@ -350,7 +397,7 @@ impl Tree {
     /// Breadth first over the joints of the tree, listed for each body, from the bodies in `attached` on.
     fn attach_descendants(
         &mut self,
-        model: &Model,
+        (model, has_beams): (&Model, bool),
         tree_joints: &[Vec<JointId>],
         drive_of: &impl Fn(JointId) -> Option<DriveId>,
         driven_from: usize,
@@ -362,8 +409,10 @@ impl Tree {
             next += 1;
             for &joint in &tree_joints[parent.0] {
                 let kind = &model.joints[joint.0].kind;
-                let [first, second] = kind.bodies();
-                let (child, forward) = if first == parent { (second, true) } else { (first, false) };
+                let [first, second] = kind.points();
+                let forward = first.body == parent;
+                let (at_parent, at_child) = if forward { (first, second) } else { (second, first) };
+                let child = at_child.body;
                 if self.slot_of_body[child.0] != usize::MAX {
                     continue;
                 }
@@ -385,7 +434,10 @@ impl Tree {
                         None => self.free += 1,
                     }
                 }
-                self.push(child, self.slot_of_body[parent.0], attachment);
+                self.push(child, self.slot_of_point(at_parent), attachment);
+                if has_beams {
+                    self.push_sections(model, child, Some(at_child));
+                }
                 attached.push(child);
             }
         }
@@ -409,8 +461,70 @@ impl Tree {
                 _ => 1.0,
             },
         }));
-        self.links.push(Link { body, parent_slot, attachment, dependences });
+        self.links.push(Link { body, parent_slot, attachment, dependences, beam: None });
         self.slot_of_body[body.0] = self.links.len();
+    }
+
+    /// Where `body`, the link pushed last, is flexible: adds its sections, seen from the point at which it hangs on its parent.
+    fn push_sections(&mut self, model: &Model, body: BodyId, hangs_at: Option<PointId>) {
+        let Some(beam) = &model.bodies[body.0].beam else { return };
+        let slot = self.links.len();
+        let is_reversed = hangs_at.is_some_and(|point| point.point == beam.ends[1]);
+        let (index, shapes) = (self.beams.len(), shapes_of(beam));
+        let coordinates = self.free..self.free + shapes.count();
+        self.free = coordinates.end;
+        self.links[slot - 1].beam = Some(index);
+        let mut sections = [slot; 2];
+        for (end, station, side) in [
+            (BeamEnd::Root, &shapes.root, usize::from(is_reversed)),
+            (BeamEnd::Tip, &shapes.tip, usize::from(!is_reversed)),
+        ] {
+            // The section at the root of a tangent frame is the frame.
+            if beam.frame == Frame::Tangent && end == BeamEnd::Root {
+                continue;
+            }
+            let mut dependences = self.links[slot - 1].dependences.clone();
+            if end == BeamEnd::Tip {
+                let axial = coordinates.start..coordinates.start + shapes.axial();
+                dependences.extend(axial.map(|coordinate| Dependence { coordinate, turning: 0.0 }));
+            }
+            let lateral = coordinates.start + shapes.axial()..coordinates.end;
+            dependences.extend(
+                lateral.zip(&station.slopes).map(|(coordinate, turning)| Dependence { coordinate, turning: *turning }),
+            );
+            let attachment = Attachment::Section { beam: index, end };
+            self.links.push(Link { body, parent_slot: slot, attachment, dependences, beam: None });
+            sections[side] = self.links.len();
+        }
+        self.beams.push(TreeBeam {
+            body,
+            ends: beam.ends,
+            slot,
+            sections,
+            is_reversed,
+            coordinates,
+            shapes: Arc::new(shapes),
+            is_damped: beam.damping_ratio.is_some(),
+        });
+    }
+
+    /// Slot of the frame that carries a point: of a flexible body that of the section there.
+    pub fn slot_of_point(&self, point: PointId) -> usize {
+        let beam = self.beams.iter().find(|beam| beam.body == point.body);
+        let section = beam.and_then(|beam| {
+            let side = beam.ends.iter().position(|end| *end == point.point)?;
+            Some(beam.sections[side])
+        });
+        section.unwrap_or(self.slot_of_body[point.body.0])
+    }
+
+    /// The first flexible body whose frame does not fit how it hangs: a tangent frame touches the beam at its `from`.
+    pub fn beam_that_hangs_wrongly(&self, model: &Model) -> Option<BodyId> {
+        let is_wrong = |beam: &&TreeBeam| {
+            let is_tangent = model.bodies[beam.body.0].beam.as_ref().is_some_and(|beam| beam.frame == Frame::Tangent);
+            is_tangent && (beam.is_reversed || self.floating_roots.contains(&beam.body))
+        };
+        self.beams.iter().find(is_wrong).map(|beam| beam.body)
     }
 
     /// Moves the driven coordinates from their placeholders to directly after the free ones.
@@ -427,7 +541,10 @@ impl Tree {
                 Attachment::DrivenRevolute { coordinate, .. } | Attachment::Prismatic { coordinate, .. } => {
                     *coordinate = renumbered(*coordinate);
                 }
-                Attachment::Revolute { .. } | Attachment::Free { .. } | Attachment::Rigid { .. } => {}
+                Attachment::Revolute { .. }
+                | Attachment::Free { .. }
+                | Attachment::Rigid { .. }
+                | Attachment::Section { .. } => {}
             }
         }
     }

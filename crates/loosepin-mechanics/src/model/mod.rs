@@ -3,6 +3,8 @@
 //! `read` makes a [`Model`] of the tables of a `model.toml`, whose keys are in `keys`. A model knows nothing of
 //! uncertainty and nothing of coordinates; [`crate::mechanism`] compiles it.
 
+mod beam;
+mod beam_problem;
 mod control;
 mod coupling;
 mod cycle;
@@ -31,6 +33,7 @@ mod table_curve;
 mod topology;
 mod wear;
 
+pub use beam::Beam;
 pub use control::{Control, FeedForward};
 pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
 pub use cycle::{Cycle, CycleSpan};

@@ -1,5 +1,6 @@
 //! Bodies, joints, contacts and drives of a model, referring to numbers by [`QuantityId`].
 
+use super::beam::Beam;
 use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
@@ -101,7 +102,7 @@ impl Model {
     }
 }
 
-/// A rigid body. The body frame is where its points are given; its origin need not be the centre of mass.
+/// A body, rigid unless it has a beam. The body frame is where its points are given; its origin need not be the centre of mass.
 #[derive(Debug, Clone)]
 pub struct Body {
     /// Name in the file; `ground` for the ground.
@@ -114,6 +115,8 @@ pub struct Body {
     pub centre_of_mass_m: Option<[QuantityId; 2]>,
     /// Named points in the body frame.
     pub points: Vec<Point>,
+    /// What makes it flexible; its mass, inertia and centre of mass are then those of the straight beam.
+    pub beam: Option<Beam>,
 }
 
 /// A named point of a body.

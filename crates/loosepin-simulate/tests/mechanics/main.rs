@@ -7,6 +7,7 @@ mod case;
 mod contact_laws;
 mod elements;
 mod films;
+mod flexible;
 mod guide_ends;
 mod guide_play;
 mod lanes;

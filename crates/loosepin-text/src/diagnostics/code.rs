@@ -324,6 +324,12 @@ radius along the pitch circles, and tan(pressure angle) of that apart. So it nee
 centres, and joints whose motion does not depend on what they carry: without play and without friction. A rack needs a prismatic \
 joint: a slot does not keep it parallel to its line."
 
+    BeamNotPossible "E0642" "a flexible link is not possible here"
+"A body with `beam` bends and stretches between two of its points, `from` and `to`, and is held at these two alone, by revolute joints \
+with or without play. Where a drive or a rigid joint holds it at `from`, its frame must be \"tangent\": the frame through both ends turns \
+against the section there. Not computed yet: joints of other kinds, torques and torsional springs on the link, couplings, controls and \
+friction in ideal joints beside it."
+
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \
 that can still move while all drives stand still. Add a drive or a joint. Often a joint names the wrong point, and a loop is open."

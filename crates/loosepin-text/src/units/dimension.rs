@@ -65,6 +65,7 @@ dimensions! {
     INERTIA [2.0, 1.0, 0.0, 0.0, 0.0] "", "a moment of inertia", "1e-4 kg m^2", "kg m².";
     AREA [2.0, 0.0, 0.0, 0.0, 0.0] "", "an area", "1 mm^2", "m².";
     VOLUME [3.0, 0.0, 0.0, 0.0, 0.0] "", "a volume", "1 mm^3", "m³.";
+    SECOND_MOMENT [4.0, 0.0, 0.0, 0.0, 0.0] "", "a second moment of area", "1 mm^4", "m⁴.";
     FREQUENCY [0.0, 0.0, -1.0, 0.0, 0.0] "", "a frequency", "50 Hz", "Hz.";
     SPRING_STIFFNESS [0.0, 1.0, -2.0, 0.0, 0.0] "", "a stiffness (force per length)", "20 N/mm", "N/m.";
     DAMPING [0.0, 1.0, -1.0, 0.0, 0.0] "N s/m", "a damping", "5 N s/m", "N s/m.";

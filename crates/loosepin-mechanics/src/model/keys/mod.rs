@@ -1,5 +1,6 @@
 //! The keys of a model file.
 
+pub(super) mod beam;
 pub(super) mod control;
 pub(super) mod coupling;
 pub(super) mod drive;
@@ -10,6 +11,7 @@ pub(super) mod wear;
 
 use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
 use crate::model::wear::WearMeasure;
+use beam::BEAM_KEYS;
 use control::CONTROL_KEYS;
 use coupling::{CAM_KEYS, COUPLING_KINDS};
 use drive::DRIVE_KEYS;
@@ -45,21 +47,23 @@ pub(in crate::model) static GROUND_KEYS: Keys = Keys::new(
 );
 
 pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
-    "a rigid body",
+    "a body: rigid with mass, inertia and centre of mass, or a flexible beam",
     &[
-        required("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
-        required(
+        optional("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
+        optional(
             "inertia",
             quantity(D::INERTIA, Rule::Positive),
             "\"1e-4 kg m^2\"",
             "moment of inertia about the centre of mass",
         ),
-        required("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
+        optional("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
         optional("points", POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }", POINTS_DOC),
+        optional("beam", Kind::Table(&BEAM_KEYS), "", "a beam that bends and stretches, under [body.NAME.beam]"),
         THERMAL_EXPANSION,
         TEMPERATURE_RISE_OF_BODY,
     ],
-);
+)
+.with_exactly_one(&[&["mass", "beam"], &["inertia", "beam"], &["centre_of_mass", "beam"]]);
 
 fn law_names() -> Vec<&'static str> {
     NormalDescription::all().map(|law| law.name()).collect()

@@ -27,6 +27,7 @@ impl ModelReader {
                 inertia_kg_m2: Some(UNREAD),
                 centre_of_mass_m: Some([UNREAD; 2]),
                 points: Vec::new(),
+                beam: None,
             };
             let id = BodyId(self.bodies.len());
             if let Some(table) = self.reader.table(&entry, &BODY_KEYS) {
@@ -38,6 +39,10 @@ impl ModelReader {
                 let centre = table.get("centre_of_mass").map(|entry| self.vector(&entry));
                 body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
                 body.points = self.points(&table, elongation);
+                if let Some(entry) = table.get("beam") {
+                    self.refuse_beside(&table, "thermal_expansion", "beam");
+                    self.beam(&entry, &mut body);
+                }
                 if table.get("points").is_some_and(|points| !points.is_table()) {
                     self.without_points.insert(id);
                 }

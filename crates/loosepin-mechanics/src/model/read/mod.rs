@@ -1,5 +1,6 @@
 //! From the text of a model file to a model, with all its complaints at once.
 
+mod beam;
 mod body;
 mod contact;
 mod control;
@@ -118,6 +119,7 @@ impl ModelReader {
             None => self.initial_of_controls(),
         };
         let wear = self.read_life(root);
+        self.refuse_beside_beams();
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         self.warn_of_unused();

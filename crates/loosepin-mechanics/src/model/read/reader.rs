@@ -70,6 +70,7 @@ impl ModelReader {
             inertia_kg_m2: None,
             centre_of_mass_m: None,
             points: Vec::new(),
+            beam: None,
         };
         ModelReader {
             reader: Reader::new(source),

@@ -1,0 +1,49 @@
+//! What flexible links cannot have.
+
+use loosepin_text::diagnostics::{Code, problems};
+
+problems! {
+    /// An error about a flexible link. `entry` is a path in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum BeamProblem {
+        NoSuchPoint { entry: String, body: String, point: String, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: body '{body}' has no point '{point}'"),
+            hint("it has {}", if known.is_empty() { "no points".to_owned() } else { known.join(", ") });
+        SamePoint { entry: String } => Code::BeamNotPossible,
+            says("{entry} ends where it begins");
+        HalfSection { entry: String, given: &'static str, needs: &'static str } => Code::ConflictingKeys,
+            says("{entry}: '{given}' needs '{needs}'");
+        NoShapes { entry: String } => Code::BeamNotPossible,
+            says("{entry} has neither lateral nor axial shapes"),
+            hint("a body that does not deform has mass, inertia and centre_of_mass in place of beam");
+        PointBetween { entry: String } => Code::BeamNotPossible,
+            says("{entry} is not an end of the beam; a flexible body can have points at from and to only"),
+            hint("leave the point out; points along a beam are not computed yet");
+        WrongJoint { entry: String, body: String, kind: &'static str } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' is flexible and cannot be held by a {kind}"),
+            hint("hold it by revolute joints at both ends; by a drive or a rigid joint at from with frame = \"tangent\"");
+        NeedsSecant { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' has a tangent frame and turns freely at from"),
+            hint("take frame = \"secant\", or drive this joint");
+        NeedsTangent { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' has a secant frame, and its section at from is held"),
+            hint("take frame = \"tangent\" in [body.{body}.beam]");
+        HeldAtTo { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: the section of body '{body}' is held at the end called to"),
+            hint("exchange from and to in [body.{body}.beam], with frame = \"tangent\"");
+        NotHeld { entry: String } => Code::BeamNotPossible,
+            says("{entry}: frame is \"tangent\", and neither a drive nor a rigid joint holds the section at from"),
+            hint("take frame = \"secant\"");
+        TurnOf { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' is flexible; each of its sections has an angle of its own"),
+            hint("let it act on a rigid body, or take a force or a spring between points");
+        Beside { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: this is not computed yet in a mechanism with a flexible body, here '{body}'"),
+            hint("give body '{body}' its mass, inertia and centre_of_mass in place of beam, or leave this out");
+    }
+}
+
+/// Kinds of joint that do not hold a beam.
+pub(super) const PRISMATIC: &str = "prismatic joint";
+/// A slot or the pin in it.
+pub(super) const SLOT: &str = "slot joint";

@@ -1,0 +1,81 @@
+//! The keys of flexible links.
+
+use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
+use loosepin_text::units::{Dimension as D, Rule};
+
+/// Shapes of one kind, at most: 35 kHz of a rod of 0.3 m need four.
+const MOST_SHAPES: u64 = 8;
+
+const fn length(name: &'static str, example: &'static str, doc: &'static str) -> Key {
+    optional(name, quantity(D::LENGTH, Rule::Positive), example, doc)
+}
+
+pub(in crate::model) static SECTION_KEYS: Keys = Keys::new(
+    "the section of a beam: width and height, diameter, outer and inner diameter, or area and second moment",
+    &[
+        length("width", "\"8 mm\"", "width across the plane of motion"),
+        length("height", "\"8 mm\"", "height in the plane of motion"),
+        length("diameter", "\"8 mm\"", "diameter of a round rod"),
+        length("outer_diameter", "\"10 mm\"", "outer diameter of a tube"),
+        length("inner_diameter", "\"7 mm\"", "inner diameter of a tube"),
+        optional("area", quantity(D::AREA, Rule::Positive), "\"64 mm^2\"", "area A"),
+        optional(
+            "second_moment",
+            quantity(D::SECOND_MOMENT, Rule::Positive),
+            "\"341 mm^4\"",
+            "second moment of area I about the axis across the plane of motion",
+        ),
+    ],
+)
+.with_exactly_one(&[
+    &["width", "diameter", "outer_diameter", "area"],
+    &["height", "diameter", "inner_diameter", "second_moment"],
+]);
+
+pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
+    "a straight uniform beam between two points of the body, in place of mass, inertia and centre of mass",
+    &[
+        required("from", Kind::Text, "\"big_end\"", "point of the body at which the beam begins"),
+        required("to", Kind::Text, "\"small_end\"", "point of the body at which it ends"),
+        required(
+            "section",
+            Kind::Table(&SECTION_KEYS),
+            "{ width = \"8 mm\", height = \"8 mm\" }",
+            "its section; the height lies in the plane of motion",
+        ),
+        required("youngs_modulus", quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"", "Young's modulus E"),
+        required("density", quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"", "density"),
+        optional(
+            "damping_ratio",
+            quantity(D::NUMBER, Rule::NonNegative),
+            "0.005",
+            "damping ratio of every shape; none if left out",
+        ),
+        optional(
+            "frame",
+            Kind::Choice(&["secant", "tangent"]),
+            "\"secant\"",
+            "secant, if left out: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a \
+             rigid joint holds",
+        ),
+        optional(
+            "lateral_shapes",
+            Kind::Count { least: 0, most: MOST_SHAPES },
+            "2",
+            "number of shapes in which it bends; 2 if left out",
+        ),
+        optional(
+            "axial_shapes",
+            Kind::Count { least: 0, most: MOST_SHAPES },
+            "2",
+            "number of shapes in which it stretches, 0 for none; 2 if left out",
+        ),
+        optional(
+            "foreshortening",
+            Kind::Choice(&["second-order", "none"]),
+            "\"second-order\"",
+            "second-order, if left out: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the \
+             linear form",
+        ),
+    ],
+);

@@ -1,0 +1,3 @@
+//! Mechanisms with flexible links: against histories of another program, energy, and other formulations.
+
+mod histories;
