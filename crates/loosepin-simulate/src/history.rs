@@ -118,7 +118,7 @@ pub struct Simulation {
     pub failure: Option<RunFailure>,
 }
 
-/// Motion of the centres of mass at the sample times: for each moving body x, y, angle, then their rates, then their
+/// Motion of the centres of mass (of a flexible body of the middle of its straight frame) at the sample times: for each moving body x, y, angle, then their rates, then their
 /// accelerations; m, rad, s.
 #[derive(Debug, Clone, Default)]
 pub struct BodyStates {
@@ -275,7 +275,7 @@ impl<'a> Recorder<'a> {
             sections,
             wear: WearRecorder::new(mechanism, values),
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
-            has_dampers: mechanism.model.springs.iter().any(|spring| spring.damping.is_some()),
+            has_dampers: mechanism.has_dampers(),
             columns,
         }
     }
@@ -602,7 +602,7 @@ impl Observer for Recorder<'_> {
     }
 }
 
-/// Positions of all centres of mass, then velocities, then accelerations.
+/// Positions of all centres of mass, then velocities, then accelerations; of a flexible body those of the middle of its straight frame.
 fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f64>) -> Vec<f64> {
     let (mut positions, mut velocities, mut accelerations) = (Vec::new(), Vec::new(), Vec::new());
     for (index, body) in mechanism.model.bodies.iter().enumerate().skip(1) {

@@ -86,8 +86,7 @@ impl Layout {
         let joint_bristles = sample.frictions.iter().map(|friction| place_if(friction.law.has_bristle())).collect();
         let controls = sample.controls.iter();
         let error_integrals = controls.map(|control| place_if(control.integral.is_some())).collect();
-        let has_dampers = mechanism.model.springs.iter().any(|spring| spring.damping.is_some())
-            || mechanism.real.beams.iter().any(|beam| beam.is_damped);
+        let has_dampers = mechanism.has_dampers();
         let watched = Watched::all(sample);
         let wearing = sample.plays.iter().enumerate().filter(|(_, play)| play.wears);
         let friction_paths = wearing.map(|(play, _)| play).collect();

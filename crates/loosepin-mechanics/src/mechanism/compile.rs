@@ -110,6 +110,12 @@ impl Mechanism {
         self.degrees_of_freedom == self.model.drives.len()
     }
 
+    /// Whether springs or flexible bodies turn energy into heat by damping.
+    pub fn has_dampers(&self) -> bool {
+        let has_damper = self.model.springs.iter().any(|spring| spring.damping.is_some());
+        has_damper || self.real.beams.iter().any(|beam| beam.is_damped)
+    }
+
     /// Index in `contacts` of the first contact of the joint with play `play`, and of the first one behind them.
     pub fn contacts_of(&self, play: usize) -> std::ops::Range<usize> {
         let behind = |play: usize| self.contacts.iter().filter(|contact| contact.play < play).count();

@@ -12,6 +12,7 @@ use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
 use loosepin::units::{Dimension, format_number, format_value, listed};
 
+use super::beams::push_beams;
 use super::elements::push_elements;
 use super::law_words::law_words;
 use super::trial::Trial;
@@ -29,6 +30,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     let model = &mechanism.model;
     let mut text = format!("{}\n", model.name);
     push_bodies(&mut text, model, values);
+    push_beams(&mut text, mechanism, values);
     push_joints(&mut text, mechanism, values);
     push_elements(&mut text, model, values, &coupling_lines(mechanism, values));
     push_mobility(&mut text, mechanism);
@@ -344,7 +346,8 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         if model.drives.is_empty() { "no drive".to_owned() } else { counted(model.drives.len(), "drive", "drives") },
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
-    let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom;
+    let shapes: usize = mechanism.real.beams.iter().map(|beam| beam.shapes.count()).sum();
+    let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom - shapes;
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }

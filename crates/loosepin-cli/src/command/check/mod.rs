@@ -1,5 +1,6 @@
 //! `loosepin check`.
 
+mod beams;
 mod elements;
 mod law_words;
 mod mechanism;

@@ -1,0 +1,95 @@
+//! What a flexible body cannot have is refused where it stands.
+
+use super::case_text;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Model;
+
+/// The complaints about a text, without place and colour: first lines.
+fn complaints(text: &str) -> String {
+    match Model::from_text("model.toml", text) {
+        Err(complaints) => complaints.to_string(),
+        Ok(model) => match Mechanism::new(&model, &model.quantities.nominal()) {
+            Err(error) => error.complaint(&model).to_string(),
+            Ok(_) => String::new(),
+        },
+    }
+}
+
+#[test]
+fn messages_of_what_a_flexible_body_cannot_have() {
+    let text = case_text("flexible_slider_crank");
+    let points = "points = { big_end = [\"0 mm\", \"0 mm\"], small_end = [\"rod_length\", \"0 mm\"] }";
+    let with = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    };
+    let more = |table: &str| format!("{text}\n{table}\n");
+    let cases = [
+        (
+            with(points, &format!("{points}\nmass = \"0.2 kg\"")),
+            "body 'rod': 'mass' and 'beam' cannot be used together; give exactly one of 'mass' and 'beam'",
+        ),
+        (
+            with(
+                "small_end = [\"rod_length\", \"0 mm\"] }",
+                "small_end = [\"rod_length\", \"0 mm\"], eye = [\"40 mm\", \"0 mm\"] }",
+            ),
+            "is not an end of the beam; a flexible body can have points at from and to only",
+        ),
+        (with("to = \"small_end\"", "to = \"end\""), "body 'rod' has no point 'end'"),
+        (with("to = \"small_end\"", "to = \"big_end\""), "ends where it begins"),
+        (with("height = \"8 mm\" }", "diameter = \"8 mm\" }"), "cannot be used together; give exactly one of"),
+        (with(", height = \"8 mm\" }", ", second_moment = \"341 mm^4\" }"), "'width' needs 'height'"),
+        (
+            with("lateral_shapes = 2\naxial_shapes = 2", "lateral_shapes = 0\naxial_shapes = 0"),
+            "has neither lateral nor axial shapes",
+        ),
+        (
+            with(
+                "[joint.gudgeon]\nkind = \"revolute\"",
+                "[joint.second_guide]\nkind = \"prismatic\"\n\
+                  guide = { point = \"ground.o\", angle = \"0 deg\" }\nslider = \"rod.small_end\"\n[joint.gudgeon]\nkind = \"revolute\"",
+            ),
+            "joint 'second_guide': body 'rod' is flexible and cannot be held by a prismatic joint",
+        ),
+        (
+            with("axial_shapes = 2", "axial_shapes = 2\nframe = \"tangent\""),
+            "joint 'crank_pin': body 'rod' has a tangent frame and turns freely at from",
+        ),
+        (
+            with("joint = \"main\"", "joint = \"crank_pin\""),
+            "joint 'crank_pin': body 'rod' has a secant frame, and its section at from is held",
+        ),
+        (
+            with(
+                "kind = \"revolute\"\nbearing = \"crank.pin\"",
+                "kind = \"revolute\"\npin_radius = \"9 mm\"\n\
+                  friction = { coefficient = 0.1 }\nbearing = \"crank.pin\"",
+            ),
+            "joint 'crank_pin': this is not computed yet in a mechanism with a flexible body, here 'rod'",
+        ),
+        (
+            more("[load.twist]\nkind = \"torque\"\nbody = \"rod\"\ntorque = \"1 N m\""),
+            "load 'twist': body 'rod' is flexible; each of its sections has an angle of its own",
+        ),
+        (
+            more(
+                "[spring.coil]\nkind = \"torsional\"\njoint = \"crank_pin\"\nstiffness = \"1 N m/rad\"\nfree_angle = \"0 deg\"",
+            ),
+            "spring 'coil': body 'rod' is flexible; each of its sections has an angle of its own",
+        ),
+        (
+            with("[parameter]", "temperature_rise = \"40 K\"\n[parameter]").replacen(
+                points,
+                &format!("{points}\nthermal_expansion = \"11.7e-6 1/K\""),
+                1,
+            ),
+            "body 'rod': 'thermal_expansion' cannot be used with 'beam'",
+        ),
+    ];
+    for (text, due) in cases {
+        let found = complaints(&text);
+        assert!(found.contains(due), "{due}\nis not said:\n{found}");
+    }
+    assert_eq!(complaints(&text), "");
+}

@@ -1,0 +1,111 @@
+//! The same mechanism with another tree: other joints are cut, links hang by their other end.
+
+use super::case_text;
+use crate::elements::build;
+use loosepin_mechanics::mechanism::CutKind;
+use loosepin_result::simulation::SimulationRecord;
+use loosepin_simulate::{Plan, Settings, simulate};
+
+fn record(text: &str, tolerance_m: f64) -> SimulationRecord {
+    let built = build(text);
+    let plan = Plan {
+        settings: Settings { tolerance_m, ..Settings::for_simulation() },
+        ..Plan::of_model(&built.mechanism.model)
+    };
+    simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
+}
+
+/// Largest difference of two runs in an output.
+fn apart(one: &SimulationRecord, other: &SimulationRecord, output: &str) -> f64 {
+    let [one, other] = [one, other]
+        .map(|record| &record.outputs.iter().find(|history| history.name == output).expect("an output").value_si);
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).fold(0.0, |apart, (one, other)| apart.max((one - other).abs()))
+}
+
+/// Text with the table of the joint `moved` before that of the joint `before`.
+fn reordered(text: &str, moved: &str, before: &str) -> String {
+    let start = text.find(&format!("[joint.{moved}]")).expect("the joint");
+    let end = start + text[start..].find("\n\n").expect("its end") + 2;
+    let (table, rest) = (text[start..end].to_owned(), format!("{}{}", &text[..start], &text[end..]));
+    rest.replace(&format!("[joint.{before}]"), &format!("{table}[joint.{before}]"))
+}
+
+#[test]
+fn identity_a_flexible_link_may_hang_by_either_end() {
+    let text = case_text("flexible_slider_crank").replace("duration = \"10 ms\"", "duration = \"2 ms\"");
+    let exchanged = text.replace("from = \"big_end\"\nto = \"small_end\"", "from = \"small_end\"\nto = \"big_end\"");
+    assert_ne!(text, exchanged);
+    let built = build(&exchanged);
+    assert!(built.mechanism.real.beams[0].is_reversed);
+    let [one, other] = [&text, &exchanged].map(|text| record(text, 1e-12));
+    assert_eq!(one.impacts.len(), other.impacts.len());
+    assert!(one.impacts.len() > 5);
+    for output in ["slider", "rod", "small_end_x", "small_end_y"] {
+        assert!(apart(&one, &other, output) < 1e-11, "{output}: {:e}", apart(&one, &other, output));
+    }
+}
+
+/// A closed loop with a flexible rod and no play: the guide, the gudgeon or the crank pin is cut, the rod hangs by its big or by its small
+/// end. Starts at rest in its frame; the rod rings.
+#[test]
+fn identity_whichever_joint_of_a_loop_is_cut() {
+    let text = case_text("flexible_slider_crank")
+        .replace("duration = \"10 ms\"", "duration = \"3 ms\"")
+        .replace("radial_clearance = \"0.2 mm\"", "radial_clearance = \"0 mm\"");
+    let by_gudgeon = reordered(&text, "guide", "gudgeon");
+    let by_crank_pin = reordered(&reordered(&text, "gudgeon", "crank_pin"), "guide", "gudgeon");
+    let cuts = [&text, &by_gudgeon, &by_crank_pin].map(|text| {
+        let built = build(text);
+        let cut = built.mechanism.real.cuts[0];
+        assert_eq!(built.mechanism.real.cuts.len(), 1);
+        assert!(!built.mechanism.is_ideal());
+        (built.mechanism.model.joints[cut.joint.0].name.clone(), cut.kind, built.mechanism.real.beams[0].is_reversed)
+    });
+    assert_eq!(cuts[0], ("guide".to_owned(), CutKind::Prismatic, false));
+    assert_eq!(cuts[1], ("gudgeon".to_owned(), CutKind::Revolute, false));
+    assert_eq!(cuts[2], ("crank_pin".to_owned(), CutKind::Revolute, true));
+    let [guide, gudgeon, crank_pin] = [&text, &by_gudgeon, &by_crank_pin].map(|text| record(text, 1e-12));
+    for other in [&gudgeon, &crank_pin] {
+        for output in ["slider", "rod"] {
+            assert!(apart(&guide, other, output) < 1e-11, "{output}: {:e}", apart(&guide, other, output));
+        }
+        assert!(apart(&guide, other, "gudgeon_force") < 1e-4, "{:e} N", apart(&guide, other, "gudgeon_force"));
+    }
+    for run in [&guide, &gudgeon, &crank_pin] {
+        assert!(run.energy.relative_residual < 1e-10, "{:e}", run.energy.relative_residual);
+    }
+    // It is not the rigid one: the slider is some micrometres off the ideal motion.
+    let slider = guide.outputs.iter().find(|history| history.name == "slider").expect("an output");
+    let largest = slider.deviation_si.iter().fold(0.0_f64, |largest, deviation| largest.max(deviation.abs()));
+    assert!((2e-6..2e-4).contains(&largest), "{largest:e}");
+}
+
+/// The rigid coupler of the same mass: onset, speed and peak of the first contact by another program.
+#[test]
+fn peer_the_rigid_coupler_of_the_same_mass() {
+    let text = case_text("flexible_four_bar").replace("duration = \"20 ms\"", "duration = \"2 ms\"");
+    let start = text.find("[body.coupler]").expect("the coupler");
+    let end = start + text[start..].find("[body.rocker]").expect("the rocker");
+    let rigid = "[body.coupler]\nmass = \"0.2028 kg\"\ninertia = \"0.2028 kg * coupler_length^2 / 12\"\n\
+                 centre_of_mass = [\"coupler_length / 2\", \"0 mm\"]\n\
+                 points = { tail = [\"0 mm\", \"0 mm\"], head = [\"coupler_length\", \"0 mm\"] }\n\n";
+    let rigid = format!("{}{rigid}{}", &text[..start], &text[end..]);
+    let [flexible, rigid] = [build(&text), build(&rigid)];
+    // A beam has the mass, the inertia and the centre of mass of a line.
+    let [of_beam, of_body] = [&flexible, &rigid].map(|built| {
+        let body = built.mechanism.model.bodies.iter().find(|body| body.name == "coupler").expect("the coupler");
+        let centre = body.centre_of_mass_m.expect("a centre of mass");
+        [body.mass_kg.expect("a mass"), body.inertia_kg_m2.expect("an inertia"), centre[0], centre[1]]
+            .map(|id| built.values[id])
+    });
+    for (of_beam, of_body) in of_beam.iter().zip(of_body) {
+        assert!((of_beam - of_body).abs() <= 1e-15 * of_body.abs(), "{of_beam} and {of_body}");
+    }
+    let plan = Plan::of_model(&rigid.mechanism.model);
+    let record = simulate(&rigid.mechanism, &rigid.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record;
+    let first = &record.impacts[0];
+    assert!((first.time_s - 0.994406584e-3).abs() < 1e-12, "{:e}", first.time_s);
+    assert!((first.speed_m_s - 0.40161717).abs() < 1e-8, "{}", first.speed_m_s);
+    assert!((first.peak_force_n - 2759.725).abs() < 0.02, "{}", first.peak_force_n);
+}
