@@ -4,10 +4,11 @@ use super::input_file::InputFile;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion};
+use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion_until};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Complaints;
+use std::sync::atomic::AtomicBool;
 
 impl InputFile {
     /// The ideal motion over one turn in `positions` steps, with the quasi-static answer; `set` are settings `path=value`. Clearances
@@ -16,6 +17,19 @@ impl InputFile {
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
     pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        self.ideal_motion_until(positions, set, &AtomicBool::new(false))
+    }
+
+    /// As [`Self::ideal_motion`], until `stop` is set.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`]; that it was stopped.
+    pub fn ideal_motion_until(
+        &self,
+        positions: usize,
+        set: &[String],
+        stop: &AtomicBool,
+    ) -> Result<MotionRecord, Complaints> {
         let model = self.model();
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
@@ -30,7 +44,7 @@ impl InputFile {
             },
             overrides: Override::of_settings(&settings),
         };
-        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
+        Ok(motion_until(&mechanism, &set.values, &plan, stop).map_err(|error| error.complaint(model))?)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it

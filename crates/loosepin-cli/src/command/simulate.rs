@@ -1,23 +1,19 @@
 //! `loosepin simulate`.
 
-use loosepin::accuracy::check_quasi_static;
-use loosepin::measured::{MeasuredTable, lay_over};
+use std::sync::atomic::AtomicBool;
+
+use loosepin::measured::MeasuredTable;
 use loosepin::mechanism::Mechanism;
-use loosepin::model::{Model, Rule, SetValues, measured_argument};
+use loosepin::model::{Model, Rule, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
-use loosepin::results::{
-    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, ResultKind, ResultsFolder, SPECTRUM_FILE, WEAR_FILE,
-};
+use loosepin::results::ResultKind;
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
-use loosepin::simulate::{
-    Plan, Settings, SmallestClearance, columns, history_csv, impacts_csv, simulate, spectrum_csv, wear_csv,
-};
+use loosepin::simulate::{Plan, Settings, SmallestClearance, columns};
+use loosepin::study::{run_inputs, run_into};
 use loosepin::units::Dimension;
 
-use serde::Serialize;
-
-use super::inputs::{add_model, check_tolerance, read_model};
-use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
+use super::inputs::{check_tolerance, read_model};
+use super::stored::{StoredResult, claim, run_and_write, show_found, tell};
 use crate::arguments::SimulateArguments;
 use crate::ending::{Done, Ending, Failure};
 
@@ -27,14 +23,14 @@ pub fn run(arguments: &SimulateArguments) -> Ending {
 }
 
 /// Runs the model, or takes the run that is there, and shows it as `R` does.
-pub fn run_shown<R: StoredResult + Serialize + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
+pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateArguments) -> Ending {
     let model = read_model(&arguments.model)?;
     let set = model.set_values(&arguments.set)?;
     let plan = plan(arguments, &model)?;
     check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let measured = measured(arguments)?;
     let claim =
-        claim(ResultKind::Simulation, &model.name, inputs(&model, arguments, &plan, &measured), &arguments.output);
+        claim(ResultKind::Simulation, &model.name, run_inputs(&model, &arguments.set, &plan, &measured), &arguments.output);
     // Compiled first, so that a model that cannot run leaves no folder behind.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
     let outputs = columns(&mechanism.model);
@@ -46,7 +42,13 @@ pub fn run_shown<R: StoredResult + Serialize + From<SimulationRecord>>(arguments
     if folder.is_finished() {
         return show_found::<R>(folder);
     }
-    run_and_write(folder, |folder| simulated::<R>(&mechanism, &set, &plan, &measured, folder))
+    run_and_write(folder, |folder| {
+        let never = AtomicBool::new(false);
+        let finished = run_into(folder, (&mechanism, &set), &plan, &measured, &simulation_page, &never)?;
+        let done = tell(&R::from(finished.record), folder)?;
+        // The files stay: they show what went wrong.
+        finished.failure.map_or(Ok(done), |failure| Err(failure.into()))
+    })
 }
 
 impl StoredResult for SimulationRecord {
@@ -59,39 +61,6 @@ impl StoredResult for SimulationRecord {
             StopReason::Failed { .. } => Done::RunFailed,
         }
     }
-}
-
-/// Runs the model and writes what came of it.
-fn simulated<R: StoredResult + Serialize + From<SimulationRecord>>(
-    mechanism: &Mechanism,
-    set: &SetValues,
-    plan: &Plan,
-    measured: &[MeasuredTable],
-    folder: &mut ResultsFolder,
-) -> Ending {
-    let model = &mechanism.model;
-    let mut simulation = simulate(mechanism, &set.values, plan).map_err(|failure| failure.complaint(model))?;
-    for table in measured {
-        simulation.record.repeat.add_measured("--measured", table.source());
-    }
-    // A run that failed is written as it is, without what follows from it.
-    if simulation.failure.is_none() {
-        check_quasi_static(mechanism, &set.values, &mut simulation.record).map_err(|error| error.complaint(model))?;
-        for table in measured {
-            lay_over(table, &mut simulation.record)?;
-        }
-    }
-    folder.write(HISTORY_FILE, history_csv(&simulation).as_bytes())?;
-    folder.write(IMPACTS_FILE, impacts_csv(&simulation.record).as_bytes())?;
-    if let Some(spectrum) = spectrum_csv(&simulation.record) {
-        folder.write(SPECTRUM_FILE, spectrum.as_bytes())?;
-    }
-    if let Some(wear) = wear_csv(&simulation.record.wear) {
-        folder.write(WEAR_FILE, wear.as_bytes())?;
-    }
-    let ending = write_and_tell(&R::from(simulation.record), folder)?;
-    // The files stay: they show what went wrong.
-    simulation.failure.map_or(Ok(ending), |failure| Err(failure.complaint(model).into()))
 }
 
 fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
@@ -112,25 +81,4 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
 /// The tables of measured curves.
 fn measured(arguments: &SimulateArguments) -> Result<Vec<MeasuredTable>, Failure> {
     arguments.measured.iter().map(|path| Ok(MeasuredTable::from_path(path)?)).collect()
-}
-
-fn inputs(model: &Model, arguments: &SimulateArguments, plan: &Plan, measured: &[MeasuredTable]) -> InputsHash {
-    let mut hasher = InputsHasher::new(ResultKind::Simulation);
-    add_model(&mut hasher, model);
-    for set in &arguments.set {
-        hasher.add("set", set);
-    }
-    for table in measured {
-        hasher.add("measured", table.text());
-    }
-    if let Some(turns) = plan.lyapunov_turns {
-        hasher.add("lyapunov_turns", turns.to_string());
-    }
-    hasher
-        .add_number("transient_turns", plan.cycle.transient_turns)
-        .add_number("recorded_turns", plan.cycle.recorded_turns)
-        .add("samples_per_turn", plan.cycle.samples_per_turn.to_string())
-        .add_number("tolerance_m", plan.settings.tolerance_m)
-        .add("with_states", plan.with_states.to_string())
-        .finish()
 }

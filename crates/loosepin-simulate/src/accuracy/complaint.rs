@@ -16,6 +16,7 @@ impl Problem for AccuracyError {
             Self::CannotCloseWithPlay { .. } => Code::CannotClose,
             Self::SingularWithPlay => Code::SingularPosition,
             Self::TurnsOver { .. } => Code::NoQuasiStaticAnswer,
+            Self::Stopped => Code::Interrupted,
         }
     }
 
@@ -25,7 +26,7 @@ impl Problem for AccuracyError {
             Self::Quantity(error) => error.hint(),
             Self::NotDriven => Some("use loosepin simulate: it follows the forces in time".to_owned()),
             Self::StandsStill { .. } => Some("give it a speed, or let [cycle] name another drive".to_owned()),
-            Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } => None,
+            Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
                 Some("so near a dead point only a dynamic run tells what the play does".to_owned())
@@ -45,7 +46,7 @@ impl AccuracyError {
             Self::BadStandardDeviation { path, .. } => Complaint::error(self, model.place(path)),
             Self::CannotCloseWithPlay { open } => Complaint::error(self, model.place(&open.path)),
             Self::TurnsOver { joint } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
-            Self::TooFewPositions { .. } | Self::SingularWithPlay => Complaint::error(self, None),
+            Self::TooFewPositions { .. } | Self::SingularWithPlay | Self::Stopped => Complaint::error(self, None),
         }
     }
 }

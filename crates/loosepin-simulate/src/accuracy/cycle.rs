@@ -6,6 +6,7 @@ use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, SampleError};
 use loosepin_mechanics::model::{CycleInput, describe_path};
 use loosepin_result::motion::SingularPosition;
 use loosepin_text::units::{Dimension, format_value};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
 /// than ten times. Designers keep transmission angles above 30° to 45°.
@@ -28,12 +29,18 @@ pub struct Cycle<'a> {
 
 impl<'a> Cycle<'a> {
     /// Walks `positions` steps of one turn from `start`. A mechanism that cannot go through the turn is followed as far as
-    /// it goes forwards, and from the start backwards.
-    pub fn walk(mechanism: &Mechanism, start: IdealMotion<'a>, input: &CycleInput, positions: usize) -> Self {
+    /// it goes forwards, and from the start backwards. Where `stop` is set it ends wherever it is.
+    pub fn walk(
+        mechanism: &Mechanism,
+        start: IdealMotion<'a>,
+        input: &CycleInput,
+        positions: usize,
+        stop: &AtomicBool,
+    ) -> Self {
         let turn_s = input.turn_s();
         let at = |step: i64| turn_s * step as f64 / positions as f64;
         let steps = positions as i64;
-        let mut walk = Walk { mechanism, input, singular: Vec::new() };
+        let mut walk = Walk { mechanism, input, stop, singular: Vec::new() };
         let (mut states, forward_stop_s) = walk.follow(start.clone(), (1..=steps).map(at));
         states.insert(0, start.clone());
         if forward_stop_s.is_some() {
@@ -63,6 +70,7 @@ impl<'a> Cycle<'a> {
 struct Walk<'m> {
     mechanism: &'m Mechanism,
     input: &'m CycleInput,
+    stop: &'m AtomicBool,
     singular: Vec<(f64, String)>,
 }
 
@@ -75,7 +83,7 @@ impl Walk<'_> {
     ) -> (Vec<IdealMotion<'a>>, Option<f64>) {
         let mut states = Vec::new();
         let mut last = start;
-        for time_s in times_s {
+        for time_s in times_s.take_while(|_| !self.stop.load(Ordering::Relaxed)) {
             let mut next = last.clone();
             if next.move_to(time_s).is_err() {
                 let (end, error) = self.last_reachable(last.clone(), time_s);

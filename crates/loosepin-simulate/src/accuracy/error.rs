@@ -54,4 +54,7 @@ pub enum AccuracyError {
     /// Journals displaced within their clearances bring the mechanism into a singular position.
     #[error("a singular position lies within the clearances: there the drives no longer determine the motion")]
     SingularWithPlay,
+    /// Somebody stopped it.
+    #[error("the ideal motion was stopped before its end")]
+    Stopped,
 }

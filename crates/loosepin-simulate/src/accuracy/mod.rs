@@ -24,7 +24,7 @@ pub use check::{check_quasi_static, quasi_static_check};
 pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
-pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion};
+pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion, motion_until};
 pub use play_reach::PlayReach;
 pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};

@@ -19,6 +19,7 @@ use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContri
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::Override;
 use loosepin_text::units::DisplayUnits;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Fewest positions in a cycle: with fewer, neither extremes nor singular positions would be seen.
 const LEAST_POSITIONS: usize = 12;
@@ -68,6 +69,20 @@ pub struct ScatterCorrelation {
 /// An impossible sample, loops that do not close at the start, a drive that stands still, too few positions, a standard
 /// deviation or a quantity that cannot be used.
 pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Result<MotionRecord, AccuracyError> {
+    motion_until(mechanism, values, plan, &AtomicBool::new(false))
+}
+
+/// As [`motion`], until `stop` is set: it is looked at before each position.
+///
+/// # Errors
+/// As for [`motion`]; [`AccuracyError::Stopped`].
+pub fn motion_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &MotionPlan,
+    stop: &AtomicBool,
+) -> Result<MotionRecord, AccuracyError> {
+    let go_on = || if stop.load(Ordering::Relaxed) { Err(AccuracyError::Stopped) } else { Ok(()) };
     if !mechanism.is_driven() {
         return Err(AccuracyError::NotDriven);
     }
@@ -82,7 +97,8 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     let sample = Sample::new(mechanism, values)?;
     let reaches = PlayReach::of_sample(mechanism, &sample, sample.plays.iter().map(|_| 0.0))?;
     let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-    let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions);
+    let mut cycle = Cycle::walk(mechanism, start, &input, plan.positions, stop);
+    go_on()?;
     if input.speed_rad_s < 0.0 {
         // The record is in the order of the angle, not of time.
         cycle.states.reverse();
@@ -95,6 +111,7 @@ pub fn motion(mechanism: &Mechanism, values: &Values, plan: &MotionPlan) -> Resu
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
     for (state, jets) in cycle.states.iter().zip(&jets) {
+        go_on()?;
         let angle_rad = input.angle_rad(state.time_s());
         drive_angle_rad.push(angle_rad);
         recorder.record(state, jets)?;

@@ -3,6 +3,7 @@
 //! A file is described once, as tables of [`Key`]s. The reader refuses what is not in them, names what is missing, and
 //! the JSON Schema for editors is made from them.
 
+mod differences;
 mod entry;
 mod keys;
 mod meant_file;
@@ -13,6 +14,7 @@ mod reader;
 mod schema;
 
 pub use crate::units::listed;
+pub use differences::{Difference, differences};
 pub use entry::{Entry, Table, Written};
 pub use keys::{Key, Keys, Kind};
 pub use keys::{optional, quantity, required};
