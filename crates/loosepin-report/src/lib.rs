@@ -9,6 +9,7 @@
 //! | each output: one sentence | `told.rs` |
 //! | the required accuracy and the budget | `accuracy_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
+//! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
@@ -18,6 +19,7 @@
 //! | the wear of joints | `wear_words.rs` |
 //! | the terms of a page | `glossary.rs` |
 //! | one picture or table of a page: what it shows | the file of the picture or table; for a study in `study_page` |
+//! | which bounds a witness attains | `witness_words.rs` |
 //!
 //! Parts of sentences: `wording.rs` (statistic, deviation, place, verdict), `bound_words.rs` (a bound and its error), `number.rs`
 //! (digits, units, rounding outwards).
@@ -30,6 +32,7 @@ mod cases_page;
 mod chart;
 mod chart_drawing;
 mod chart_figure;
+mod compare;
 mod contributors_text;
 mod draft_text;
 mod figure;
@@ -67,10 +70,15 @@ mod together;
 mod told;
 mod wear_section;
 mod wear_words;
+mod witness_words;
 mod wording;
 mod zone_figure;
 
 pub use cases_page::{cases_page, cases_text};
+pub use compare::{
+    ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison, Weight,
+    compare_studies,
+};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
@@ -78,9 +86,10 @@ pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_draw
 pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;
-pub use study_page::{study_excerpt, study_page};
+pub use study_page::{KnownValue, known_values, study_excerpt, study_page};
 pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
 pub use terminal::{motion_text, simulation_text, study_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
+pub use witness_words::{WitnessWords, witness_words};
 pub use wording::verdict_words;

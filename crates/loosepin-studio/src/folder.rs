@@ -96,7 +96,11 @@ impl Folder {
         String::from_utf8(bytes).map_err(|_| Refusal::bad(format!("'{path}' is not UTF-8")))
     }
 
-    fn bytes(&self, path: &str, most: usize) -> Result<Vec<u8>, Refusal> {
+    /// Reads a file of at most so many bytes.
+    ///
+    /// # Errors
+    /// The path is none of this folder; a file that is too large.
+    pub fn bytes(&self, path: &str, most: usize) -> Result<Vec<u8>, Refusal> {
         let whole = self.existing(path)?;
         // Asked first: opening a pipe would wait for who writes into it.
         if !fs::metadata(&whole).is_ok_and(|found| found.is_file()) {

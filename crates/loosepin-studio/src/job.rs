@@ -1,21 +1,26 @@
-//! One study, run as the command runs it: the same inputs, the same folder, the same bytes.
+//! One study or one mechanism, run as the command runs it: the same inputs, the same folder, the same bytes.
 
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::SystemTime;
 
 use loosepin::diagnostics::Complaints;
-use loosepin::report::{study_page, study_sentences, verdict_words};
-use loosepin::results::{Claim, Place, ResultKind};
+use loosepin::mechanism::Mechanism;
+use loosepin::model::Model;
+use loosepin::report::{simulation_page, study_page, study_sentences, verdict_words, witness_words};
+use loosepin::results::{Claim, Place, ResultKind, ResultsError};
+use loosepin::simulate::{Plan, SmallestClearance};
 use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
-    Begun, Concluded, Means, Progress, Study, begin_in_folder, conclude, conduct, plan_runs, store_identity,
-    study_inputs,
+    Begun, Concluded, Means, Progress, Study, begin_in_folder, conclude, conduct, plan_runs, run_inputs, run_into,
+    store_identity, study_inputs, witness_run,
 };
 
 use crate::folder::Folder;
+use crate::refusal::Refusal;
+use crate::stored::{stored_study, study_of};
 use crate::texts::Texts;
 
 /// Folder below the served one in which results get a folder of their own.
@@ -57,11 +62,87 @@ pub fn run(
     stop: &AtomicBool,
     threads: usize,
 ) -> Result<Outcome, Vec<String>> {
-    // A link of that name may lead out of the folder.
-    if folder.root().join(RESULTS).symlink_metadata().is_ok() {
-        folder.existing(RESULTS).map_err(|refusal| vec![refusal.message])?;
-    }
+    check_results(folder)?;
     conducted(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
+}
+
+/// A link of that name may lead out of the folder.
+fn check_results(folder: &Folder) -> Result<(), Vec<String>> {
+    if folder.root().join(RESULTS).symlink_metadata().is_ok() {
+        folder.existing(RESULTS).map_err(told)?;
+    }
+    Ok(())
+}
+
+fn told(refusal: Refusal) -> Vec<String> {
+    std::iter::once(refusal.message).chain(refusal.hint).collect()
+}
+
+/// Runs the mechanism at a witness of the finished study in the folder `path`, of the texts that the result holds, as the command does
+/// that the result tells; or finds the run that is there. `named` hears what is run.
+///
+/// # Errors
+/// Why it came to no result, in words.
+pub fn run_witness(
+    folder: &Folder,
+    path: &str,
+    witness: usize,
+    named: &dyn Fn(String),
+    stop: &AtomicBool,
+) -> Result<Outcome, Vec<String>> {
+    check_results(folder)?;
+    let result = stored_study(folder, path).map_err(told)?;
+    let missing = || vec![format!("the result '{path}' has no witness {witness}")];
+    let command = result.witness_commands.get(witness).ok_or_else(missing)?;
+    let study = study_of(&result).map_err(told)?;
+    let (settings, plan) = witness_run(&study, &command.witness).ok_or_else(missing)?;
+    let values = witness_words(&result).into_iter().nth(witness).map(|words| words.values.join(", "));
+    named(format!("{}: {}", study.model.name, values.unwrap_or_default()));
+    simulated(folder, &study.model, &settings, &plan, stop).map_err(|complaints| words(&complaints))
+}
+
+fn simulated(
+    folder: &Folder,
+    model: &Model,
+    settings: &[String],
+    plan: &Plan,
+    stop: &AtomicBool,
+) -> Result<Outcome, Complaints> {
+    let set = model.set_values(settings)?;
+    if let Some(smallest) = SmallestClearance::of(&set.model, &set.values) {
+        smallest.check(plan.settings.tolerance_m).map_err(|error| Complaints::one(&error, None))?;
+    }
+    let complain = |error: ResultsError| Complaints::one(&error, None);
+    let claim = Claim {
+        kind: ResultKind::Simulation,
+        name: model.name.clone(),
+        inputs: run_inputs(model, settings, plan, &[]),
+        place: Place::Below(folder.root().join(RESULTS)),
+        with_force: false,
+    };
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
+    let mut results = claim.take().map_err(complain)?;
+    let finished = |results: &Path, words: Vec<String>| Outcome::Finished {
+        result: results.strip_prefix(folder.root()).unwrap_or(results).display().to_string(),
+        words,
+        verdict: None,
+    };
+    if results.is_finished() {
+        return Ok(finished(results.path(), Vec::new()));
+    }
+    match run_into(&mut results, (&mechanism, &set), plan, &[], &simulation_page, stop) {
+        Ok(run) => {
+            let mut failed = Complaints::new();
+            run.failure.into_iter().for_each(|failure| failed.push(failure));
+            Ok(finished(results.path(), words(&failed)))
+        }
+        Err(complaints) => {
+            if !results.is_finished() {
+                results.abandon().map_err(complain)?;
+            }
+            if stop.load(Ordering::Relaxed) { Ok(Outcome::Stopped) } else { Err(complaints) }
+        }
+    }
 }
 
 fn conducted(

@@ -1,4 +1,4 @@
-//! Studies in the background: one runs, the others wait.
+//! Studies in the background: one runs, the others wait. Single runs, which take seconds, do not wait for studies.
 
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -13,8 +13,8 @@ use loosepin::study::result::Draft;
 use tokio::sync::broadcast;
 
 use crate::folder::Folder;
-use crate::job::{Outcome, read_study, run};
-use crate::messages::{Job, JobDraft, JobState};
+use crate::job::{Outcome, read_study, run, run_witness};
+use crate::messages::{Job, JobDraft, JobKind, JobState};
 
 /// Most jobs that wait.
 const MOST_WAITING: usize = 16;
@@ -24,6 +24,35 @@ const MOST_ENDED: usize = 50;
 const REST: Duration = Duration::from_millis(200);
 /// Messages that a slow connection may be behind; it hears of the newest again with the next one.
 const BEHIND: usize = 64;
+
+/// What is to be run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Task {
+    /// A study that is saved: its path in the served folder.
+    Study(String),
+    /// The mechanism at a witness of a finished study.
+    Witness {
+        /// Path of the result.
+        result: String,
+        /// Place among its witnesses.
+        witness: usize,
+    },
+}
+
+impl Task {
+    fn kind(&self) -> JobKind {
+        match self {
+            Self::Study(_) => JobKind::Study,
+            Self::Witness { .. } => JobKind::Run,
+        }
+    }
+
+    fn subject(&self) -> &str {
+        match self {
+            Self::Study(path) | Self::Witness { result: path, .. } => path,
+        }
+    }
+}
 
 /// The jobs of a server.
 pub struct Jobs {
@@ -36,19 +65,22 @@ pub struct Jobs {
 #[derive(Default)]
 struct State {
     jobs: Vec<Job>,
-    waiting: VecDeque<u64>,
-    running: Option<(u64, Arc<AtomicBool>)>,
+    waiting: VecDeque<(u64, Task)>,
+    running: Vec<(u64, Arc<AtomicBool>)>,
     last_id: u64,
     is_closed: bool,
 }
 
 impl Jobs {
-    /// None yet, of studies in `folder`; with the thread that runs them.
-    pub fn begin(folder: Folder) -> (Arc<Self>, JoinHandle<()>) {
+    /// None yet, of studies in `folder`; with the threads that run them.
+    pub fn begin(folder: &Folder) -> (Arc<Self>, [JoinHandle<()>; 2]) {
         let (told, _) = broadcast::channel(BEHIND);
-        let jobs = Arc::new(Self { folder, state: Mutex::default(), woken: Condvar::new(), told });
-        let worker = Arc::clone(&jobs);
-        (jobs, thread::spawn(move || worker.work()))
+        let jobs = Arc::new(Self { folder: folder.clone(), state: Mutex::default(), woken: Condvar::new(), told });
+        let workers = [JobKind::Study, JobKind::Run].map(|kind| {
+            let worker = Arc::clone(&jobs);
+            thread::spawn(move || worker.work(kind))
+        });
+        (jobs, workers)
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -65,24 +97,29 @@ impl Jobs {
         self.told.subscribe()
     }
 
-    /// Adds a study to the queue.
+    /// Adds a task to the queue.
     ///
     /// # Errors
-    /// Too many wait, or this one waits or runs already.
-    pub fn add(&self, study: &str) -> Result<(), String> {
+    /// Too many wait, or one on the same study or result waits or runs already.
+    pub fn add(&self, task: Task) -> Result<(), String> {
         let mut state = self.state();
         let is_open = |job: &Job| matches!(job.state, JobState::Waiting | JobState::Running);
-        if state.jobs.iter().any(|job| is_open(job) && job.study == study) {
-            return Err(format!("{study} is being run already"));
+        let (kind, subject) = (task.kind(), task.subject().to_owned());
+        if state.jobs.iter().any(|job| is_open(job) && job.kind == kind && job.study == subject) {
+            return Err(match kind {
+                JobKind::Study => format!("{subject} is being run already"),
+                JobKind::Run => format!("a single run of {subject} is not finished yet: wait for it, or stop it"),
+            });
         }
         if state.waiting.len() >= MOST_WAITING {
-            return Err(format!("{MOST_WAITING} studies wait already; stop one of them, or wait"));
+            return Err(format!("{MOST_WAITING} runs wait already; stop one of them, or wait"));
         }
         state.last_id += 1;
         let job = Job {
             id: state.last_id,
-            study: study.to_owned(),
-            title: study.to_owned(),
+            kind,
+            study: subject.clone(),
+            title: subject,
             state: JobState::Waiting,
             finished: 0,
             most: 0,
@@ -94,7 +131,7 @@ impl Jobs {
             verdict: None,
         };
         let id = job.id;
-        state.waiting.push_back(id);
+        state.waiting.push_back((id, task));
         state.jobs.push(job.clone());
         let ended = state.jobs.iter().filter(|job| !is_open(job)).count();
         if ended > MOST_ENDED
@@ -104,21 +141,19 @@ impl Jobs {
         }
         drop(state);
         let _ = self.told.send(job);
-        self.woken.notify_one();
+        self.woken.notify_all();
         Ok(())
     }
 
     /// Stops a job, or takes it out of the queue.
     pub fn stop(&self, id: u64) {
         let mut state = self.state();
-        if let Some((running, stop)) = &state.running
-            && *running == id
-        {
+        if let Some((_, stop)) = state.running.iter().find(|(running, _)| *running == id) {
             stop.store(true, Ordering::Relaxed);
             return;
         }
         let before = state.waiting.len();
-        state.waiting.retain(|waiting| *waiting != id);
+        state.waiting.retain(|(waiting, _)| *waiting != id);
         if state.waiting.len() < before {
             drop(state);
             self.change(id, |job| job.state = JobState::Stopped);
@@ -129,9 +164,7 @@ impl Jobs {
     pub fn close(&self) {
         let mut state = self.state();
         state.is_closed = true;
-        if let Some((_, stop)) = &state.running {
-            stop.store(true, Ordering::Relaxed);
-        }
+        state.running.iter().for_each(|(_, stop)| stop.store(true, Ordering::Relaxed));
         drop(state);
         self.woken.notify_all();
     }
@@ -148,12 +181,12 @@ impl Jobs {
         }
     }
 
-    fn work(&self) {
-        while let Some((id, study, stop)) = self.next() {
+    fn work(&self, kind: JobKind) {
+        while let Some((id, task, stop)) = self.next(kind) {
             let began = Instant::now();
-            let outcome = catch_unwind(AssertUnwindSafe(|| self.run(id, &study, &stop, began)));
+            let outcome = catch_unwind(AssertUnwindSafe(|| self.run(id, &task, &stop, began)));
             let outcome = outcome.unwrap_or_else(|_| Err(vec!["the program met an error of its own".to_owned()]));
-            self.state().running = None;
+            self.state().running.retain(|(running, _)| *running != id);
             self.change(id, |job| {
                 job.seconds = began.elapsed().as_secs_f64();
                 job.draft = None;
@@ -169,26 +202,32 @@ impl Jobs {
         }
     }
 
-    /// The next one of the queue, as soon as there is one; nothing after the end.
-    fn next(&self) -> Option<(u64, String, Arc<AtomicBool>)> {
+    /// The next one of a kind in the queue, as soon as there is one; nothing after the end.
+    fn next(&self, kind: JobKind) -> Option<(u64, Task, Arc<AtomicBool>)> {
         let mut state = self.state();
         loop {
             if state.is_closed {
                 return None;
             }
-            if let Some(id) = state.waiting.pop_front()
-                && let Some(study) = state.jobs.iter().find(|job| job.id == id).map(|job| job.study.clone())
-            {
+            let place = state.waiting.iter().position(|(_, task)| task.kind() == kind);
+            if let Some((id, task)) = place.and_then(|place| state.waiting.remove(place)) {
                 let stop = Arc::new(AtomicBool::new(false));
-                state.running = Some((id, Arc::clone(&stop)));
-                return Some((id, study, stop));
+                state.running.push((id, Arc::clone(&stop)));
+                return Some((id, task, stop));
             }
             state = self.woken.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
     }
 
-    fn run(&self, id: u64, path: &str, stop: &AtomicBool, began: Instant) -> Result<Outcome, Vec<String>> {
+    fn run(&self, id: u64, task: &Task, stop: &AtomicBool, began: Instant) -> Result<Outcome, Vec<String>> {
         self.change(id, |job| job.state = JobState::Running);
+        let path = match task {
+            Task::Study(path) => path,
+            Task::Witness { result, witness } => {
+                let named = |title: String| self.change(id, |job| job.title = title);
+                return run_witness(&self.folder, result, *witness, &named, stop);
+            }
+        };
         let study = read_study(&self.folder, path)?;
         self.change(id, |job| job.title.clone_from(&study.name));
         let threads = thread::available_parallelism().map_or(1, usize::from);

@@ -9,15 +9,17 @@
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
+//! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs` |
 //! | a drawing from nothing to texts | `drawn.rs` |
 //! | gestures to changes of the texts | `edit` |
-//! | a connection: newest look first | `socket.rs`, `mailbox.rs` |
-//! | studies in the background | `jobs.rs`, `job.rs` |
+//! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
+//! | studies and single runs in the background | `jobs.rs`, `job.rs` |
 //! | messages | `messages.rs` |
 //!
 //! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
 
+mod adopt;
 mod complaints;
 mod connections;
 mod drawn;
@@ -37,12 +39,15 @@ mod page;
 mod places;
 mod quantities;
 mod refusal;
+mod result_routes;
 mod routes;
 mod server;
 mod socket;
+mod stored;
 mod studio;
 mod texts;
 mod tickets;
+mod time_limit;
 mod token;
 
 pub use server::{Serving, StudioError, serve};

@@ -48,6 +48,14 @@ struct ListedResult {
     at_ms: u64,
 }
 
+impl Listing {
+    /// Paths of the studies of a name, the newest first.
+    pub fn studies_named(&self, name: &str) -> Vec<String> {
+        let studies = self.files.iter().filter(|file| file.kind == "study" && file.title == name);
+        studies.map(|file| file.path.clone()).collect()
+    }
+}
+
 /// Looks through the folder, the newest first.
 pub fn listing(folder: &Folder) -> Listing {
     let mut listing = Listing::default();

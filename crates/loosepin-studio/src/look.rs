@@ -1,7 +1,8 @@
 //! From texts to what the page shows of them.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::Model;
@@ -26,7 +27,8 @@ const CONTROLLED_POSITIONS: usize = 121;
 const POSITIONS: [usize; 2] = [12, 720];
 
 /// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
-pub fn look(folder: &Folder, look: &Look) -> Seen {
+/// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
+pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
     let began = Instant::now();
     let mut texts = Texts::sent(folder, look);
     let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&texts.model)) {
@@ -50,13 +52,14 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
         };
         warnings.iter().for_each(|warning: &Complaint| complaints.push(warning.clone()));
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
-        match file.ideal_motion(positions, &[]) {
+        match file.ideal_motion_until(positions, &[], stop) {
             Ok(record) => {
                 if let (Some(reshaped), Some(drag)) = (&mut reshaped, &drag) {
                     reshaped.angle_deg = shown_angle_deg(drag, &record.drawing);
                 }
                 Some(view(&file, &record, &texts))
             }
+            Err(_) if stop.load(Ordering::Relaxed) => None,
             Err(found) => file
                 .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
                 .map(|drawing| controlled(&file, &drawing, &texts))
@@ -67,7 +70,20 @@ pub fn look(folder: &Folder, look: &Look) -> Seen {
         }
     });
     let complaints = seen(&complaints, &texts);
-    Seen { seq: look.seq, complaints, view, reshaped, cost_ms: began.elapsed().as_secs_f64() * 1e3 }
+    let cost_ms = began.elapsed().as_secs_f64() * 1e3;
+    Seen { seq: look.seq, complaints, view, reshaped, cost_ms, is_cut: false }
+}
+
+/// As [`look_until`], to its end.
+#[cfg(test)]
+pub fn look(folder: &Folder, look: &Look) -> Seen {
+    look_until(folder, look, &AtomicBool::new(false))
+}
+
+/// The answer to a look that took longer than it may.
+pub fn cut(look: &Look, limit: Duration) -> Seen {
+    let cost_ms = limit.as_secs_f64() * 1e3;
+    Seen { seq: look.seq, complaints: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
 }
 
 fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {

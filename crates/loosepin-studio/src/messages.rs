@@ -59,6 +59,13 @@ pub enum FromPage {
         /// Its path in the served folder.
         study: String,
     },
+    /// Run the mechanism at a witness of a finished study.
+    Simulate {
+        /// Path of the result in the served folder.
+        result: String,
+        /// Place among the witnesses that it lists.
+        witness: usize,
+    },
     /// Stop a job, or take it out of the queue.
     Stop {
         /// Its number.
@@ -305,6 +312,8 @@ pub struct Seen {
     pub reshaped: Option<Reshaped>,
     /// How long it took.
     pub cost_ms: f64,
+    /// It took too long and was stopped: nothing is known of these texts.
+    pub is_cut: bool,
 }
 
 /// The state of a job.
@@ -323,12 +332,24 @@ pub enum JobState {
     Stopped,
 }
 
-/// A study that is run in the background.
+/// What a job runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum JobKind {
+    /// A study.
+    Study,
+    /// One mechanism by itself.
+    Run,
+}
+
+/// What is run in the background.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Job {
     /// Its number.
     pub id: u64,
-    /// The study.
+    /// Which of both.
+    pub kind: JobKind,
+    /// The study; of a single run the result that it belongs to.
     pub study: String,
     /// Its name.
     pub title: String,

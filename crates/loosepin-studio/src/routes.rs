@@ -31,11 +31,12 @@ const SAME_PLACE_M: f64 = 1e-5;
 /// Characters of a new folder's name.
 const LONGEST_NAME: usize = 64;
 
-type Answer = Result<Response, Refusal>;
+/// What comes of a request.
+pub type Answer = Result<Response, Refusal>;
 
 /// Why nothing comes of what somebody typed or drew.
 #[derive(Serialize)]
-struct Refused {
+pub struct Refused {
     message: String,
     hint: Option<String>,
 }
@@ -318,12 +319,19 @@ pub async fn missing() -> Refusal {
     Refusal::new(StatusCode::NOT_FOUND, "the studio has no such address")
 }
 
-fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
+/// A body as what is asked.
+///
+/// # Errors
+/// It is something else.
+pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
     serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this body is none of the studio's: {error}")))
 }
 
 /// What takes longer than the other connections are to wait.
-async fn in_background<T: Send + 'static>(
+///
+/// # Errors
+/// That of the work.
+pub async fn in_background<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Refusal> + Send + 'static,
 ) -> Result<T, Refusal> {
     let failed = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "the program met an error of its own");

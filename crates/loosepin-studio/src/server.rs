@@ -19,6 +19,7 @@ use crate::connections::accept;
 use crate::folder::{Folder, LARGEST_TEXT};
 use crate::guard::guard;
 use crate::jobs::Jobs;
+use crate::result_routes;
 use crate::routes;
 use crate::socket;
 use crate::studio::Studio;
@@ -63,7 +64,7 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
     let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
     let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)?;
-    let (jobs, worker) = Jobs::begin(served.clone());
+    let (jobs, workers) = Jobs::begin(&served);
     let studio = Studio {
         token,
         folder: served,
@@ -85,7 +86,9 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
     });
     jobs.close();
     // A study that runs keeps its runs before the program ends.
-    let _ = worker.join();
+    for worker in workers {
+        let _ = worker.join();
+    }
     runtime.shutdown_background();
     outcome
 }
@@ -113,6 +116,9 @@ fn router(studio: Studio) -> Router {
         .route("/api/import", post(routes::import))
         .route("/api/explain/{code}", get(routes::explain))
         .route("/api/view", post(routes::view))
+        .route("/api/compare", post(result_routes::compare))
+        .route("/api/result", post(result_routes::result))
+        .route("/api/adopt", post(result_routes::adopt))
         .fallback(routes::missing)
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(from_fn_with_state(studio.clone(), guard))

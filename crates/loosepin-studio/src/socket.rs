@@ -13,11 +13,13 @@ use tokio::sync::mpsc;
 use tokio::time::timeout;
 
 use crate::folder::{Folder, LARGEST_TEXT};
-use crate::look::look;
+use crate::jobs::Task;
+use crate::look::{cut, look_until};
 use crate::mailbox::Mailbox;
-use crate::messages::{FromPage, Look, ToPage};
+use crate::messages::{FromPage, Look, Seen, ToPage};
 use crate::refusal::Refusal;
 use crate::studio::Studio;
+use crate::time_limit::{LONGEST_LOOK, within};
 
 /// Time for the first message.
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -73,10 +75,10 @@ async fn converse(studio: Studio, mut socket: WebSocket) {
                             mailbox.put(look);
                             Ok(())
                         }
-                        Ok(FromPage::Run { study }) => match studio.jobs.add(&study) {
-                            Ok(()) => Ok(()),
-                            Err(message) => tell(&mut socket, &ToPage::Refused { message: &message }).await,
-                        },
+                        Ok(FromPage::Run { study }) => add(&studio, &mut socket, Task::Study(study)).await,
+                        Ok(FromPage::Simulate { result, witness }) => {
+                            add(&studio, &mut socket, Task::Witness { result, witness }).await
+                        }
                         Ok(FromPage::Stop { id }) => {
                             studio.jobs.stop(id);
                             Ok(())
@@ -115,13 +117,26 @@ async fn converse(studio: Studio, mut socket: WebSocket) {
     drop(worker);
 }
 
+/// Adds a job, or says why not.
+async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), axum::Error> {
+    match studio.jobs.add(task) {
+        Ok(()) => Ok(()),
+        Err(message) => tell(socket, &ToPage::Refused { message: &message }).await,
+    }
+}
+
 /// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
 fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &mpsc::UnboundedSender<String>) {
     while let Some(request) = mailbox.take() {
+        let told = |seen: &Seen| serde_json::to_string(&ToPage::Seen(seen)).unwrap_or_default();
+        let late = || {
+            let _ = answers.send(told(&cut(&request, LONGEST_LOOK)));
+        };
         let text = catch_unwind(AssertUnwindSafe(|| {
-            let seen = look(folder, &request);
-            serde_json::to_string(&ToPage::Seen(&seen)).unwrap_or_default()
+            within(LONGEST_LOOK, late, |stop| told(&look_until(folder, &request, stop)))
         }));
+        // What came too late is answered already.
+        let Some(text) = text.transpose() else { continue };
         let text = text.unwrap_or_else(|_| {
             let message = "the program met an error of its own while it read these texts";
             serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()

@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::model::Model;
+use loosepin::result::repeat::InputRole;
+use loosepin::study::result::StudyResult;
 use loosepin::study::{InputFile, Study, named_model};
 
 use crate::folder::Folder;
@@ -42,6 +44,23 @@ impl Texts {
         Ok(Self::new(folder, (&model_path, &model), Some((path, &study))))
     }
 
+    /// Those that a result holds, with the tables that it holds.
+    ///
+    /// # Errors
+    /// An older version has kept none.
+    pub fn of_result(result: &StudyResult) -> Result<Self, Refusal> {
+        let file = |role| result.repeat.file_of(role).map(|file| (file.name.as_str(), file.text.as_str()));
+        let (Some(model), Some(study)) = (file(InputRole::Model), file(InputRole::Study)) else {
+            return Err(Refusal::bad("this result does not hold its model and its study")
+                .with_hint("an older version wrote it: run the study again"));
+        };
+        let table = |path: &str| {
+            let found = result.repeat.files.iter().find(|file| file.role == InputRole::Table && file.name == path);
+            found.map(|file| file.text.clone())
+        };
+        Ok(Self::with_tables(model, Some(study), &table))
+    }
+
     /// The same with other texts in their places.
     pub fn with(&self, folder: &Folder, model: Option<&str>, study: Option<&str>) -> Self {
         let old = &self.model;
@@ -51,9 +70,13 @@ impl Texts {
     }
 
     fn new(folder: &Folder, model: (&str, &str), study: Option<(&str, &str)>) -> Self {
+        Self::with_tables(model, study, &|path| folder.read_table(path).ok())
+    }
+
+    fn with_tables(model: (&str, &str), study: Option<(&str, &str)>, read: &dyn Fn(&str) -> Option<String>) -> Self {
         let texts = std::iter::once(model).chain(study);
         let tables: Arc<[Arc<Source>]> =
-            texts.flat_map(|(path, text)| tables(folder, path, text)).take(MOST_TABLES).collect();
+            texts.flat_map(|(path, text)| tables(read, path, text)).take(MOST_TABLES).collect();
         let source = |(path, text): (&str, &str)| Source::with_files(path, text, Arc::clone(&tables));
         Self { model: source(model), study: study.map(source) }
     }
@@ -103,12 +126,12 @@ pub fn plain(path: &str) -> String {
 
 /// The tables that a text at `path` names: every string that ends as a table does. One that cannot be read is left out; whoever reads
 /// the text says so at its place.
-fn tables(folder: &Folder, path: &str, text: &str) -> Vec<Arc<Source>> {
+fn tables(read: &dyn Fn(&str) -> Option<String>, path: &str, text: &str) -> Vec<Arc<Source>> {
     let strings = text.split(['"', '\'', '\n']).filter(|string| string.to_ascii_lowercase().ends_with(".csv"));
     strings
         .filter_map(|written| {
             let name = beside(path, written);
-            let table = folder.read_table(&plain(&name)).ok()?;
+            let table = read(&plain(&name))?;
             Some(Source::new(name, table))
         })
         .collect()
@@ -126,7 +149,7 @@ mod tests {
         std::fs::write(desk.path().join("outside.csv"), "3\n").unwrap();
         let folder = Folder::new(&desk.path().join("served")).unwrap();
         let text = "a = { samples = \"../measured.csv\" }\nb = '../../outside.csv'\nc = \"missing.csv\"\n";
-        let found = tables(&folder, "rods/study.toml", text);
+        let found = tables(&|path| folder.read_table(path).ok(), "rods/study.toml", text);
         assert_eq!(found.len(), 1);
         assert_eq!((found[0].name(), found[0].text()), ("rods/../measured.csv", "1\n2\n"));
         assert_eq!(plain("rods/./../measured.csv"), "measured.csv");

@@ -29,8 +29,12 @@ pub fn run_shown<R: StoredResult + From<SimulationRecord>>(arguments: &SimulateA
     let plan = plan(arguments, &model)?;
     check_tolerance(plan.settings.tolerance_m, SmallestClearance::of(&set.model, &set.values))?;
     let measured = measured(arguments)?;
-    let claim =
-        claim(ResultKind::Simulation, &model.name, run_inputs(&model, &arguments.set, &plan, &measured), &arguments.output);
+    let claim = claim(
+        ResultKind::Simulation,
+        &model.name,
+        run_inputs(&model, &arguments.set, &plan, &measured),
+        &arguments.output,
+    );
     // Compiled first, so that a model that cannot run leaves no folder behind.
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(&model))?;
     let outputs = columns(&mechanism.model);

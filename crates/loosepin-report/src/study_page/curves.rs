@@ -12,7 +12,7 @@ use crate::wording::{capitalised, deviation_words, output_words, path_part, plac
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
     BoundRecord, CurveRange, Deviation, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
-    SimultaneousCurve, Statistic, StudyResult, Treatment,
+    SimultaneousCurve, Statistic, StudyResult, Treatment, ValueBand, Witness,
 };
 use loosepin_text::units::SiUnit;
 
@@ -39,6 +39,26 @@ pub(super) fn first_chart(result: &StudyResult, writer: &NumberWriter) -> FirstC
 fn first_curve(result: &StudyResult) -> Option<usize> {
     let is_required = |curve: &DeviationCurve| !limits_of(result, curve).is_empty();
     (!result.curves.is_empty()).then(|| result.curves.iter().position(is_required).unwrap_or(0))
+}
+
+/// Values of the epistemic inputs that the page offers below its first chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownValue {
+    /// All of them in words.
+    pub words: String,
+    /// The same by path.
+    pub values: Witness,
+}
+
+/// What the page offers to be known, in its order; empty where it offers nothing.
+pub fn known_values(result: &StudyResult) -> Vec<KnownValue> {
+    let writer = NumberWriter::for_page(&result.display_units);
+    let curve = first_curve(result).and_then(|index| result.curves.get(index));
+    let values = curve.map_or(&[][..], |curve| &curve.at_values);
+    let told =
+        |value: &ValueBand| KnownValue { words: writer.witness(&value.at, &result.inputs), values: value.at.clone() };
+    // One value alone is no choice.
+    if values.len() > 1 { values.iter().map(told).collect() } else { Vec::new() }
 }
 
 /// The bands that the first screen does not have.

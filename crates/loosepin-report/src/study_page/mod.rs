@@ -12,6 +12,7 @@ mod what_if;
 use maud::{Markup, html};
 
 pub(super) use contributors::{band_share, known as known_share, share as share_range};
+pub use curves::{KnownValue, known_values};
 
 use super::accuracy_text::accuracy_sentences;
 use super::answer::{Answer, answer, requirement_words, verdict_headline};

@@ -57,7 +57,8 @@ impl Walk<'_> {
         let own = names(before);
         let added = names(after).into_iter().filter(|name| !own.contains(name)).collect::<Vec<String>>();
         for name in own.into_iter().chain(added) {
-            let (first, second) = (before.and_then(|table| table.get(name.as_str())), after.and_then(|table| table.get(name.as_str())));
+            let (first, second) =
+                (before.and_then(|table| table.get(name.as_str())), after.and_then(|table| table.get(name.as_str())));
             keys.push(name);
             self.values(keys, first, second);
             keys.pop();
@@ -77,7 +78,8 @@ impl Walk<'_> {
                 after.and_then(|value| value.get_ref().as_table()),
             );
         } else if list(before) && list(after) {
-            let members = |value: Option<&Value<'_>>| value.and_then(|v| v.get_ref().as_array()).map_or(0, |list| list.len());
+            let members =
+                |value: Option<&Value<'_>>| value.and_then(|v| v.get_ref().as_array()).map_or(0, |list| list.len());
             for place in 0..members(before).max(members(after)) {
                 keys.push((place + 1).to_string());
                 self.values(

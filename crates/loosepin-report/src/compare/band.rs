@@ -1,0 +1,173 @@
+//! The bands of an output of two studies in one picture.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use super::headline::{is_same_curve, reach_si};
+use super::in_both;
+use super::outputs::SharedOutputs;
+use crate::answer::requirement_words;
+use crate::chart::{Chart, Entry, EntryValues, Role, scaled};
+use crate::figure::name_of;
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::{capitalised, deviation_of, deviation_words};
+use loosepin_result::study::{DeviationCurve, RequirementOutcome, ResponsePoint, StudyResult};
+
+/// Angles that differ by less are one.
+const SAME_ANGLE_RAD: f64 = 1e-9;
+const HEIGHT: u32 = 320;
+const DIGITS: usize = 3;
+
+/// Both bands of an output over the cycle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ComparedBand {
+    /// Of what: `Deviation of slider`.
+    pub title: String,
+    /// How far each band reaches, in a sentence.
+    pub words: String,
+    /// The chart as an SVG document that takes its style from the page.
+    pub figure: String,
+}
+
+/// The pictures in the order of A; and which bands are not compared, in sentences.
+pub fn compared(
+    pair: [&StudyResult; 2],
+    outputs: &SharedOutputs,
+    writer: &NumberWriter,
+) -> (Vec<ComparedBand>, Vec<String>) {
+    let [before, after] = pair;
+    let of = |result: &'_ StudyResult| -> Vec<usize> {
+        let is_shown = |curve: &DeviationCurve| outputs.has(&curve.output) && !curve.mixed.lower_si.is_empty();
+        let curves = result.curves.iter().enumerate();
+        curves.filter(|(_, curve)| is_shown(curve)).map(|(place, _)| place).collect()
+    };
+    let title = |curve: &DeviationCurve| capitalised(&deviation_of(&curve.output, curve.of, &before.outputs));
+    let (mut bands, mut left_out) = (Vec::new(), Vec::new());
+    let mut left = of(after);
+    for place in of(before) {
+        let curve = &before.curves[place];
+        let Some(found) = left.iter().position(|other| is_same_curve(curve, &after.curves[*other])) else {
+            left_out.push(format!("{}: A alone has this band.", title(curve)));
+            continue;
+        };
+        let other = &after.curves[left.remove(found)];
+        if before.cycle.drive == after.cycle.drive {
+            bands.push(band(pair, [curve, other], title(curve), writer));
+        } else {
+            let drives = in_both([&before.cycle.drive, &after.cycle.drive]);
+            left_out.push(format!("{}: the bands are over the angle of another drive: {drives}.", title(curve)));
+        }
+    }
+    left_out.extend(left.iter().map(|place| format!("{}: B alone has this band.", title(&after.curves[*place]))));
+    (bands, left_out)
+}
+
+fn band(
+    results: [&StudyResult; 2],
+    curves: [&DeviationCurve; 2],
+    title: String,
+    writer: &NumberWriter,
+) -> ComparedBand {
+    let [first, second] = curves;
+    let angles = angles(first, second);
+    let share = writer.percent(first.probabilities[1] - first.probabilities[0], Rounding::Nearest);
+    let mut chart = Chart::over_angle(name_of("compared", &first.output), &results[0].cycle.drive, &angles, writer);
+    chart.y_label = format!("{} of {}", deviation_words(first.of), first.output);
+    chart.y_symbol = writer.symbol(&first.unit);
+    chart.height = HEIGHT;
+    let entry = |which: usize| {
+        let (name, role) = [("A", Role::Mixed), ("B", Role::Random)][which];
+        let [lower, upper] = ends_at(curves[which], &angles).map(|list| scaled(&list, &first.unit, writer));
+        Entry::new(format!("{name}: {share}, all unknown values"), role, which == 1, EntryValues::band(&lower, &upper))
+    };
+    let reaches = curves.map(reach_si);
+    let reach = |which: usize| reaches[which].map_or(0.0, |(_, reach)| reach);
+    // The wider one lies below.
+    let order = if reach(1) > reach(0) { [1, 0] } else { [0, 1] };
+    chart.entries.extend(order.map(entry));
+    for (label, ends_si) in limits(results, first, writer) {
+        let [lower, upper] = ends_si.map(|end| vec![writer.scaled(end, &first.unit); angles.len()]);
+        chart.entries.push(Entry::new(label, Role::Limit, true, EntryValues::pair(&lower, &upper)));
+    }
+    let told = [0, 1].map(|which| match reaches[which] {
+        Some((angle_rad, reach_si)) => format!(
+            "±{} at {}",
+            writer.rounded(reach_si, &first.unit, DIGITS, Rounding::Up),
+            writer.angle_in_turn(angle_rad, DIGITS)
+        ),
+        None => "nothing known".to_owned(),
+    });
+    let words = format!("Farthest from zero: {}.", in_both(told));
+    chart.alternative = format!("Chart of both bands over one cycle. {title}. {words}");
+    ComparedBand { title, words, figure: chart.document() }
+}
+
+/// Limits over the whole cycle: once where both studies require the same.
+fn limits(
+    [before, after]: [&StudyResult; 2],
+    curve: &DeviationCurve,
+    writer: &NumberWriter,
+) -> Vec<(String, [f64; 2])> {
+    let of = |result: &'_ StudyResult| -> Vec<(String, [f64; 2])> {
+        let concerns = |requirement: &&RequirementOutcome| {
+            requirement.output == curve.output && requirement.of == curve.of && requirement.at == ResponsePoint::Whole
+        };
+        let told = |requirement: &RequirementOutcome| {
+            let words = requirement_words(result, requirement, &curve.unit, writer);
+            (words, [requirement.lower_si, requirement.upper_si])
+        };
+        result.requirements.iter().filter(concerns).map(told).collect()
+    };
+    let (first, second) = (of(before), of(after));
+    let named = |side: &str, (words, ends): &(String, [f64; 2])| (format!("required{side}: {words}"), *ends);
+    let has = |list: &[(String, [f64; 2])], own: &(String, [f64; 2])| list.iter().any(|other| other.1 == own.1);
+    let of_first = first.iter().map(|limit| named(if has(&second, limit) { "" } else { " in A" }, limit));
+    let of_second = second.iter().filter(|limit| !has(&first, limit)).map(|limit| named(" in B", limit));
+    of_first.chain(of_second).collect()
+}
+
+/// The angles of both curves, increasing; those of the second one are taken within the turn of the first.
+fn angles(first: &DeviationCurve, second: &DeviationCurve) -> Vec<f64> {
+    let from = first.pose_rad.first().copied().unwrap_or(0.0);
+    let mut angles: Vec<f64> =
+        first.pose_rad.iter().copied().chain(within(second, from).map(|(angle, _)| angle)).collect();
+    angles.retain(|angle| angle.is_finite());
+    angles.sort_by(f64::total_cmp);
+    angles.dedup_by(|a, b| (*a - *b).abs() < SAME_ANGLE_RAD);
+    angles
+}
+
+/// The poses of a curve with their angles in the turn that begins at `from_rad`. A curve of more than a turn stays as it is.
+fn within(curve: &DeviationCurve, from_rad: f64) -> impl Iterator<Item = (f64, usize)> {
+    let poses = &curve.pose_rad;
+    let span = poses.last().copied().unwrap_or(0.0) - poses.first().copied().unwrap_or(0.0);
+    let is_turn = span < TAU - SAME_ANGLE_RAD;
+    let shifted = move |angle: f64| {
+        let beyond = (angle - from_rad).rem_euclid(TAU);
+        // What is a whole turn but for round-off is its beginning.
+        if TAU - beyond < SAME_ANGLE_RAD { from_rad } else { from_rad + beyond }
+    };
+    poses.iter().enumerate().map(move |(pose, angle)| (if is_turn { shifted(*angle) } else { *angle }, pose))
+}
+
+/// Both ends of the band at these angles: between poses on the straight line between them, as they are drawn; not known beyond the poses.
+fn ends_at(curve: &DeviationCurve, angles: &[f64]) -> [Vec<f64>; 2] {
+    let from = angles.first().copied().unwrap_or(0.0);
+    let mut poses: Vec<(f64, usize)> = within(curve, from).collect();
+    poses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    [&curve.mixed.lower_si, &curve.mixed.upper_si].map(|list| {
+        let value = |place: usize| poses.get(place).and_then(|(_, pose)| list.get(*pose)).copied().unwrap_or(f64::NAN);
+        let at = |angle: f64| {
+            let after = poses.partition_point(|(own, _)| *own < angle - SAME_ANGLE_RAD);
+            let Some((upper, _)) = poses.get(after) else { return f64::NAN };
+            if (upper - angle).abs() <= SAME_ANGLE_RAD {
+                return value(after);
+            }
+            let Some((lower, _)) = after.checked_sub(1).and_then(|before| poses.get(before)) else { return f64::NAN };
+            let share = (angle - lower) / (upper - lower);
+            (1.0 - share) * value(after - 1) + share * value(after)
+        };
+        angles.iter().map(|angle| at(*angle)).collect()
+    })
+}
