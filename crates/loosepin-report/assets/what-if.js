@@ -19,6 +19,11 @@
             return;
         const [storedLegend, storedCaption] = [legend.textContent, caption.textContent];
         const value = (level) => level < 0 ? NaN : data.range[0] + level / levels * (data.range[1] - data.range[0]);
+        // The studio shows this page in a frame, and can take a value into its model.
+        const tell = (place) => {
+            if (parent !== window)
+                parent.postMessage({ kind: 'loosepin-known', place }, '*');
+        };
         function choose(point) {
             if (!chart || !legend || !caption || !chosen || !back)
                 return;
@@ -33,6 +38,7 @@
             caption.textContent = point.words + ' (chosen below)';
             controls.forEach((control) => control.mark(point));
             back.hidden = false;
+            tell(data.points.indexOf(point));
         }
         /** A slider over the values of one input, in their order. */
         function slider(points) {
@@ -143,6 +149,7 @@
             show(data.start);
             controls.forEach((control) => control.mark());
             back.hidden = true;
+            tell(null);
             // The button is gone: whoever used the keyboard goes on from the choice.
             (choice.querySelector('select, :not([hidden]) > input') ?? choice.querySelector('circle'))?.focus();
         });

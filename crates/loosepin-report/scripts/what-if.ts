@@ -49,6 +49,11 @@
     const [storedLegend, storedCaption] = [legend.textContent, caption.textContent];
     const value = (level: number): number => level < 0 ? NaN : data.range[0] + level / levels * (data.range[1] - data.range[0]);
 
+    // The studio shows this page in a frame, and can take a value into its model.
+    const tell = (place: number | null): void => {
+      if (parent !== window) parent.postMessage({ kind: 'loosepin-known', place }, '*');
+    };
+
     function choose(point: Point): void {
       if (!chart || !legend || !caption || !chosen || !back) return;
       const [lower, upper] = [point.lower.map(value), point.upper.map(value)];
@@ -62,6 +67,7 @@
       caption.textContent = point.words + ' (chosen below)';
       controls.forEach((control) => control.mark(point));
       back.hidden = false;
+      tell(data.points.indexOf(point));
     }
 
     /** A slider over the values of one input, in their order. */
@@ -171,6 +177,7 @@
       show(data.start);
       controls.forEach((control) => control.mark());
       back.hidden = true;
+      tell(null);
       // The button is gone: whoever used the keyboard goes on from the choice.
       (choice.querySelector<HTMLElement>('select, :not([hidden]) > input') ?? choice.querySelector<SVGElement>('circle'))?.focus();
     });

@@ -1,4 +1,6 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
+import type { Adoption } from './adoption.ts';
+import type { AdoptedAnswer } from './comparison.ts';
 import { messageOf } from './errors.ts';
 import type { FieldOf } from './groups.ts';
 import { differences, Drag, type Point } from './drag.ts';
@@ -11,6 +13,7 @@ import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
 import { ask } from './wire.ts';
+import { words } from './words.ts';
 
 const typingPauseMs = 150;
 
@@ -38,6 +41,8 @@ export class Desk {
   /** Limits of the study, where they are in its text now. */
   limits = $state.raw<Limit[]>([]);
   isStale = $state(false);
+  /** The last look took too long and was stopped. */
+  isCut = $state(false);
   /** The view is of the texts as they are, at the most positions. */
   isSettled = $state(false);
   output = $state<string | null>(null);
@@ -51,6 +56,8 @@ export class Desk {
   dragged = $state.raw<{ words: string[]; refusal: string | null } | null>(null);
   band = $derived(this.view?.bands.find((band) => band.output === this.output) ?? this.view?.bands[0] ?? null);
   private readonly looker: Looker;
+  /** Version of the texts that the view is of. */
+  private viewed = -1;
   /** A drag writes. */
   private isRewriting = false;
 
@@ -222,6 +229,27 @@ export class Desk {
     return null;
   }
 
+  /** Takes values of a result into both texts, as one step to undo; says what was done, and whether it was. */
+  async adopt({ result, place }: Adoption): Promise<{ words: string; isDone: boolean }> {
+    const { documents } = this;
+    const { version } = documents;
+    const body = { model: documents.textOf('model'), study: documents.textOf('study'), path: result, place };
+    let answer: AdoptedAnswer;
+    try {
+      answer = await ask<AdoptedAnswer>('POST', '/api/adopt', body);
+    } catch (error) {
+      return { words: messageOf(error), isDone: false };
+    }
+    const { adopted, refusal } = answer;
+    if (!adopted) return { words: [refusal?.message, refusal?.hint].filter(Boolean).join(': '), isDone: false };
+    // The texts went on meanwhile: the answer is of old ones.
+    if (documents.version !== version) return this.adopt({ study: documents.opened, result, place });
+    const name = `adopt ${result} ${version}`;
+    for (const which of ['model', 'study'] as const) this.rewrite(which, adopted[which], name);
+    this.looker.now();
+    return { words: words.adopted(adopted.words, adopted.has_changed), isDone: true };
+  }
+
   show(document: Which, from: number, to: number): void {
     this.reveal = { document, from, to };
   }
@@ -245,6 +273,14 @@ export class Desk {
 
   private hear(seen: Seen, version: number, isFinest: boolean): void {
     const { documents, drag } = this;
+    this.isCut = seen.is_cut;
+    if (seen.is_cut) {
+      // Nothing is known of these texts: what was seen last stays, and is of other ones unless they were looked at before.
+      this.isStale = this.viewed !== version;
+      if (drag?.isEnding) this.drag = null;
+      this.answers += 1;
+      return;
+    }
     if (seen.reshaped) {
       // The answer to a drag that is over.
       if (!drag) return;
@@ -262,6 +298,7 @@ export class Desk {
     this.isStale = seen.view === null;
     if (seen.view) {
       this.view = seen.view;
+      this.viewed = version;
       this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);

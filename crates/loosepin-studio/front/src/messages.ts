@@ -177,6 +177,9 @@ export interface View {
 
 export interface Job {
   id: number | string;
+  /** A study, or one mechanism by itself. */
+  kind: 'study' | 'run';
+  /** The study; of a single run the result that it belongs to. */
   study: string;
   title: string;
   state: 'waiting' | 'running' | 'done' | 'failed' | 'stopped';
@@ -235,9 +238,11 @@ export interface Seen {
   /** Of a drag: complaints and view are of the texts with its changes. */
   reshaped: Reshaped | null;
   cost_ms: number;
+  /** It took too long and was stopped: nothing is known of these texts. */
+  is_cut: boolean;
 }
 
-export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string } | { kind: 'stop'; id: Job['id'] };
+export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string } | { kind: 'simulate'; result: string; witness: number } | { kind: 'stop'; id: Job['id'] };
 
 export type FromServer =
   | { kind: 'hello'; version: string; jobs: Job[] }

@@ -1,18 +1,29 @@
 // Which screen is shown: kept in the fragment of the address, so that Back and reloading work.
 
-export type Route = { screen: 'gallery' } | { screen: 'draw' } | { screen: 'edit' | 'report'; path: string };
+export type Route =
+  | { screen: 'gallery' }
+  | { screen: 'draw' }
+  | { screen: 'edit' | 'report'; path: string }
+  | { screen: 'compare'; before: string | null; after: string | null };
 
 export function addressOf(route: Route): string {
   if (route.screen === 'gallery') return '#/';
   if (route.screen === 'draw') return '#/draw';
+  if (route.screen === 'compare') return '#/compare/' + [route.before, route.after].map((path) => encodeURIComponent(path ?? '')).join('/');
   return '#/' + route.screen + '/' + route.path.split('/').map(encodeURIComponent).join('/');
 }
 
 export function readAddress(fragment: string): Route {
   if (fragment === '#/draw') return { screen: 'draw' };
+  const pair = /^#\/compare\/([^/]*)\/([^/]*)$/.exec(fragment);
   const found = /^#\/(edit|report)\/(.+)$/.exec(fragment);
-  if (!found) return { screen: 'gallery' };
+  if (!found && !pair) return { screen: 'gallery' };
   try {
+    if (pair) {
+      const [before, after] = [pair[1], pair[2]].map((text) => decodeURIComponent(text ?? '') || null);
+      return { screen: 'compare', before: before ?? null, after: after ?? null };
+    }
+    if (!found) return { screen: 'gallery' };
     return { screen: found[1] as 'edit' | 'report', path: decodeURIComponent(found[2] ?? '') };
   } catch {
     return { screen: 'gallery' };

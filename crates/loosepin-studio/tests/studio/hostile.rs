@@ -56,6 +56,9 @@ fn without_the_token_nothing_is_told() {
         ("PUT", "/api/file"),
         ("POST", "/api/new"),
         ("POST", "/api/view"),
+        ("POST", "/api/compare"),
+        ("POST", "/api/result"),
+        ("POST", "/api/adopt"),
         ("GET", "/api/"),
         ("GET", "/api/nothing"),
     ] {
@@ -157,9 +160,10 @@ fn ten_thousand_malformed_requests_read_nothing_outside_and_meet_words() {
             }
             2 => {
                 let value = values[noise.below(values.len())];
-                let target = ["file", "new", "view", "open", "know"][noise.below(5)];
+                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt"][noise.below(8)];
                 let mut body =
                     json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value,
+                        "before": value, "after": values[noise.below(values.len())], "place": noise.next(),
                         "model": {"path": value, "text": value}, "study": null})
                     .to_string()
                     .into_bytes();
@@ -262,6 +266,20 @@ fn malformed_messages_are_refused_with_words() {
         &json!({"kind": "look", "seq": 1, "model": {"path": "m.toml", "text": "a".repeat(5 << 20)}, "positions": 72}),
     );
     assert!(large.next().is_none());
+    // Runs of what is no result come to nothing, and read nothing outside.
+    let mut runs = server.live();
+    for _ in 0..100 {
+        let path = ["../secret.toml", "out", "root/etc", "link.toml", "", "results\u{0}"][noise.below(6)];
+        runs.send(&json!({"kind": "simulate", "result": path, "witness": noise.next()}));
+        let answer = loop {
+            let answer = runs.next().expect("an answer");
+            assert!(!answer.to_string().contains("TOP SECRET"), "{answer}");
+            if answer["kind"] == "refused" || answer["job"]["state"] == "failed" {
+                break answer;
+            }
+        };
+        assert!(answer["kind"] == "refused" || answer["job"]["complaints"][0].is_string(), "{answer}");
+    }
     assert!(is_untouched(desk.path()));
     assert_eq!(server.ask("GET", "/api/hello", "").0, 200, "the server lives");
 }

@@ -132,3 +132,72 @@ fn each_fix_mends_its_complaint() {
     }
     assert!(fixes >= 10, "{fixes} fixes");
 }
+
+/// So many four-bars in a row, each rocker the crank of the next one, with play in the first coupler.
+fn chain(four_bars: usize) -> String {
+    use std::fmt::Write;
+    let (mut ground, mut bodies, mut joints, mut guesses) = (String::new(), String::new(), String::new(), Vec::new());
+    let mut body = |name: &str, length: &str| {
+        let head = format!(
+            "[body.{name}]\nmass = \"0.3 kg\"\ninertia = \"1e-3 kg m^2\"\ncentre_of_mass = [\"{length} / 2\", \"0 mm\"]\n"
+        );
+        write!(bodies, "{head}points = {{ a = [\"0 mm\", \"0 mm\"], b = [\"{length}\", \"0 mm\"] }}\n").unwrap();
+    };
+    let mut joint = |name: &str, bearing: &str, journal: &str, more: &str| {
+        write!(joints, "[joint.{name}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"{journal}\"\n{more}")
+            .unwrap();
+    };
+    let play = "bearing_radius = \"8 mm\"\nradial_clearance = \"0.1 mm\"\ncontact = \"steel\"\n";
+    body("crank", "crank_length");
+    joint("pivot", "ground.g0", "crank.a", "");
+    let mut before = "crank.b".to_owned();
+    for number in 1..=four_bars {
+        body(&format!("coupler{number}"), if number == 1 { "coupler_length" } else { "base_length" });
+        body(&format!("rocker{number}"), "rocker_length");
+        joint(&format!("pin{number}"), &before, &format!("coupler{number}.a"), if number == 1 { play } else { "" });
+        joint(&format!("top{number}"), &format!("coupler{number}.b"), &format!("rocker{number}.b"), "");
+        joint(&format!("foot{number}"), &format!("ground.g{number}"), &format!("rocker{number}.a"), "");
+        guesses.push(format!(
+            "coupler{number} = \"{} deg\", rocker{number} = \"94 deg\"",
+            if number == 1 { 20 } else { 0 }
+        ));
+        before = format!("rocker{number}.b");
+    }
+    for number in 0..=four_bars {
+        write!(ground, "g{number} = [\"{number} * base_length\", \"0 mm\"]\n").unwrap();
+    }
+    format!(
+        "name = \"chain\"\ngravity = \"9.81 m/s^2\"\n[parameter]\ncrank_length = \"80 mm\"\ncoupler_length = \"260 mm\"\n\
+         rocker_length = \"180 mm\"\nbase_length = \"300 mm\"\n[body.ground.points]\n{ground}{bodies}\
+         [contact.steel]\nlaw = \"lankarani-nikravesh\"\nrestitution = 0.85\nyoungs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\n\
+         {joints}[drive.crank]\njoint = \"pivot\"\nspeed = \"60 rpm\"\nstart_angle = \"34 deg\"\n\
+         [assembly]\nguess = {{ {} }}\n[cycle]\ndrive = \"crank\"\ntransient_turns = 0\nrecorded_turns = 1\n\
+         samples_per_turn = 180\n[output.last]\nangle_of = \"rocker{four_bars}\"\n",
+        guesses.join(", ")
+    )
+}
+
+#[test]
+fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    // 41 bodies at 720 positions: ten seconds and more.
+    let model = chain(20);
+    let look = |seq: u64, model: &str| {
+        let text = serde_json::json!({"path": "model.toml", "text": model});
+        serde_json::json!({"kind": "look", "seq": seq, "model": text, "study": null, "positions": 720, "grip": null})
+    };
+    let began = std::time::Instant::now();
+    live.send(&look(1, &model));
+    let seen = live.next_of("seen");
+    let taken = began.elapsed().as_secs_f64();
+    assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(1), &Value::from(true)), "{}", seen["complaints"]);
+    assert!(seen["view"].is_null() && (2.0..10.0).contains(&taken), "{taken} s");
+    // What comes next is answered as ever: nothing goes on computing in its way, and no answer to the first one follows.
+    live.send(&look(2, &chain(1)));
+    let seen = live.next_of("seen");
+    assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(2), &Value::from(false)));
+    assert!(seen["view"]["drawing"]["svg"].is_string(), "{}", seen["complaints"]);
+    assert!(began.elapsed().as_secs_f64() < 20.0, "{:?}", began.elapsed());
+}
