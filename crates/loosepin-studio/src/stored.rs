@@ -22,7 +22,7 @@ const LARGEST_MARKER: usize = 1 << 20;
 /// The path is none of the served folder; no finished study is there; another version wrote it.
 pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal> {
     let path = path.trim_end_matches('/');
-    let marker: Marker = read(folder, &format!("{path}/{MARKER_FILE}"), LARGEST_MARKER)?;
+    let marker = marker(folder, path)?;
     if marker.kind != ResultKind::Study {
         let message = format!("'{path}' holds a {}, not a study", marker.kind.words());
         return Err(Refusal::bad(message).with_hint("choose the result of a study"));
@@ -37,6 +37,10 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
         return Err(Refusal::bad(message).with_hint("run the study again, or use the version that wrote it"));
     }
     Ok(result)
+}
+
+fn marker(folder: &Folder, path: &str) -> Result<Marker, Refusal> {
+    read(folder, &format!("{}/{MARKER_FILE}", path.trim_end_matches('/')), LARGEST_MARKER)
 }
 
 fn read<T: DeserializeOwned>(folder: &Folder, path: &str, most: usize) -> Result<T, Refusal> {
@@ -58,9 +62,11 @@ pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
 }
 
 /// What can be done with a result.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Default, Serialize)]
 pub struct Doings {
     title: String,
+    /// Whether it is the result of a study: of others there is nothing to be done.
+    is_study: bool,
     /// Mechanisms that can be run by themselves.
     witnesses: Vec<Doing>,
     /// Values that can be taken into the model, in the order of the page.
@@ -80,8 +86,12 @@ struct Doing {
 /// What can be done with the result in a folder.
 ///
 /// # Errors
-/// As for [`stored_study`].
+/// As for [`stored_study`], but for results that are of no study.
 pub fn doings(folder: &Folder, path: &str) -> Result<Doings, Refusal> {
+    let marker = marker(folder, path)?;
+    if marker.kind != ResultKind::Study {
+        return Ok(Doings { title: marker.name, ..Doings::default() });
+    }
     let result = stored_study(folder, path)?;
     let witnesses = witness_words(&result).into_iter();
     Ok(Doings {
@@ -91,5 +101,6 @@ pub fn doings(folder: &Folder, path: &str) -> Result<Doings, Refusal> {
         known: known_values(&result).into_iter().map(|KnownValue { words, .. }| vec![words]).collect(),
         studies: listing(folder).studies_named(&result.name),
         title: result.name,
+        is_study: true,
     })
 }

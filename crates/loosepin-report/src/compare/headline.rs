@@ -5,7 +5,7 @@ use super::outputs::SharedOutputs;
 use super::statistics::{Weight, is_same};
 use crate::number::{NumberWriter, Rounding};
 use crate::told::{Told, told};
-use crate::wording::{capitalised, deviation_of};
+use crate::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
 
@@ -70,7 +70,7 @@ fn main<'r>(
             let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
             let subject = deviation_of(&curve.output, curve.of, &before.outputs);
             Some(Main {
-                subject: capitalised(&format!("{share} band of the {subject}")),
+                subject: format!("The {share} band of the {subject}"),
                 values_si: [reach_si(curve)?.1, reach_si(other)?.1],
                 errors_si: curve.numerical_error_si + other.numerical_error_si,
                 unit: &curve.unit,

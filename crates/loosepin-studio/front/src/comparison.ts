@@ -41,6 +41,8 @@ export interface ComparedSide {
 /** What can be done with a result. */
 export interface Doings {
   title: string;
+  /** Of others there is nothing to be done. */
+  is_study: boolean;
   witnesses: { values: string[]; attains: string[]; command: string }[];
   /** Values that can be taken into the model, in the order of the page. */
   known: string[][];

@@ -56,10 +56,10 @@ const roles = ['mixed', 'random', 'worst', 'nominal', 'mean', 'probability', 'li
 export function takeLegend(svg: SVGSVGElement): LegendEntry[] {
   const key = svg.querySelector('.key');
   key?.remove();
-  const signs = [...(key?.querySelectorAll('.fill') ?? [])];
   const texts = [...(key?.querySelectorAll('text') ?? [])];
-  return texts.map((text, index) => ({
-    role: roles.find((role) => signs[index]?.classList.contains(role)) ?? '',
+  // Before each text stands the line of its entry.
+  return texts.map((text) => ({
+    role: roles.find((role) => text.previousElementSibling?.classList.contains(role)) ?? '',
     words: text.textContent ?? '',
   }));
 }

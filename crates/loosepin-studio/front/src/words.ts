@@ -295,6 +295,7 @@ export const words = {
     again: 'Fetch it again',
     frame: (path: string): string => `Report of ${path}`,
     compare: 'Compare with another result',
+    doings: 'What can be done with this result',
     witnesses: (number: number): string => `Run ${number === 1 ? 'the mechanism' : `one of ${whole.format(number)} mechanisms`} at which a bound is reached`,
     witnessHint: 'One run in time, with inertia and impacts. Parts that scatter have the dimensions of the model.',
     run: 'Run',
