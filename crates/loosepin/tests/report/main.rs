@@ -1,5 +1,6 @@
 //! Pages, tables and files of results.
 
+mod compare;
 mod figures;
 mod frontier;
 mod measured;

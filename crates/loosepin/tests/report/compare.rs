@@ -1,0 +1,220 @@
+//! Two studies compared: what is asserted here is put in by hand, so that every number is known beforehand.
+
+use loosepin::report::{Comparison, Weight, compare_studies};
+use loosepin::result::repeat::InputRole;
+use loosepin::study::result::{Deviation, Reading, StudyResult, Verdict};
+use loosepin::units::SiUnit;
+
+use super::report_fixture::study::worn_pin;
+
+fn changed(change: impl FnOnce(&mut StudyResult)) -> Comparison {
+    let before = worn_pin();
+    let mut after = worn_pin();
+    change(&mut after);
+    compare_studies(&before, &after)
+}
+
+#[test]
+fn analytic_a_study_does_not_differ_from_itself() {
+    let found = changed(|_| ());
+    assert!(found.headline.ends_with("There is no difference."), "{}", found.headline);
+    assert_eq!(found.warnings, ["Both studies have the same inputs."]);
+    assert!(found.left_out.is_empty() && found.inputs.is_empty(), "{:?} {:?}", found.left_out, found.inputs);
+    // Every bound of the fixture that is no point of a curve, with both ends.
+    assert_eq!(found.statistics.len(), 6);
+    for end in found.statistics.iter().flat_map(|row| &row.ends) {
+        assert_eq!((end.difference_si, end.weight), (0.0, Weight::None), "{end:?}");
+        assert_eq!(end.values[0], end.values[1]);
+    }
+    assert_eq!(found.requirements.len(), worn_pin().requirements.len());
+    assert!(found.requirements.iter().all(|row| row.verdicts[0] == row.verdicts[1] && row.verdicts[0].is_some()));
+}
+
+#[test]
+fn analytic_differences_are_held_against_both_errors() {
+    // The mean has an error of 1.1 µm in each study, in two parts: together 2.2 µm.
+    let moved = |by_m: f64| {
+        let found = changed(|after| {
+            after.bounds[1].upper.value_si += by_m;
+            after.bounds[1].upper.widened_si += by_m;
+        });
+        found.statistics[1].ends[1].clone()
+    };
+    let within = moved(2.1e-6);
+    assert_eq!(within.weight, Weight::WithinErrors);
+    assert!((within.difference_si - 2.1e-6).abs() < 1e-18 && within.difference == "+0.002\u{a0}mm", "{within:?}");
+    let beyond = moved(-2.3e-6);
+    assert_eq!((beyond.weight, beyond.difference.as_str()), (Weight::BeyondErrors, "−0.002\u{a0}mm"));
+    // A probability differs by points, not by a length.
+    let found = changed(|after| after.bounds[3].lower.value_si -= 0.05);
+    let points = &found.statistics[3].ends[0];
+    assert_eq!((points.difference.as_str(), points.weight), ("−5.0 percentage points", Weight::BeyondErrors));
+    let unknown = changed(|after| after.bounds[1].upper.value_si = f64::NAN).statistics[1].ends[1].clone();
+    assert_eq!(unknown.weight, Weight::WithinErrors, "nothing is said of what is not known");
+}
+
+#[test]
+fn analytic_the_headline_has_the_change_of_the_largest_deviation() {
+    let half = changed(|after| {
+        let upper = &mut after.bounds[0].upper;
+        upper.value_si *= 0.5;
+        upper.widened_si *= 0.5;
+    });
+    assert!(half.headline.ends_with("B is 50\u{a0}% smaller."), "{}", half.headline);
+    let larger = changed(|after| {
+        let upper = &mut after.bounds[0].upper;
+        upper.value_si *= 1.25;
+        upper.widened_si *= 1.25;
+    });
+    assert!(larger.headline.ends_with("B is 25\u{a0}% larger."), "{}", larger.headline);
+}
+
+#[test]
+fn what_does_not_mean_the_same_is_left_out_and_named() {
+    let renamed = changed(|after| after.outputs[0].words = "x of rod.big_end".to_owned());
+    assert!(renamed.statistics.is_empty() && renamed.bands.is_empty());
+    assert!(
+        renamed.left_out[0].contains("x of slider.pin [m] in A, x of rod.big_end [m] in B"),
+        "{:?}",
+        renamed.left_out
+    );
+    assert_eq!(renamed.headline, "The two studies have no answer in common.");
+    let other_unit = changed(|after| after.outputs[0].unit = SiUnit::ANGLE);
+    assert!(
+        other_unit.statistics.is_empty() && other_unit.left_out[0].contains("[rad] in B"),
+        "{:?}",
+        other_unit.left_out
+    );
+    let read = changed(|after| after.bounds[2].reading = Reading::RandomSet);
+    assert_eq!(read.statistics.len(), 5);
+    assert!(read.left_out[0].contains("is not compared: intervals are"), "{:?}", read.left_out);
+    let drive = changed(|after| after.cycle.drive = "motor".to_owned());
+    assert!(
+        drive.bands.is_empty() && drive.left_out[0].contains("another drive: crank in A, motor in B"),
+        "{:?}",
+        drive.left_out
+    );
+    assert_eq!(drive.statistics.len(), 6, "numbers over the cycle are compared, with a warning");
+    assert!(drive.warnings.iter().any(|words| words == "Other cycle, drive: crank in A, motor in B."));
+    let other = changed(|after| after.curves[0].of = Deviation::Clearance);
+    assert_eq!(other.left_out.len(), 2, "{:?}", other.left_out);
+    let many = changed(|after| {
+        (after.seed, after.cycle.recorded_turns, after.counts.inner) = (7, 3.0, 512);
+    });
+    for words in [
+        "Other seed: 1 in A, 7 in B.",
+        "Other cycle, recorded turns: 1 in A, 3 in B.",
+        "Other sampling: 64 × 256 runs in A, 64 × 512 runs in B.",
+    ] {
+        assert!(many.warnings.iter().any(|own| own == words), "{words}: {:?}", many.warnings);
+    }
+}
+
+/// The numbers of a path of the picture.
+fn path(figure: &str, class: &str) -> Vec<(f64, f64)> {
+    let (_, rest) = figure.split_once(&format!("<path class=\"{class}\"")).unwrap_or_else(|| panic!("{class}"));
+    let (_, rest) = rest.split_once(" d=\"").unwrap();
+    let (data, _) = rest.split_once('"').unwrap();
+    data.split(['M', 'L'])
+        .filter(|pair| !pair.is_empty())
+        .map(|pair| {
+            let (x, y) = pair.split_once(' ').unwrap();
+            (x.parse().unwrap(), y.parse().unwrap())
+        })
+        .collect()
+}
+
+#[test]
+fn analytic_bands_at_other_angles_are_drawn_on_the_same_lines() {
+    // B has every second pose alone: between them its band is the straight line that it is in its own picture.
+    let found = changed(|after| {
+        let curve = &mut after.curves[0];
+        let thin = |list: &mut Vec<f64>| *list = list.iter().copied().step_by(2).collect();
+        thin(&mut curve.pose_rad);
+        thin(&mut curve.mixed.lower_si);
+        thin(&mut curve.mixed.upper_si);
+    });
+    let figure = &found.bands[0].figure;
+    let (first, second) = (path(figure, "line mixed edge"), path(figure, "line random edge dashed"));
+    let at =
+        |points: &[(f64, f64)], x: f64| points.iter().find(|point| (point.0 - x).abs() < 1e-9).map(|point| point.1);
+    let mut between = 0;
+    for three in first.windows(3).step_by(2) {
+        let [a, middle, c] = three else { unreachable!() };
+        let (Some(left), Some(right)) = (at(&second, a.0), at(&second, c.0)) else { continue };
+        assert_eq!((left, right), (a.1, c.1), "the same poses have the same values");
+        if let Some(found) = at(&second, middle.0) {
+            let share = (middle.0 - a.0) / (c.0 - a.0);
+            // Places in a picture have one decimal.
+            assert!((found - ((1.0 - share) * left + share * right)).abs() < 0.16, "{found}");
+            between += 1;
+        }
+    }
+    assert!(between > 40, "{between} places between poses");
+}
+
+#[test]
+fn inputs_are_told_in_words_and_units() {
+    let found = changed(|after| {
+        after.inputs[2].words = "anywhere between 0.1 mm and 0.15 mm".to_owned();
+        after.inputs.remove(1);
+        for file in &mut after.repeat.files {
+            file.text = match file.role {
+                InputRole::Study => "name = \"worn pin\"\n[sampling]\ninner = 512\n".to_owned(),
+                InputRole::Model => "name = \"slider-crank\"\n[parameter]\nrod_length = \"120 mm\"\n".to_owned(),
+                _ => format!("{}\n120.02\n", file.text),
+            };
+        }
+        after.repeat.command += " --accuracy 0.01";
+    });
+    let told: Vec<(&str, &str, Option<&str>, Option<&str>)> = found
+        .inputs
+        .iter()
+        .map(|input| (input.place, input.path.as_str(), input.before.as_deref(), input.after.as_deref()))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            (
+                "uncertain",
+                "parameter.rod_length",
+                Some("normal, mean 120 mm, standard deviation 0.03 mm"),
+                Some("exactly 120 mm")
+            ),
+            (
+                "uncertain",
+                "joint.gudgeon.radial_clearance",
+                Some("anywhere between 0.1 mm and 0.5 mm"),
+                Some("anywhere between 0.1 mm and 0.15 mm")
+            ),
+            ("model", "parameter.rod_length", None, Some("120 mm")),
+            ("study", "sampling.inner", None, Some("512")),
+            ("table", "parts/rod.csv", Some("4 lines"), Some("5 lines")),
+            ("command", "command", None, Some("--accuracy 0.01")),
+        ]
+    );
+    assert_eq!(found.inputs[1].words, "joint 'gudgeon': radial clearance");
+    // A result of an older version has kept no files.
+    let old = changed(|after| after.repeat = Default::default());
+    assert!(old.left_out.iter().any(|words| words.contains("older version")), "{:?}", old.left_out);
+    // A text of today is not that of then.
+    let broken = changed(|after| after.repeat.files[0].text = "name = ".to_owned());
+    assert!(broken.left_out.iter().any(|words| words.contains("cannot be read")), "{:?}", broken.left_out);
+}
+
+#[test]
+fn requirements_stand_beside_each_other_with_their_own_limits() {
+    let found = changed(|after| {
+        after.requirements[0].upper_si *= 2.0;
+        after.requirements[0].lower_si *= 2.0;
+        after.requirements[0].verdict = Verdict::Undecided;
+        after.requirements.truncate(1);
+    });
+    let rows = &found.requirements;
+    assert_eq!(rows.len(), worn_pin().requirements.len());
+    assert_eq!(rows[0].verdicts[1], Some("undecided"));
+    assert_ne!(rows[0].required[0], rows[0].required[1]);
+    for row in &rows[1..] {
+        assert!(row.verdicts[0].is_some() && row.verdicts[1].is_none() && row.required[1].is_none());
+    }
+}
