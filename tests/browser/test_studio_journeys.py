@@ -1,5 +1,6 @@
 """Ways through the studio from end to end: the first minute by keyboard alone; reloading, files that change outside, two tabs."""
 
+import importlib.util
 import json
 import pathlib
 import subprocess
@@ -10,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from chromium import Chromium  # noqa: E402
-from test_studio import FIELD, PROGRAM, Studio  # noqa: E402
+from test_studio import FIELD, PROGRAM, REPOSITORY, Studio  # noqa: E402
 
 # Windows key codes, and the text that the key types.
 KEYS = {"Tab": (9, ""), "Enter": (13, "\r"), " ": (32, " "), "ArrowRight": (39, ""), "ArrowLeft": (37, ""), "ArrowDown": (40, ""), "ArrowUp": (38, "")}
@@ -223,3 +224,35 @@ def test_two_tabs_see_the_same_files_and_runs(studio):
         for tab in (studio, second):
             tab.wait(DONE, 300)
         assert len(list((studio.folder / "results").glob("*/*/summary.json"))) == 1
+
+
+def test_an_analysis_that_takes_too_long_is_cut_off_and_the_last_drawing_stays(studio):
+    spec = importlib.util.spec_from_file_location("frames", REPOSITORY / "tools/studio/frames.py")
+    frames = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(frames)
+    texts = {}
+    for four_bars in (1, 40):
+        frames.FOUR_BARS = four_bars
+        frames.chain(studio.folder / f"chain{four_bars}")
+        texts[four_bars] = (studio.folder / f"chain{four_bars}/model.toml").read_text()
+    studio.open()
+    studio.browser.evaluate("(location.hash = '#/edit/chain1/study.toml', true)")
+    studio.wait("document.querySelector('svg.mechanism') && document.querySelector('.field')")
+    studio.settle()
+    bodies = "document.querySelectorAll('.drawing [data-body]').length"
+    before = studio.browser.evaluate(bodies)
+    # The model becomes one of 81 bodies.
+    time.sleep(1.2)
+    (studio.folder / "chain1/model.toml").write_text(texts[40])
+    studio.wait(CHANGED)
+    studio.click("button", "Load what is on disk")
+    studio.wait("document.querySelector('.drawing .over')?.innerText.includes('took longer than 2 s and was stopped')", 30)
+    assert "of the texts before" in studio.browser.evaluate("document.querySelector('.drawing .over').innerText")
+    assert studio.browser.evaluate("document.querySelector('.drawing').classList.contains('stale')"), "it is seen to be of earlier texts"
+    assert studio.browser.evaluate(bodies) == before, "the last good drawing stays"
+    assert studio.browser.evaluate("document.querySelector('.band').ariaBusy") == "true"
+    studio.click("button", "Undo")
+    studio.wait("document.querySelector('.drawing .over') === null", 120)
+    studio.settle()
+    assert studio.browser.evaluate(bodies) == before
+    assert studio.browser.complaints() == []

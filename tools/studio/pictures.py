@@ -1,4 +1,4 @@
-"""Makes the pictures of docs/studio.md: the gallery, the drawing and the editor as a reader really gets them, light and dark.
+"""Makes the pictures of docs/studio.md: the gallery, the drawing, the editor and two results compared, as a reader really gets them, light and dark.
 
     python3 tools/studio/pictures.py docs/images
 
@@ -6,6 +6,7 @@ Needs Chromium and target/debug/loosepin.
 """
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import time
@@ -13,7 +14,7 @@ import time
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "tests/browser"))
 from chromium import Chromium  # noqa: E402
-from test_studio import CANVAS, Studio, click_in_canvas  # noqa: E402
+from test_studio import CANVAS, PROGRAM, Studio, click_in_canvas  # noqa: E402
 
 # The angle of the drive in the pictures: no dead centre.
 PRESSES = 20
@@ -30,6 +31,22 @@ def draw_four_bar(studio):
     studio.browser.evaluate("(document.querySelector('input[value=motor]').click(), true)")
     click_in_canvas(studio, 0, 0)
     studio.wait("document.querySelector('.said').innerText.includes('1 degree of freedom')")
+
+
+def conducted(work):
+    """Two studies of the slider-crank, of a worn and of a measured pin; gives their folders as the address of the page has them."""
+    places = []
+    for name, play in (("worn", "0.5 mm"), ("measured", "0.15 mm")):
+        subprocess.run([PROGRAM, "new", "slider-crank", work / name], check=True, capture_output=True)
+        study = work / name / "study.toml"
+        text = study.read_text().replace('["0.1 mm", "0.5 mm"]', f'["0.1 mm", "{play}"]')
+        study.write_text(text.replace('a worn pin"', f'a {name} pin"', 1))
+        # 1 is the status of a requirement that is not met.
+        done = subprocess.run([PROGRAM, "study", f"{name}/study.toml"], cwd=work, capture_output=True, text=True)
+        assert done.returncode in (0, 1), done.stderr
+        found = next((work / "results").glob(f"*-{name}-*/*/summary.json")).parent
+        places.append(str(found.relative_to(work)).replace("/", "%2F"))
+    return "/".join(places)
 
 
 def main(folder):
@@ -56,6 +73,15 @@ def main(folder):
                     studio.click("button", "+1°")
                 time.sleep(0.5)
                 browser.screenshot(folder / f"studio_editor_{scheme}.png", whole=False)
+            # Last, so that the gallery is that of a new folder.
+            pair = conducted(work)
+            for dark in (False, True):
+                browser.view(1280, 1000, dark=dark, reduced_motion=True)
+                studio.open()
+                browser.evaluate(f"(location.hash = '#/compare/{pair}', true)")
+                studio.wait("document.querySelector('.compare svg.chart')")
+                time.sleep(0.5)
+                browser.screenshot(folder / f"studio_compare_{'dark' if dark else 'light'}.png", whole=False)
         finally:
             studio.close()
 

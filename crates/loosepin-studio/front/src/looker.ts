@@ -3,8 +3,9 @@ import type { Look, Seen } from './messages.ts';
 
 const patienceMs = 500;
 const settledMs = 250;
-const finest = 361;
-const choices = [37, 73, 121];
+/** Positions in a turn: the last ones while nothing is moved. */
+const choices = [37, 73, 121, 361] as const;
+const most = 361;
 /** What a look may cost on the server while something is dragged. */
 const budgetMs = 12;
 
@@ -13,8 +14,10 @@ export class Looker {
   private flight: { seq: number; version: number; positions: number } | null = null;
   private isWanted = false;
   private isFine = false;
+  /** What a look in rest asks for: less where the analysis took too long. */
+  private finest: number = most;
   private cost = 4;
-  private positions = 121;
+  private positions: number = 121;
   private giveUp = 0;
   private delay = 0;
   private settle = 0;
@@ -62,8 +65,9 @@ export class Looker {
     if (seen.seq !== this.flight?.seq) return;
     const { version, positions } = this.flight;
     this.land();
-    if (positions !== finest) this.adapt(seen.cost_ms);
-    this.hear(seen, version, positions === finest);
+    if (seen.is_cut) this.coarsen(positions);
+    else if (positions < this.finest) this.adapt(seen.cost_ms);
+    this.hear(seen, version, positions >= this.finest);
     this.flush();
   }
 
@@ -81,9 +85,23 @@ export class Looker {
 
   private adapt(cost: number): void {
     this.cost += 0.3 * (cost - this.cost);
-    const place = choices.indexOf(this.positions);
-    if (this.cost > budgetMs && place > 0) this.positions = choices[place - 1] ?? this.positions;
-    else if (this.cost < budgetMs / 3 && place < choices.length - 1) this.positions = choices[place + 1] ?? this.positions;
+    const coarser = this.coarserThan(this.positions);
+    const finer = choices.find((one) => one > this.positions && one < this.finest);
+    if (this.cost > budgetMs && coarser !== undefined) this.positions = coarser;
+    else if (this.cost < budgetMs / 3 && finer !== undefined) this.positions = finer;
+  }
+
+  private coarserThan(positions: number): number | undefined {
+    return choices.filter((one) => one < positions).at(-1);
+  }
+
+  /** It took too long: fewer positions are tried, until there are no fewer. */
+  private coarsen(positions: number): void {
+    const coarser = this.coarserThan(positions);
+    if (coarser === undefined) return;
+    this.finest = Math.min(this.finest, coarser);
+    this.positions = Math.min(this.positions, coarser);
+    this.isWanted = true;
   }
 
   private waitUntilSettled(): void {
@@ -100,7 +118,7 @@ export class Looker {
     const made = this.make();
     if (!made) return;
     this.seq += 1;
-    const positions = this.isFine ? finest : this.positions;
+    const positions = this.isFine ? this.finest : Math.min(this.positions, this.finest);
     if (!this.send({ kind: 'look', seq: this.seq, positions, ...made.look })) return;
     this.isWanted = false;
     this.flight = { seq: this.seq, version: made.version, positions };

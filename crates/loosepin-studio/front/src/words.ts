@@ -138,6 +138,7 @@ export const words = {
     stale: 'The drawing is that of the last text that could be read.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. What is shown is of the texts before.',
     coarse: 'At more positions the analysis took longer than 2 s and was stopped.',
+    tooLarge: 'There is no drawing: the analysis of these texts took longer than 2 s and was stopped.',
     none: 'There is no drawing: the model cannot be read yet. See the problems below.',
     still: 'The model can be read, but there is no drawing of it.',
     loading: 'The drawing is made …',
