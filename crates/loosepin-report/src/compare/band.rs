@@ -171,3 +171,84 @@ fn ends_at(curve: &DeviationCurve, angles: &[f64]) -> [Vec<f64>; 2] {
         angles.iter().map(|angle| at(*angle)).collect()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_result::study::{CurveRange, Deviation, Witness};
+    use loosepin_text::units::SiUnit;
+
+    fn curve(pose_deg: &[f64], upper_si: &[f64]) -> DeviationCurve {
+        DeviationCurve {
+            output: "slider".to_owned(),
+            of: Deviation::Total,
+            unit: SiUnit::LENGTH,
+            probabilities: [0.025, 0.975],
+            centre: Witness::new(),
+            numerical_error_si: 0.0,
+            pose_rad: pose_deg.iter().map(|angle| angle.to_radians()).collect(),
+            ideal_si: Vec::new(),
+            nominal_si: Vec::new(),
+            random: CurveRange::default(),
+            mixed: CurveRange { lower_si: upper_si.iter().map(|value| -value).collect(), upper_si: upper_si.to_vec() },
+            simultaneous: Vec::new(),
+            at_values: Vec::new(),
+            path: None,
+        }
+    }
+
+    /// The upper end in both curves at each of their angles, degrees.
+    fn together(first: &DeviationCurve, second: &DeviationCurve) -> Vec<[f64; 3]> {
+        let angles = angles(first, second);
+        let both = [first, second].map(|curve| ends_at(curve, &angles));
+        for [lower, upper] in &both {
+            assert!(lower.iter().zip(upper).all(|(low, high)| *low == -high || low.is_nan() && high.is_nan()));
+        }
+        let each = angles.iter().enumerate();
+        each.map(|(place, angle)| [angle.to_degrees(), both[0][1][place], both[1][1][place]]).collect()
+    }
+
+    fn assert_close(found: &[[f64; 3]], due: &[[f64; 3]]) {
+        assert_eq!(found.len(), due.len(), "{found:?}");
+        for (found, due) in found.iter().zip(due) {
+            for (a, b) in found.iter().zip(due) {
+                assert!((a - b).abs() < 1e-9 || a.is_nan() && b.is_nan(), "{found:?} {due:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn analytic_a_band_lies_straight_between_its_own_poses() {
+        let first = curve(&[10.0, 20.0, 30.0, 40.0], &[1.0, 5.0, 2.0, 7.0]);
+        let second = curve(&[10.0, 35.0], &[3.0, 8.0]);
+        let due = [
+            [10.0, 1.0, 3.0],
+            [20.0, 5.0, 5.0],
+            [30.0, 2.0, 7.0],
+            [35.0, 4.5, 8.0],
+            // Beyond its poses nothing is known of a band.
+            [40.0, 7.0, f64::NAN],
+        ];
+        assert_close(&together(&first, &second), &due);
+    }
+
+    #[test]
+    fn analytic_angles_of_another_turn_are_those_of_the_first() {
+        let first = curve(&[30.0, 120.0, 210.0, 300.0], &[1.0, 2.0, 3.0, 4.0]);
+        // 0° and 90° of the next turn, and a whole turn beyond the first pose but for round-off.
+        let second = curve(&[-240.0, -150.0, 0.0, 30.0 - 1e-12], &[5.0, 6.0, 7.0, 8.0]);
+        let due =
+            [[30.0, 1.0, 8.0], [120.0, 2.0, 5.0], [210.0, 3.0, 6.0], [300.0, 4.0, 6.0 + 0.6], [360.0, f64::NAN, 7.0]];
+        assert_close(&together(&first, &second), &due);
+    }
+
+    #[test]
+    fn a_gap_of_a_band_stays_one() {
+        let first = curve(&[0.0, 10.0, 20.0], &[1.0, f64::NAN, 3.0]);
+        let second = curve(&[0.0, 5.0, 20.0], &[1.0, 1.0, 1.0]);
+        assert_close(
+            &together(&first, &second),
+            &[[0.0, 1.0, 1.0], [5.0, f64::NAN, 1.0], [10.0, f64::NAN, 1.0], [20.0, 3.0, 1.0]],
+        );
+    }
+}

@@ -9,9 +9,17 @@ const most = 361;
 /** What a look may cost on the server while something is dragged. */
 const budgetMs = 12;
 
+interface Flight {
+  seq: number;
+  version: number;
+  positions: number;
+}
+
 export class Looker {
   private seq = 0;
-  private flight: { seq: number; version: number; positions: number } | null = null;
+  private flight: Flight | null = null;
+  /** The one before, where it was passed by a newer one without an answer. */
+  private passed: Flight | null = null;
   private isWanted = false;
   private isFine = false;
   /** What a look in rest asks for: less where the analysis took too long. */
@@ -62,6 +70,12 @@ export class Looker {
   }
 
   heard(seen: Seen): void {
+    if (seen.is_cut && seen.seq === this.passed?.seq) {
+      // The newer one waits for its end: that it was stopped is all that is known yet.
+      this.hear(seen, this.passed.version, false);
+      this.passed = null;
+      return;
+    }
     if (seen.seq !== this.flight?.seq) return;
     const { version, positions } = this.flight;
     this.land();
@@ -127,7 +141,8 @@ export class Looker {
       const late = this.flight;
       this.flight = null;
       this.flush();
-      if (!this.flight) this.flight = late;
+      if (this.flight) this.passed = late;
+      else this.flight = late;
     }, patienceMs);
   }
 }
