@@ -141,7 +141,7 @@ fn chain(four_bars: usize) -> String {
         let head = format!(
             "[body.{name}]\nmass = \"0.3 kg\"\ninertia = \"1e-3 kg m^2\"\ncentre_of_mass = [\"{length} / 2\", \"0 mm\"]\n"
         );
-        write!(bodies, "{head}points = {{ a = [\"0 mm\", \"0 mm\"], b = [\"{length}\", \"0 mm\"] }}\n").unwrap();
+        writeln!(bodies, "{head}points = {{ a = [\"0 mm\", \"0 mm\"], b = [\"{length}\", \"0 mm\"] }}").unwrap();
     };
     let mut joint = |name: &str, bearing: &str, journal: &str, more: &str| {
         write!(joints, "[joint.{name}]\nkind = \"revolute\"\nbearing = \"{bearing}\"\njournal = \"{journal}\"\n{more}")
@@ -164,7 +164,7 @@ fn chain(four_bars: usize) -> String {
         before = format!("rocker{number}.b");
     }
     for number in 0..=four_bars {
-        write!(ground, "g{number} = [\"{number} * base_length\", \"0 mm\"]\n").unwrap();
+        writeln!(ground, "g{number} = [\"{number} * base_length\", \"0 mm\"]").unwrap();
     }
     format!(
         "name = \"chain\"\ngravity = \"9.81 m/s^2\"\n[parameter]\ncrank_length = \"80 mm\"\ncoupler_length = \"260 mm\"\n\
