@@ -85,7 +85,8 @@ impl Plans {
     /// has no name there; in memory where there is no folder.
     pub fn table(&self, folder: Option<&Path>) -> SampleTable {
         let runs = self.limits.stated_runs - self.limits.reserved;
-        let scratch = folder.filter(|_| is_large(runs, self.row_length)).and_then(|folder| Scratch::in_folder(folder).ok());
+        let scratch =
+            folder.filter(|_| is_large(runs, self.row_length)).and_then(|folder| Scratch::in_folder(folder).ok());
         SampleTable::with_capacity(self.row_length, runs, scratch)
     }
 }

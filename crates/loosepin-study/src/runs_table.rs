@@ -49,9 +49,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
             EpistemicSubject::Quantity(_) | EpistemicSubject::Parameter { .. } => {
                 number(&|run| inputs[run].epistemic[k])
             }
-            EpistemicSubject::Law { .. } => {
-                text(&|run| input.written(&study.model, inputs[run].epistemic[k]).into())
-            }
+            EpistemicSubject::Law { .. } => text(&|run| input.written(&study.model, inputs[run].epistemic[k]).into()),
         };
         push(input.path.clone(), input.unit(&study.model), data);
     }
@@ -106,8 +104,10 @@ struct JointColumns {
 /// The `scalars` of all runs, column by column, and their extras. Every row is read once: where runs are many, rows lie in a file.
 fn numbers(response: &StudyResponse, table: &SampleTable, scalars: &[usize]) -> (Vec<Vec<f64>>, ExtraColumns) {
     let mut values: Vec<Vec<f64>> = scalars.iter().map(|_| Vec::with_capacity(table.len())).collect();
-    let mut columns =
-        ExtraColumns { joints: response.joints.iter().map(|_| JointColumns::default()).collect(), ..Default::default() };
+    let mut columns = ExtraColumns {
+        joints: response.joints.iter().map(|_| JointColumns::default()).collect(),
+        ..Default::default()
+    };
     // A failed run has no counters: zero evaluations.
     let whole = |value: f64| if value.is_finite() { value as u64 } else { 0 };
     for run in 0..table.len() {

@@ -1,13 +1,13 @@
 //! Questions, runs and answers: what all other floors speak of.
 
 mod beside;
-mod rows;
 pub(crate) mod bound;
 pub(crate) mod defaults;
 pub(crate) mod direction;
 pub(crate) mod points;
 pub(crate) mod problem;
 pub(crate) mod random_inputs;
+mod rows;
 pub(crate) mod scratch;
 pub(crate) mod statistic;
 pub(crate) mod table;

@@ -22,7 +22,7 @@ pub struct WearRecorder {
     pub profiles: Vec<WearProfile>,
     /// The contact of each; none of an ideal joint. A pin touches its hole at one place.
     contacts: Vec<Option<usize>>,
-    /// Slots of bearing body and journal body, in the real tree.
+    /// Slots of bearing and journal in the real tree: of a flexible body, those of its sections.
     slots: Vec<[usize; 2]>,
 }
 
@@ -31,8 +31,8 @@ impl WearRecorder {
     pub fn new(mechanism: &Mechanism, values: &Values) -> Self {
         let joints = WearingJoint::all(mechanism, values);
         let slots_of = |joint: &WearingJoint| {
-            let bodies = mechanism.model.joints[joint.joint.0].kind.bodies();
-            bodies.map(|body| mechanism.real.slot_of_body[body.0])
+            let points = mechanism.model.joints[joint.joint.0].kind.points();
+            points.map(|point| mechanism.real.slot_of_point(point))
         };
         Self {
             profiles: joints.iter().map(WearProfile::new).collect(),

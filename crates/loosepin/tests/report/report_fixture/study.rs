@@ -470,8 +470,7 @@ pub fn runs_table() -> RunsTable {
     let crank = column("parameter.crank_length", SiUnit::LENGTH, CRANK_M, 2e-5, false);
     let rod = column("parameter.rod_length", SiUnit::LENGTH, ROD_M, 3e-5, false);
     let largest = column("slider.total.maximum_absolute", SiUnit::LENGTH, 4e-4, 5e-5, true);
-    let words =
-        |value: &dyn Fn(usize) -> &'static str| RunData::Text((0..RUNS).map(|row| value(row).into()).collect());
+    let words = |value: &dyn Fn(usize) -> &'static str| RunData::Text((0..RUNS).map(|row| value(row).into()).collect());
     let plain = |name: &str, data: RunData| RunColumn { name: name.to_owned(), unit: SiUnit::NONE, data };
     RunsTable {
         columns: vec![
