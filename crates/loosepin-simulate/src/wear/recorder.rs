@@ -137,3 +137,29 @@ fn angles(dynamics: &Dynamics<'_, f64>, slots: [usize; 2]) -> [f64; 2] {
 fn angle(vector: Vec2<f64>) -> f64 {
     vector.y.atan2(vector.x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::WearRecorder;
+    use loosepin_mechanics::mechanism::Mechanism;
+    use loosepin_mechanics::model::Model;
+
+    #[test]
+    fn identity_a_surface_on_a_flexible_link_turns_with_its_section() {
+        let text = include_str!("../../../../cases/flexible_slider_crank/model.toml");
+        let wearing = text.replace(
+            "[joint.gudgeon]\n",
+            "[joint.gudgeon]\nbearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\n",
+        );
+        assert_ne!(wearing, text);
+        let model = Model::from_text("model.toml", &wearing).expect("a model");
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).expect("a mechanism");
+        let recorder = WearRecorder::new(&mechanism, &values);
+        let beam = &mechanism.real.beams[0];
+        // The bearing is at the small end of the rod, the pin in the slider.
+        assert_eq!(recorder.slots[0][0], beam.sections[1]);
+        assert_ne!(recorder.slots[0][0], beam.slot);
+        assert!(!beam.sections.contains(&recorder.slots[0][1]));
+    }
+}

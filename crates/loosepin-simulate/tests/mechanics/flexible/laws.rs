@@ -106,3 +106,22 @@ fn identity_damping_of_a_flexible_rod_stands_in_the_energy_account() {
     assert!(*lost_j > 1e-3, "{lost_j}");
     assert!(energy.damping_loss_j.windows(2).all(|pair| pair[0] <= pair[1] + 1e-12));
 }
+
+/// The friction path of a joint at the end of a flexible rod, by the integrator and by Gauss's rule on its dense output.
+#[test]
+fn identity_a_joint_of_a_flexible_rod_wears() {
+    let text = case_text("flexible_slider_crank");
+    let wearing = text.replace(
+        "[joint.gudgeon]\n",
+        "[joint.gudgeon]\nbearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\n",
+    );
+    assert_ne!(wearing, text);
+    let built = build(&wearing);
+    let record = simulate(&built.mechanism, &built.values, &Plan::of_model(&built.mechanism.model))
+        .unwrap_or_else(|failure| panic!("{failure}"))
+        .record;
+    let wear = &record.wear[0];
+    assert!(wear.friction_path_j > 1.0, "{} J", wear.friction_path_j);
+    let error = wear.checks.path_error.unwrap_or(f64::NAN);
+    assert!(error.abs() < 1e-6, "{error}");
+}
