@@ -90,6 +90,21 @@ fn peer_friction_path_without_play() {
     }
 }
 
+#[test]
+fn identity_friction_loses_its_coefficient_times_the_friction_path() {
+    // From the energy account: Ambrósio's friction is full from 1 mm/s on, and less below.
+    const COEFFICIENT: f64 = 0.05;
+    let text = include_str!("../../../../cases/four_bar_friction/model.toml");
+    let wear = "bearing_length = \"20 mm\"\nwear.journal.coefficient = \"1e-15 m^2/N\"\nradial_clearance";
+    let built = build(&text.replacen("radial_clearance", wear, 1));
+    let record = run_with(&built, &built.values, 1.0, 1e-9).record;
+    let full_j = COEFFICIENT * record.wear[0].friction_path_j;
+    let lost_j = record.energy.friction_loss_j.last().copied().unwrap_or(f64::NAN) - record.energy.friction_loss_j[0];
+    assert!(full_j > 0.01, "{full_j}");
+    // Sliding below 1 mm/s passes 2.3e-5 of the path.
+    assert!((0.0..1e-4).contains(&(1.0 - lost_j / full_j)), "{lost_j} {full_j}");
+}
+
 /// A wheel that hangs on a pin of the ground, driven at constant speed.
 fn wheel(bearing_and_journal: [&str; 2], wear: &str) -> String {
     let [bearing, journal] = bearing_and_journal;
