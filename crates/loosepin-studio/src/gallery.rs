@@ -27,7 +27,8 @@ pub fn cards(folder: &Folder) -> Vec<Card> {
 
 fn card(folder: &Folder, template: &Template) -> Card {
     let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
-    let texts = Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS, grip: None });
+    let texts =
+        Texts::sent(folder, &Look { seq: 0, model, study: None, positions: POSITIONS, grip: None, poses: None });
     let file = texts.read().ok();
     let record = file.as_ref().and_then(|file| file.ideal_motion(POSITIONS, &[]).ok());
     let driven = record.and_then(|record| moving_drawing(&record.drawing, &record.drive));

@@ -12,6 +12,8 @@
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs` |
 //! | a drawing from nothing to texts | `drawn.rs` |
+//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs` |
+//! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
 //! | studies and single runs in the background | `jobs.rs`, `job.rs` |
@@ -22,6 +24,7 @@
 mod adopt;
 mod complaints;
 mod connections;
+mod dimensions;
 mod drawn;
 mod edit;
 mod fixes;
@@ -44,6 +47,7 @@ mod routes;
 mod server;
 mod socket;
 mod stored;
+mod still;
 mod studio;
 mod texts;
 mod tickets;

@@ -8,16 +8,18 @@ use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::Model;
 use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
-use loosepin::result::simulation::{Drawing, DrawnJoint, DrawnJointKind};
+use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint};
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
 use crate::complaints::seen;
-use crate::edit::{gripped, refused_drag, shown_angle_deg};
+use crate::dimensions::dimensions;
+use crate::edit::{gripped, refused_drag, shown_angle_deg, why_not};
 use crate::folder::Folder;
 use crate::limits::limits;
-use crate::messages::{Look, Outline, Seen, SeenJoint, SeenLimit, SeenOutput, SeenPin, View};
+use crate::messages::{Look, Outline, Seen, SeenBody, SeenJoint, SeenLimit, SeenOutput, SeenPin, SeenPoint, View};
 use crate::quantities::quantities;
+use crate::still::{NamedPoses, placed, still_drawing};
 use crate::texts::Texts;
 
 const MM_PER_M: f64 = 1e3;
@@ -64,8 +66,9 @@ pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
                 .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
                 .map(|drawing| controlled(&file, &drawing, &texts))
                 .or_else(|| {
+                    let view = look.poses.as_ref().map(|poses| incomplete(&file, &found, poses, &texts));
                     complaints.extend(found);
-                    None
+                    view
                 }),
         }
     });
@@ -95,11 +98,12 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
     View {
         title: title(file),
         mobility: record.mobility.clone(),
+        incomplete: None,
         sentences: motion_sentences(record),
         drawing: moving_drawing(&record.drawing, &record.drive),
         bands: live_bands(record, &lines),
         limits: limits.into_iter().flatten().collect(),
-        outline: outline(&record.drawing, outputs(record)),
+        outline: outline(file.model(), &record.drawing, outputs(record)),
         quantities: quantities(file.model(), texts),
     }
 }
@@ -107,11 +111,10 @@ fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
 /// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
 fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
     let model = file.model();
-    let outputs =
-        model.outputs.iter().map(|output| SeenOutput { name: output.name.clone(), words: output.name.clone() });
     View {
         title: title(file),
         mobility: "Moved by its actuators".to_owned(),
+        incomplete: None,
         sentences: vec![
             "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone."
                 .to_owned(),
@@ -119,9 +122,31 @@ fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
         drawing: moving_drawing(drawing, "the cycle"),
         bands: Vec::new(),
         limits: Vec::new(),
-        outline: outline(drawing, outputs.collect()),
+        outline: outline(model, drawing, named_outputs(model)),
         quantities: quantities(model, texts),
     }
+}
+
+/// What does not move yet is drawn where its bodies were put.
+fn incomplete(file: &InputFile, found: &Complaints, poses: &NamedPoses, texts: &Texts) -> View {
+    let model = file.model();
+    let words = why_not(file, found);
+    let drawing = still_drawing(model, &placed(model, poses));
+    View {
+        title: title(file),
+        mobility: words.clone(),
+        incomplete: Some(words),
+        sentences: Vec::new(),
+        drawing: moving_drawing(&drawing, "the cycle"),
+        bands: Vec::new(),
+        limits: Vec::new(),
+        outline: outline(model, &drawing, named_outputs(model)),
+        quantities: quantities(model, texts),
+    }
+}
+
+fn named_outputs(model: &Model) -> Vec<SeenOutput> {
+    model.outputs.iter().map(|output| SeenOutput { name: output.name.clone(), words: output.name.clone() }).collect()
 }
 
 fn title(file: &InputFile) -> String {
@@ -139,12 +164,17 @@ fn outputs(record: &MotionRecord) -> Vec<SeenOutput> {
     outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect()
 }
 
-fn outline(drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outline {
+fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outline {
+    let point =
+        |point: &DrawnPoint| SeenPoint { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
+    let part = |body: &DrawnBody| SeenBody { name: body.name.clone(), points: body.points.iter().map(point).collect() };
     Outline {
         bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
         joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
         drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
         outputs,
+        parts: drawing.bodies.iter().map(part).collect(),
+        dimensions: dimensions(model),
     }
 }
 
@@ -166,6 +196,11 @@ fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> SeenJoint {
             body: joint.first.body,
             x: point.x_m * MM_PER_M,
             y: point.y_m * MM_PER_M,
+        }),
+        points: [joint.first, joint.second].map(|end| {
+            let body = drawing.bodies.get(end.body);
+            let point = body.and_then(|body| body.points.get(end.point));
+            body.zip(point).map(|(body, point)| format!("{}.{}", body.name, point.name)).unwrap_or_default()
         }),
     }
 }

@@ -3,6 +3,8 @@
 use loosepin::report::{LiveBand, MovingDrawing};
 use serde::{Deserialize, Serialize};
 
+use crate::still::NamedPoses;
+
 /// A text with the path of its file, by which complaints name it.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 pub struct SentText {
@@ -26,6 +28,9 @@ pub struct Look {
     /// The joint that is dragged, where one is: what is looked at are the texts that the drag makes of these.
     #[serde(default)]
     pub grip: Option<Grip>,
+    /// Where bodies were last: a mechanism that does not move yet is drawn there.
+    #[serde(default)]
+    pub poses: Option<NamedPoses>,
 }
 
 /// A joint that is dragged.
@@ -202,6 +207,8 @@ pub struct SeenQuantity {
     pub to: usize,
     /// `number`, `scatter` or `unknown`.
     pub kind: &'static str,
+    /// Dragging leaves it as it is.
+    pub is_locked: bool,
 }
 
 /// Where a pin is.
@@ -226,6 +233,47 @@ pub struct SeenJoint {
     pub play: Option<String>,
     /// Its centre, where it is a pin that can be dragged.
     pub pin: Option<SeenPin>,
+    /// The points that it joins: `rod.small_end`, `slider.pin`.
+    pub points: [String; 2],
+}
+
+/// A point of a body.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenPoint {
+    /// Its name.
+    pub name: String,
+    /// x in the frame of its body, mm.
+    pub x: f64,
+    /// y in it, mm.
+    pub y: f64,
+}
+
+/// A body with its points; the ground too.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenBody {
+    /// Its name.
+    pub name: String,
+    /// Its points.
+    pub points: Vec<SeenPoint>,
+}
+
+/// A dimension of a body or a joint.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenDimension {
+    /// `length`, or `angle` of a line.
+    pub kind: &'static str,
+    /// Name of the body, or of the joint whose line it is.
+    pub of: String,
+    /// Index of the body that it moves with, in the drawing.
+    pub body: usize,
+    /// Where it begins in the frame of that body, mm.
+    pub from: [f64; 2],
+    /// Where it ends; of a line, a millimetre along it.
+    pub to: [f64; 2],
+    /// With its unit.
+    pub written: String,
+    /// The number behind it, where there is one.
+    pub path: Option<String>,
 }
 
 /// An output in the outline.
@@ -248,6 +296,10 @@ pub struct Outline {
     pub drives: Vec<String>,
     /// Outputs.
     pub outputs: Vec<SeenOutput>,
+    /// All bodies with their points, in the order of the drawing.
+    pub parts: Vec<SeenBody>,
+    /// Dimensions of bodies and joints.
+    pub dimensions: Vec<SeenDimension>,
 }
 
 /// A limit of the study that is a line in the chart of a band.
@@ -272,6 +324,8 @@ pub struct View {
     pub title: String,
     /// Degrees of freedom and drives, in words.
     pub mobility: String,
+    /// Why it does not move yet; what is drawn is where its bodies were put.
+    pub incomplete: Option<String>,
     /// What play and scatter do without dynamics, in sentences.
     pub sentences: Vec<String>,
     /// The mechanism, moving.

@@ -5,6 +5,7 @@ use loosepin::document::{describe_path, parse_toml};
 use loosepin::model::Model;
 use std::sync::Arc;
 
+use crate::edit::Locks;
 use crate::messages::{Document, SeenQuantity};
 use crate::places::{unquoted, utf16_units};
 use crate::texts::Texts;
@@ -14,11 +15,14 @@ const KNOWN: [(&str, &str); 2] = [("random", "scatter"), ("epistemic", "unknown"
 
 /// Numbers of the model in the order of its text, then what the study says of them.
 pub fn quantities(model: &Model, texts: &Texts) -> Vec<SeenQuantity> {
+    let locks = Locks::of(texts.model.text());
     let mut of_model: Vec<SeenQuantity> = model
         .quantities
         .iter()
         .filter_map(|(_, quantity)| {
-            Some(entry(&texts.model, Document::Model, &quantity.path, quantity.span?, "number"))
+            let span = quantity.span?;
+            let entry = entry(&texts.model, Document::Model, &quantity.path, span, "number");
+            Some(SeenQuantity { is_locked: locks.hold(span.start), ..entry })
         })
         .collect();
     of_model.sort_by_key(|quantity| quantity.from);
@@ -47,5 +51,6 @@ fn entry(source: &Source, document: Document, path: &str, span: Span, kind: &'st
         from: utf16_units(source, range.start),
         to: utf16_units(source, range.end),
         kind,
+        is_locked: false,
     }
 }

@@ -13,13 +13,14 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::drawn::Drawn;
-use crate::edit;
+use crate::edit::{self, Edit, Restructured};
 use crate::folder::{Folder, LARGEST_TEXT, StoredText};
 use crate::gallery::cards;
 use crate::listing::listing;
 use crate::messages::{Change, Look, SentText};
 use crate::page;
 use crate::refusal::{Refusal, json};
+use crate::still::NamedPoses;
 use crate::studio::Studio;
 use crate::texts::{Texts, model_beside, plain};
 
@@ -151,13 +152,41 @@ pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
     let Known { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
-        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None });
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
         Ok(match edit::know(&folder, &texts, &path, &text) {
             Ok(changes) => Changes { changes, refusal: None },
             Err(refusal) => Changes { changes: Vec::new(), refusal: Some(refusal.into()) },
         })
     });
     Ok(json(&changes.await?))
+}
+
+/// Links, joints and bodies that come, go or get other names, in the texts of the page.
+pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Wished {
+        model: SentText,
+        study: Option<SentText>,
+        edit: Edit,
+        #[serde(default)]
+        poses: NamedPoses,
+    }
+    #[derive(Serialize)]
+    struct Done {
+        #[serde(flatten)]
+        done: Option<Restructured>,
+        refusal: Option<Refused>,
+    }
+    let Wished { model, study, edit, poses } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let done = in_background(move || {
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        Ok(match edit::restructured(&folder, &texts, &edit, &poses) {
+            Ok(done) => Done { done: Some(done), refusal: None },
+            Err(refusal) => Done { done: None, refusal: Some(refusal.into()) },
+        })
+    });
+    Ok(json(&done.await?))
 }
 
 pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {

@@ -112,6 +112,7 @@ fn router(studio: Studio) -> Router {
         .route("/api/file", put(routes::save))
         .route("/api/new", post(routes::new))
         .route("/api/know", post(routes::know))
+        .route("/api/restructure", post(routes::restructure))
         .route("/api/draw", post(routes::draw))
         .route("/api/import", post(routes::import))
         .route("/api/explain/{code}", get(routes::explain))

@@ -45,6 +45,12 @@ pub fn behind(model: &Model, quantity: QuantityId, value_si: f64) -> Result<Sett
     }
 }
 
+/// Path of the number behind a quantity, where there is one.
+pub fn number_behind(model: &Model, quantity: QuantityId) -> Option<String> {
+    let setting = behind(model, quantity, model.quantities.nominal()[quantity]).ok()?;
+    Some(model.quantities[setting.quantity].path.clone())
+}
+
 fn name(path: &str) -> String {
     path.strip_prefix("parameter.").unwrap_or(path).to_owned()
 }

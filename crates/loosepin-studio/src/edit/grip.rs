@@ -11,11 +11,13 @@ use loosepin::result::simulation::Drawing;
 use loosepin::study::number_and_unit;
 
 use super::behind::{Setting, behind};
-use super::reshape::{Pose, Posed, length, minus};
+use super::reshape::{Posed, length, minus};
 use super::rewritten::Rewritten;
+use super::structure::Locks;
 use super::written::Written;
 use crate::messages::{Document, Grip, Reshaped};
 use crate::places::unquoted;
+use crate::still::Pose;
 use crate::texts::Texts;
 
 const M_PER_MM: f64 = 1e-3;
@@ -96,6 +98,12 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
                 });
             }
         }
+    }
+    let locks = Locks::of(texts.model.text());
+    let is_locked = |id: QuantityId| model.quantities[id].span.is_some_and(|span| locks.hold(span.start));
+    if let Some(held) = settings.iter().find(|setting| is_locked(setting.quantity)) {
+        let path = &model.quantities[held.quantity].path;
+        return refused(format!("{} is locked: unlock it in the list of numbers", describe_path(path)));
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
     let mut text = Rewritten::new(&texts.model);

@@ -40,6 +40,33 @@ const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nl
 /// # Errors
 /// What cannot be read, or why this number cannot be known so.
 pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
+    let (in_model, in_study) = written(folder, texts, path, text)?;
+    let mut changes = in_model.changes(Document::Model);
+    changes.extend(in_study.iter().flat_map(|in_study| in_study.changes(Document::Study)));
+    Ok(changes)
+}
+
+/// The texts that say how well a number is known: of the model and of the study, each only where it changes.
+///
+/// # Errors
+/// As [`know`].
+pub fn known_texts(
+    folder: &Folder,
+    texts: &Texts,
+    path: &str,
+    text: &str,
+) -> Result<(Option<String>, Option<String>), Refusal> {
+    let (in_model, in_study) = written(folder, texts, path, text)?;
+    Ok((in_model.text(), in_study.and_then(|in_study| in_study.text())))
+}
+
+/// Both texts with what is known of a number.
+fn written<'t>(
+    folder: &Folder,
+    texts: &'t Texts,
+    path: &str,
+    text: &str,
+) -> Result<(Rewritten<'t>, Option<Rewritten<'t>>), Refusal> {
     let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
     let number = match model.quantities.id(path) {
         // A clearance of zero, without a contact, is no play yet.
@@ -76,9 +103,7 @@ pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Ve
     let new_study = in_study.as_ref().and_then(Rewritten::text);
     let new = texts.with(folder, in_model.text().as_deref(), new_study.as_deref());
     is_as_said(texts, &new, path, entry.as_ref().map(|(table, _)| *table))?;
-    let mut changes = in_model.changes(Document::Model);
-    changes.extend(in_study.iter().flat_map(|in_study| in_study.changes(Document::Study)));
-    Ok(changes)
+    Ok((in_model, in_study))
 }
 
 /// Whether the new texts can be read, and know of the same numbers as the old ones but for that at `path`.

@@ -9,6 +9,7 @@
 //! | how well a number is known, as people write it | `knowledge.rs` |
 //! | the same in the texts: play, scatter, what is unknown | `know.rs` |
 //! | a text with pieces that are replaced | `rewritten.rs` |
+//! | links, joints and bodies that come, go, and get other names | `structure` |
 
 mod behind;
 mod grip;
@@ -16,10 +17,13 @@ mod know;
 mod knowledge;
 mod reshape;
 mod rewritten;
+mod structure;
 mod written;
 
+pub use behind::number_behind;
 pub use grip::{gripped, refused_drag, shown_angle_deg};
 pub use know::know;
+pub use structure::{Edit, Locks, Restructured, restructured, why_not};
 
 #[cfg(test)]
-mod tests;
+pub mod tests;

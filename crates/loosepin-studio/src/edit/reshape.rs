@@ -7,31 +7,10 @@
 
 use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId};
 
+use crate::still::Pose;
+
 /// Two points of a body nearer to each other are one centre, m.
 const SAME_CENTRE_M: f64 = 1e-9;
-
-/// Pose of a body: position of its origin, m, and angle of its x axis, rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pose {
-    /// Origin, m.
-    pub origin_m: [f64; 2],
-    /// Angle, rad.
-    pub angle_rad: f64,
-}
-
-impl Pose {
-    /// From the frame of the body to that of the ground.
-    pub fn world_m(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let (sine, cosine) = self.angle_rad.sin_cos();
-        [self.origin_m[0] + cosine * x - sine * y, self.origin_m[1] + sine * x + cosine * y]
-    }
-
-    fn local_m(&self, at: [f64; 2]) -> [f64; 2] {
-        let [x, y] = minus(at, self.origin_m);
-        let (sine, cosine) = self.angle_rad.sin_cos();
-        [cosine * x + sine * y, cosine * y - sine * x]
-    }
-}
 
 /// A coordinate of a point and the value that it is to have, m.
 pub type Coordinate = (QuantityId, f64);

@@ -16,16 +16,16 @@ use crate::texts::Texts;
 const POSITIONS: usize = 1441;
 
 /// A served folder with nothing in it, and what keeps it.
-fn served() -> (tempfile::TempDir, Folder) {
+pub fn served() -> (tempfile::TempDir, Folder) {
     let desk = tempfile::tempdir().unwrap();
     let folder = Folder::new(desk.path()).unwrap();
     (desk, folder)
 }
 
-fn texts(folder: &Folder, model: &str, study: &str) -> Texts {
+pub fn texts(folder: &Folder, model: &str, study: &str) -> Texts {
     let sent = |path: &str, text: &str| SentText { path: path.to_owned(), text: text.to_owned() };
     let (model, study) = (sent("model.toml", model), Some(sent("study.toml", study)));
-    Texts::sent(folder, &Look { seq: 0, model, study, positions: POSITIONS, grip: None })
+    Texts::sent(folder, &Look { seq: 0, model, study, positions: POSITIONS, grip: None, poses: None })
 }
 
 fn record(texts: &Texts) -> Option<MotionRecord> {
@@ -171,7 +171,7 @@ fn a_drag_that_is_of_another_model_is_refused() {
 }
 
 /// Both texts after some changes, as the page makes them.
-fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
+pub fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
     let changed = |document, text: &str| {
         let mut units: Vec<u16> = text.encode_utf16().collect();
         for change in changes.iter().rev().filter(|change| change.document == document) {
@@ -404,6 +404,7 @@ fn a_link_that_an_actuator_turns_keeps_its_angle() {
             study: None,
             positions: 37,
             grip: Some(grip),
+            poses: None,
         },
     );
     assert!(view.view.is_some_and(|view| view.drawing.is_some()) && view.complaints.is_empty());

@@ -1,0 +1,270 @@
+//! Whether new texts say what they are to say, and what the library says of the mechanism in them.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use loosepin::diagnostics::Complaints;
+use loosepin::mechanism::{Mechanism, MechanismError};
+use loosepin::model::{JointKind, Model};
+use loosepin::study::{InputFile, Study};
+use loosepin::units::counted;
+
+use super::edit::Named;
+use super::names::mentions;
+use super::scan::scan;
+use crate::messages::Document;
+use crate::refusal::Refusal;
+use crate::texts::Texts;
+
+/// Of a turn, to see whether a mechanism moves.
+const POSITIONS: usize = 36;
+/// Instants of a motion by actuators, for the same.
+const INSTANTS: usize = 4;
+
+/// The difference that a change is to make.
+#[derive(Debug, Default)]
+pub struct Due {
+    /// What goes.
+    pub gone: BTreeSet<Named>,
+    /// Paths that come, or get another value: with dots between their steps.
+    pub added: BTreeSet<String>,
+    /// What gets another name, and the name.
+    pub renamed: Option<(Named, String)>,
+    /// Paths of the entries of the study that go.
+    pub of_study: Vec<Vec<String>>,
+}
+
+/// What the library says of a mechanism.
+#[derive(Debug, PartialEq)]
+pub struct Said {
+    /// It moves as its drives or actuators say, all the way round.
+    pub is_complete: bool,
+    /// Degrees of freedom; what is missing, where it is not complete; what the study lacks.
+    pub words: Vec<String>,
+}
+
+/// Whether the new model has all that the old one had but for what is due, and the study likewise.
+///
+/// # Errors
+/// It has not, or cannot be read, in words.
+pub fn check(old: &Texts, new: &Texts, due: &Due) -> Result<Model, Refusal> {
+    let before = Model::from_source(old.model.clone()).map_err(|_| unreadable("model"))?;
+    let after = Model::from_source(new.model.clone()).map_err(|complaints| first_of(&complaints))?;
+    if expected(&facts(&before), due) != beside_added(&facts(&after), due) {
+        return Err(otherwise("model"));
+    }
+    let added = due.added.iter().filter(|path| path.matches('.').count() == 1);
+    let (known, names) = (facts(&before), facts(&after));
+    if !added
+        .into_iter()
+        .all(|path| names.keys().any(|one| is_under(one, path)) || known.keys().any(|one| is_under(one, path)))
+    {
+        return Err(otherwise("model"));
+    }
+    check_study(old, new, due, before, &after)?;
+    Ok(after)
+}
+
+/// The study names what it named before, but for what is due; where it can be read, it knows of the same numbers.
+fn check_study(old: &Texts, new: &Texts, due: &Due, before: Model, after: &Model) -> Result<(), Refusal> {
+    let (Some(old_source), Some(new_source)) = (&old.study, &new.study) else { return Ok(()) };
+    let [Some(old_scan), Some(new_scan)] = [old_source, new_source].map(|source| scan(source.text())) else {
+        return Err(unreadable("study"));
+    };
+    let goes = |path: &[String]| due.of_study.iter().any(|gone| path.starts_with(gone));
+    let named = mentions(Document::Study, &old_scan).into_iter().filter(|mention| !goes(&mention.path));
+    let expected_names: Vec<Named> = named.map(|mention| due.named(mention.of)).collect();
+    let names: Vec<Named> = mentions(Document::Study, &new_scan).into_iter().map(|mention| mention.of).collect();
+    if expected_names != names {
+        return Err(otherwise("study"));
+    }
+    if due.gone.is_empty() && due.renamed.is_none() && old_source.text() == new_source.text() {
+        return Ok(());
+    }
+    let path = std::path::PathBuf::from(old.model.name());
+    // What an edit leaves without a question, or asks of play that went, is told, and read again when it is mended.
+    if let (Ok(before), Ok(after)) =
+        (Study::of_model(old_source, before, &path), Study::of_model(new_source, after.clone(), &path))
+    {
+        let of = |study: &Study| -> BTreeMap<String, String> {
+            let random = study.random.iter().map(|input| (input.path.clone(), "random".to_owned()));
+            let epistemic = study.epistemic.iter().map(|input| (input.path.clone(), "epistemic".to_owned()));
+            random.chain(epistemic).collect()
+        };
+        if expected(&of(&before), due) != of(&after) {
+            return Err(otherwise("study"));
+        }
+    }
+    Ok(())
+}
+
+fn otherwise(which: &str) -> Refusal {
+    Refusal::bad(format!("the {which} is written in a way that this would damage"))
+        .with_hint(format!("change it in the text of the {which}"))
+}
+
+/// A text that has problems of its own.
+pub fn unreadable(which: &str) -> Refusal {
+    Refusal::bad(format!("the {which} cannot be read"))
+        .with_hint("mend its problems first; they are listed below the drawing")
+}
+
+fn first_of(complaints: &Complaints) -> Refusal {
+    let first = complaints.sorted().into_iter().next().map(|first| (first.message.clone(), first.hint.clone()));
+    let (message, hint) = first.unwrap_or_default();
+    Refusal { hint, ..Refusal::bad(message) }
+}
+
+/// Everything in a model by its path, with its value or what it joins.
+pub fn facts(model: &Model) -> BTreeMap<String, String> {
+    let values = model.quantities.nominal();
+    let mut facts = BTreeMap::new();
+    for (id, quantity) in model.quantities.iter() {
+        facts.insert(quantity.path.clone(), format!("{:e}", values[id]));
+    }
+    let point = |point: loosepin::model::PointId| {
+        let body = &model.bodies[point.body.0];
+        format!("{}.{}", body.name, body.points[point.point].name)
+    };
+    for joint in &model.joints {
+        let [first, second] = joint.kind.points().map(point);
+        let kind = match joint.kind {
+            JointKind::Revolute { .. } => "revolute",
+            JointKind::Prismatic { .. } => "prismatic",
+            JointKind::Slot { .. } => "slot",
+            JointKind::Rigid { .. } => "rigid",
+        };
+        facts.insert(format!("joint.{}", joint.name), format!("{kind} {first} {second}"));
+    }
+    for drive in &model.drives {
+        facts.insert(format!("drive.{}", drive.name), format!("joint.{}", model.joints[drive.joint.0].name));
+    }
+    let names = model.bodies.iter().skip(1).map(|one| format!("body.{}", one.name));
+    let names = names.chain(model.contacts.iter().map(|one| format!("contact.{}", one.name)));
+    let names = names.chain(model.springs.iter().map(|one| format!("spring.{}", one.name)));
+    let names = names.chain(model.loads.iter().map(|one| format!("load.{}", one.name)));
+    let names = names.chain(model.controls.iter().map(|one| format!("control.{}", one.name)));
+    let names = names.chain(model.couplings.iter().map(|one| one.path.clone()));
+    let names = names.chain(model.outputs.iter().map(|one| format!("output.{}", one.name)));
+    facts.extend(names.map(|name| (name, String::new())));
+    facts
+}
+
+fn is_under(path: &str, of: &str) -> bool {
+    path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+fn beside_added(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, String> {
+    let is_added = |path: &str| due.added.iter().any(|added| is_under(path, added));
+    facts.iter().filter(|(path, _)| !is_added(path)).map(|(path, value)| (path.clone(), value.clone())).collect()
+}
+
+/// What is to be left of some facts, beside what is added.
+fn expected(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, String> {
+    let is_gone = |path: &str| {
+        due.gone.iter().any(|gone| match &gone.point {
+            Some(point) => is_under(path, &format!("body.{}.points.{point}", gone.name)),
+            None => {
+                is_under(path, &format!("{}.{}", gone.table, gone.name))
+                    || is_under(path, &format!("initial.{}.{}", gone.table, gone.name))
+                    || gone.table == "body" && is_under(path, &format!("assembly.guess.{}", gone.name))
+            }
+        })
+    };
+    let left = beside_added(facts, due).into_iter().filter(|(path, _)| !is_gone(path));
+    left.map(|(path, value)| (due.path(&path), due.value(&value))).collect()
+}
+
+impl Due {
+    /// Something under its new name.
+    fn named(&self, named: Named) -> Named {
+        match &self.renamed {
+            Some((what, to)) if what.point.is_some() && named == *what => Named::point(&named.name, to),
+            Some((what, to)) if what.point.is_none() && (&named.table, &named.name) == (&what.table, &what.name) => {
+                Named { name: to.clone(), ..named }
+            }
+            _ => named,
+        }
+    }
+
+    /// A path with the new name in it.
+    fn path(&self, path: &str) -> String {
+        let Some((what, to)) = &self.renamed else { return path.to_owned() };
+        let name = &what.name;
+        let (old, new) = match &what.point {
+            Some(point) => (format!("body.{name}.points.{point}"), format!("body.{name}.points.{to}")),
+            None => (format!("{}.{name}", what.table), format!("{}.{to}", what.table)),
+        };
+        let mut forms = vec![(old, new)];
+        if what.point.is_none() {
+            forms.push((format!("initial.{}.{name}", what.table), format!("initial.{}.{to}", what.table)));
+            if what.table == "body" {
+                forms.push((format!("assembly.guess.{name}"), format!("assembly.guess.{to}")));
+            }
+        }
+        let found = forms.iter().find(|(old, _)| is_under(path, old));
+        found.map_or_else(|| path.to_owned(), |(old, new)| format!("{new}{}", &path[old.len()..]))
+    }
+
+    /// Points and joints in a value, with the new name in them.
+    fn value(&self, value: &str) -> String {
+        let Some((what, to)) = &self.renamed else { return value.to_owned() };
+        let words = value.split(' ').map(|word| match (&what.point, word.split_once('.')) {
+            (Some(point), Some((body, own))) if *body == what.name && own == point => format!("{body}.{to}"),
+            (None, Some((body, own))) if what.table == "body" && body == what.name => format!("{to}.{own}"),
+            (None, Some(("joint", joint))) if what.table == "joint" && joint == what.name => format!("joint.{to}"),
+            _ => word.to_owned(),
+        });
+        words.collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// What the library says of the mechanism in some texts, whose model can be read.
+pub fn said(texts: &Texts) -> Said {
+    let mut asks_nothing = None;
+    let file = texts.read().or_else(|found| {
+        asks_nothing =
+            found.sorted().into_iter().next().map(|first| format!("The study cannot run: {}", first.message));
+        Texts { model: texts.model.clone(), study: None }.read()
+    });
+    let Ok(file) = file else { return Said { is_complete: false, words: Vec::new() } };
+    let mut said = match file.ideal_motion(POSITIONS, &[]) {
+        Ok(record) => {
+            let singular = record.singular_positions.iter().map(|found| {
+                format!("Singular at {:.1}° of the drive: {}", found.drive_angle_rad.to_degrees(), found.words)
+            });
+            Said { is_complete: true, words: std::iter::once(record.mobility.clone()).chain(singular).collect() }
+        }
+        Err(_) if file.controlled_drawing(INSTANTS).is_some() => {
+            Said { is_complete: true, words: vec!["Moved by its actuators".to_owned()] }
+        }
+        Err(found) => Said { is_complete: false, words: vec![why_not(&file, &found)] },
+    };
+    said.words.extend(asks_nothing);
+    said
+}
+
+/// Why a mechanism does not move, in words: first how many degrees of freedom are too many or too few.
+pub fn why_not(file: &InputFile, found: &Complaints) -> String {
+    let model = file.model();
+    let bodies = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+    match Mechanism::new(model, &model.quantities.nominal()) {
+        Err(MechanismError::TooFewDrives { mobility, drives, undetermined }) => {
+            let surplus = counted(mobility.saturating_sub(drives), "degree");
+            format!(
+                "{surplus} of freedom too many: {} can move although the drives stand still. Join a point, or add a drive.",
+                bodies(&undetermined)
+            )
+        }
+        Err(MechanismError::TooManyDrives { mobility: 0, drives: 1 }) => {
+            "1 degree of freedom too few: nothing can move. Take out a joint or a link.".to_owned()
+        }
+        Err(MechanismError::TooManyDrives { mobility, drives }) => {
+            let missing = counted(drives.saturating_sub(mobility), "degree");
+            format!("{missing} of freedom too few for {}. Take out a joint or a drive.", counted(drives, "drive"))
+        }
+        _ => {
+            let Refusal { message, hint, .. } = first_of(found);
+            hint.map_or(message.clone(), |hint| format!("{message}: {hint}"))
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! Links, joints and bodies of a mechanism that come, go, and get other names: from both texts and a wish to new texts.
+//!
+//! | What | File |
+//! |---|---|
+//! | what can be wished | `edit.rs` |
+//! | where everything stands in a text | `scan.rs` |
+//! | which places name a body, a point, a joint, ... | `names.rs` |
+//! | lines and entries that come in and go out, all else byte for byte | `lines.rs` |
+//! | what comes: links, points, joints, blocks | `add.rs` |
+//! | what goes with something that goes | `remove.rs` |
+//! | another name | `rename.rs` |
+//! | numbers that dragging leaves as they are | `lock.rs` |
+//! | whether the new texts say what they are to say | `checked.rs` |
+//! | the change as the page makes it | `change.rs` |
+
+mod add;
+mod change;
+mod checked;
+mod edit;
+mod lines;
+mod lock;
+mod names;
+mod remove;
+mod rename;
+mod scan;
+
+use std::sync::Arc;
+
+use loosepin::document::describe_path;
+use loosepin::model::{Model, Origin};
+use serde::Serialize;
+
+use add::Draft;
+use change::changes;
+use checked::{Due, check, said, unreadable};
+use edit::Joined;
+use lines::Lines;
+use remove::removed;
+use rename::renamed;
+
+use super::know::known_texts;
+use crate::folder::Folder;
+use crate::messages::{Change, Document};
+use crate::refusal::Refusal;
+use crate::still::{NamedPoses, placed};
+use crate::texts::Texts;
+
+pub use checked::why_not;
+pub use edit::Edit;
+pub use lock::Locks;
+
+/// The changes of an edit, and what is to be known of them.
+#[derive(Debug, Serialize)]
+pub struct Restructured {
+    /// In units of the texts that were sent, in their order.
+    pub changes: Vec<Change>,
+    /// Degrees of freedom in words, or what is missing.
+    pub says: Vec<String>,
+    /// The mechanism moves as its drives say.
+    pub is_complete: bool,
+    /// What goes, in words.
+    pub gone: Vec<String>,
+    /// Name of what came.
+    pub name: Option<String>,
+    /// Where new bodies are: x and y, mm, and the angle, degrees.
+    pub poses: NamedPoses,
+}
+
+/// What comes of an edit before it is checked.
+struct New {
+    model: Lines,
+    study: Option<Lines>,
+    due: Due,
+    gone: Vec<String>,
+    name: Option<String>,
+    poses: NamedPoses,
+}
+
+/// The changes of both texts that an edit makes, with the bodies at these poses. All bytes that it does not concern stay.
+///
+/// # Errors
+/// Why there is no such change, in words.
+pub fn restructured(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<Restructured, Refusal> {
+    let (after, new) = after(folder, texts, edit, poses)?;
+    let said = said(&after);
+    let mut list = changes(Document::Model, &texts.model, after.model.text());
+    if let (Some(old), Some(new)) = (&texts.study, &after.study) {
+        list.extend(changes(Document::Study, old, new.text()));
+    }
+    Ok(Restructured {
+        changes: list,
+        says: said.words,
+        is_complete: said.is_complete,
+        gone: new.gone,
+        name: new.name,
+        poses: new.poses,
+    })
+}
+
+/// The texts after an edit: read again, and found to say what they are to say.
+fn after(folder: &Folder, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<(Texts, New), Refusal> {
+    let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
+    let new = changed(&model, texts, edit, poses)?;
+    let study = new.study.as_ref().map(Lines::text);
+    let mut after = texts.with(folder, Some(new.model.text()), study);
+    check(texts, &after, &new.due)?;
+    if let (Edit::Join { by: Joined::Pin { play: Some(play) }, .. }, Some(joint)) = (edit, &new.name)
+        && !play.trim().is_empty()
+    {
+        let path = format!("joint.{joint}.radial_clearance");
+        let (model, study) = known_texts(folder, &after, &path, play)?;
+        after = after.with(folder, model.as_deref(), study.as_deref());
+    }
+    Ok((after, new))
+}
+
+fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Result<New, Refusal> {
+    let text = texts.model.text();
+    let lines = Lines::new(text);
+    let study = texts.study.as_ref().map(|study| Lines::new(study.text()));
+    let draft = || Draft::new(model, &placed(model, poses), text);
+    let added = |draft: Draft<'_>, name: String| {
+        let drafted = draft.finished();
+        let due = Due { added: drafted.added, ..Due::default() };
+        let (name, poses) = (Some(name), drafted.new_poses);
+        New { model: drafted.lines, study: study.clone(), due, gone: Vec::new(), name, poses }
+    };
+    let plain = |model, study, due, gone| New { model, study, due, gone, name: None, poses: NamedPoses::new() };
+    let mut draft = draft();
+    Ok(match edit {
+        Edit::AddLink { from, to } => {
+            let name = draft.add_link(from, to)?;
+            added(draft, name)
+        }
+        Edit::AddPoint { body, to } => {
+            let name = draft.add_point(body, to)?;
+            added(draft, name)
+        }
+        Edit::Join { first, second, by } => {
+            let name = draft.join(first, second, by)?;
+            added(draft, name)
+        }
+        Edit::AddBlock { on, angle_deg } => {
+            let name = draft.add_block(on, *angle_deg)?;
+            added(draft, name)
+        }
+        Edit::Drive { joint } => {
+            let name = draft.drive(joint)?;
+            added(draft, name)
+        }
+        Edit::Remove { what } => {
+            let removed = removed(&lines, study.as_ref(), what)?;
+            let due = Due { gone: removed.gone, of_study: removed.of_study, ..Due::default() };
+            plain(removed.model, removed.study, due, removed.words)
+        }
+        Edit::Rename { what, to } => {
+            let (model, study) = renamed(&lines, study.as_ref(), what, to)?;
+            let due = Due { renamed: Some((what.clone(), to.clone())), ..Due::default() };
+            plain(model, study, due, Vec::new())
+        }
+        Edit::Lock { path, is_locked } => {
+            let quantity = model.quantities.id(path).map(|id| &model.quantities[id]);
+            let quantity = quantity.ok_or_else(|| Refusal::bad(format!("the model has no number '{path}'")))?;
+            let span = quantity.span.filter(|_| quantity.origin == Origin::Literal).ok_or_else(|| {
+                Refusal::bad(format!("{} is not written as a number", describe_path(path)))
+                    .with_hint("lock what it follows from")
+            })?;
+            let new = lock::locked(&lines, span.start, *is_locked)?;
+            plain(new, study, Due::default(), Vec::new())
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,161 @@
+//! What goes with something that goes: all that names it, in both texts, and parameters that nothing uses afterwards.
+
+use std::collections::BTreeSet;
+
+use loosepin::diagnostics::Code;
+use loosepin::document::describe_path;
+use loosepin::model::Model;
+
+use super::edit::Named;
+use super::lines::Lines;
+use super::names::{Mention, mentions};
+use crate::messages::Document;
+use crate::refusal::Refusal;
+
+/// What can be taken out here.
+const TABLES: [&str; 9] = ["body", "joint", "coupling", "cam", "spring", "load", "drive", "control", "output"];
+const GROUND: &str = "ground";
+
+/// Both texts without something, and all that went, in words: first what was to go.
+pub struct Removed {
+    /// Text of the model.
+    pub model: Lines,
+    /// Text of the study.
+    pub study: Option<Lines>,
+    /// What went.
+    pub gone: BTreeSet<Named>,
+    /// The same in words, entries of the study last.
+    pub words: Vec<String>,
+    /// Paths of the entries of the study that went.
+    pub of_study: Vec<Vec<String>>,
+}
+
+/// Takes something out of both texts.
+///
+/// # Errors
+/// It is not there, or the cycle counts the turns of what would go.
+pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Removed, Refusal> {
+    if !TABLES.contains(&what.table.as_str()) {
+        return Err(Refusal::bad(format!("a {} is taken out in the text", what.table)));
+    }
+    if what.table == "body" && what.name == GROUND && what.point.is_none() {
+        return Err(Refusal::bad("the ground stays: everything stands on it"));
+    }
+    let named = mentions(Document::Model, &model.scanned()?);
+    if !named.iter().any(|mention| mention.is_own && mention.of == *what) {
+        return Err(Refusal::bad(format!("there is no {} any more", what.words())));
+    }
+    let mut gone = BTreeSet::from([what.clone()]);
+    // What names something that goes is part of something that goes too.
+    loop {
+        let before = gone.len();
+        for mention in named.iter().filter(|mention| !mention.is_own) {
+            match holder(mention).filter(|_| is_gone(&gone, &mention.of)) {
+                Some(holder) if holder.table == "cycle" => return Err(counted(mention)),
+                Some(holder) => {
+                    gone.insert(holder);
+                }
+                None => {}
+            }
+        }
+        if gone.len() == before {
+            break;
+        }
+    }
+    let known = unused_parameters(model);
+    loop {
+        let new_model = without(model, &gone_paths(Document::Model, model, &gone)?)?;
+        // Parameters that described what goes describe nothing any more.
+        let fresh: Vec<Named> = unused_parameters(&new_model).difference(&known).cloned().collect();
+        if fresh.is_empty() {
+            let of_study = match study {
+                Some(study) => gone_paths(Document::Study, study, &gone)?,
+                None => Vec::new(),
+            };
+            let study = study.map(|study| without(study, &of_study)).transpose()?;
+            let others = gone.iter().filter(|one| *one != what);
+            let mut words: Vec<String> = std::iter::once(what).chain(others).map(Named::words).collect();
+            words.extend(of_study.iter().map(|path| in_study(path)));
+            return Ok(Removed { model: new_model, study, gone, words, of_study });
+        }
+        gone.extend(fresh);
+    }
+}
+
+fn counted(mention: &Mention) -> Refusal {
+    Refusal::bad(format!("the cycle counts the turns of {}, which would go too", mention.of.words()))
+        .with_hint("let the motor turn another joint first")
+}
+
+fn is_gone(gone: &BTreeSet<Named>, of: &Named) -> bool {
+    gone.contains(of) || of.point.is_some() && gone.contains(&Named::new(&of.table, &of.name))
+}
+
+/// The entry of the model that goes with what a place names; nothing where the place alone does.
+fn holder(mention: &Mention) -> Option<Named> {
+    match mention.path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["assembly" | "initial", ..] => None,
+        [table, name, ..] => Some(Named::new(table, name)),
+        _ => None,
+    }
+}
+
+/// A text without what stands under some paths.
+fn without(lines: &Lines, paths: &[Vec<String>]) -> Result<Lines, Refusal> {
+    let mut new = lines.clone();
+    new.remove(paths)?;
+    Ok(new)
+}
+
+/// The paths of a text that hold what is gone or name it, each once.
+fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Result<Vec<Vec<String>>, Refusal> {
+    let mut paths: Vec<Vec<String>> = Vec::new();
+    let all = mentions(document, &lines.scanned()?);
+    let is_guess = |mention: &&Mention| mention.path.starts_with(&["assembly".to_owned(), "guess".to_owned()]);
+    let mut guesses = all.iter().filter(is_guess).peekable();
+    if guesses.peek().is_some() && guesses.all(|mention| is_gone(gone, &mention.of)) {
+        // Without a guess there is nothing to say of the assembly.
+        paths.push(vec!["assembly".to_owned()]);
+    }
+    for mention in all.into_iter().filter(|mention| is_gone(gone, &mention.of)) {
+        let path: Vec<&str> = mention.path.iter().map(String::as_str).collect();
+        let steps = match (document, path.as_slice()) {
+            (Document::Model, _) if mention.is_own => mention.path.len(),
+            (Document::Model, ["assembly" | "initial", ..]) => 3,
+            _ => 2,
+        };
+        let path = mention.path[..steps.min(mention.path.len())].to_vec();
+        if !paths.iter().any(|known| path.starts_with(known)) {
+            paths.push(path);
+        }
+    }
+    Ok(paths)
+}
+
+/// An entry of the study in words.
+fn in_study(path: &[String]) -> String {
+    let number = |step: &str| step.trim_start_matches('#').parse::<usize>().map_or(0, |index| index + 1);
+    match path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["random", of] => format!("the scatter of {} in the study", describe_path(of)),
+        ["epistemic", of] => format!("what is unknown of {} in the study", describe_path(of)),
+        ["allow", of] => format!("what is allowed for {} in the study", describe_path(of)),
+        ["ask", index, ..] => format!("question {} of the study", number(index)),
+        ["require", index, ..] => format!("requirement {} of the study", number(index)),
+        ["correlation", index, ..] => format!("correlation {} of the study", number(index)),
+        _ => "an entry of the study".to_owned(),
+    }
+}
+
+/// Parameters that nothing uses; none where the model cannot be read.
+fn unused_parameters(model: &Lines) -> BTreeSet<Named> {
+    let Ok(model) = Model::from_text("model.toml", model.text()) else { return BTreeSet::new() };
+    let unused = model.warnings.iter().filter(|warning| warning.code == Code::Unused);
+    // The place of such a warning is the name of what is not used.
+    let names = unused.filter_map(|warning| {
+        let place = warning.place.as_ref()?;
+        let written = &place.source.text()[place.source.clamp(place.span)];
+        Some(written.trim_matches(['"', '\'']).to_owned())
+    });
+    let is_parameter = |name: &String| model.quantities.id(&format!("parameter.{name}")).is_some();
+    names.filter(is_parameter).map(|name| Named::new("parameter", &name)).collect()
+}

@@ -1,0 +1,166 @@
+//! The picture of a mechanism that does not move yet: its bodies where they were drawn.
+
+use std::collections::BTreeMap;
+
+use loosepin::model::{Derivative, JointKind, Model, OutputKind, PointId, Position, Values};
+use loosepin::result::simulation::{
+    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, PointReference,
+    PoseTable,
+};
+
+const M_PER_MM: f64 = 1e-3;
+/// Nobody draws further, mm.
+const FURTHEST_MM: f64 = 1e9;
+
+/// Poses of bodies by their names: x and y of the origin, mm, and the angle, degrees.
+pub type NamedPoses = BTreeMap<String, [f64; 3]>;
+
+/// Pose of a body: position of its origin, m, and angle of its x axis, rad.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pose {
+    /// Origin, m.
+    pub origin_m: [f64; 2],
+    /// Angle, rad.
+    pub angle_rad: f64,
+}
+
+impl Pose {
+    /// From mm and degrees; nothing where it is none, or far away.
+    pub fn of_page([x, y, degrees]: [f64; 3]) -> Option<Self> {
+        let is_near = [x, y, degrees].iter().all(|value| value.is_finite() && value.abs() < FURTHEST_MM);
+        is_near.then(|| Self { origin_m: [x * M_PER_MM, y * M_PER_MM], angle_rad: degrees.to_radians() })
+    }
+
+    /// In mm and degrees.
+    pub fn for_page(&self) -> [f64; 3] {
+        [self.origin_m[0] / M_PER_MM, self.origin_m[1] / M_PER_MM, self.angle_rad.to_degrees()]
+    }
+
+    /// From the frame of the body to that of the ground.
+    pub fn world_m(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (sine, cosine) = self.angle_rad.sin_cos();
+        [self.origin_m[0] + cosine * x - sine * y, self.origin_m[1] + sine * x + cosine * y]
+    }
+
+    /// From the frame of the ground to that of the body.
+    pub fn local_m(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (dx, dy) = (x - self.origin_m[0], y - self.origin_m[1]);
+        let (sine, cosine) = self.angle_rad.sin_cos();
+        [cosine * dx + sine * dy, cosine * dy - sine * dx]
+    }
+}
+
+/// Where a point is in its body, m.
+pub fn in_body_m(model: &Model, values: &Values, point: PointId) -> [f64; 2] {
+    model.bodies[point.body.0].points[point.point].position_m.map(|id| values[id])
+}
+
+/// Where all bodies are, in their order: as given, or else joined to those that are placed, at the angle that the model guesses.
+pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
+    let values = model.quantities.nominal();
+    let mut poses: Vec<Option<Pose>> =
+        model.bodies.iter().map(|body| given.get(&body.name).and_then(|pose| Pose::of_page(*pose))).collect();
+    if let Some(ground) = poses.first_mut() {
+        *ground = Some(Pose::default());
+    }
+    let guess_rad = |body: usize| {
+        let guess = model.guesses.iter().find(|guess| guess.body.0 == body);
+        guess.map(|guess| values[guess.angle_rad])
+    };
+    // Each round places what is joined to something that is placed; where nothing is, the next body lies at the origin.
+    while let Some(lost) = poses.iter().position(Option::is_none) {
+        let next = model.joints.iter().find_map(|joint| {
+            let [first, second] = joint.kind.points();
+            match (poses[first.body.0], poses[second.body.0]) {
+                (Some(pose), None) => Some((first, pose, second, 1.0, joint)),
+                (None, Some(pose)) => Some((second, pose, first, -1.0, joint)),
+                _ => None,
+            }
+        });
+        let Some((held, pose, point, sense, joint)) = next else {
+            poses[lost] = Some(Pose { angle_rad: guess_rad(lost).unwrap_or(0.0), ..Pose::default() });
+            continue;
+        };
+        let angle_rad = match joint.kind {
+            JointKind::Rigid { angle_rad, .. } => pose.angle_rad + sense * values[angle_rad],
+            JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
+                pose.angle_rad + sense * (values[guide_angle_rad] - values[slider_angle_rad])
+            }
+            _ => {
+                let drive = model.drives.iter().find(|drive| model.joints[drive.joint.0].name == joint.name);
+                let start = drive.and_then(|drive| model.quantities.id(&format!("drive.{}.start_angle", drive.name)));
+                let driven = start.map(|start| pose.angle_rad + sense * values[start]);
+                driven.or_else(|| guess_rad(point.body.0)).unwrap_or(pose.angle_rad)
+            }
+        };
+        let at_m = pose.world_m(in_body_m(model, &values, held));
+        let turned = Pose { angle_rad, ..Pose::default() }.world_m(in_body_m(model, &values, point));
+        poses[point.body.0] = Some(Pose { origin_m: [at_m[0] - turned[0], at_m[1] - turned[1]], angle_rad });
+    }
+    poses.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// The drawing of a model at one pose.
+pub fn still_drawing(model: &Model, poses: &[Pose]) -> Drawing {
+    let values = model.quantities.nominal();
+    let bodies = model.bodies.iter().enumerate().map(|(index, body)| DrawnBody {
+        name: body.name.clone(),
+        is_ground: index == 0,
+        points: body
+            .points
+            .iter()
+            .map(|point| DrawnPoint {
+                name: point.name.clone(),
+                x_m: values[point.position_m[0]],
+                y_m: values[point.position_m[1]],
+            })
+            .collect(),
+    });
+    let joints = model.joints.iter().map(|joint| {
+        let [first, second] = joint.kind.points().map(reference);
+        let radial_clearance_m = match &joint.kind {
+            JointKind::Revolute { clearance: Some(clearance), .. } => values[clearance.radial_clearance_m],
+            _ => 0.0,
+        };
+        let (kind, guide_angle_rad) = match &joint.kind {
+            JointKind::Revolute { .. } if radial_clearance_m > 0.0 => (DrawnJointKind::RevoluteWithClearance, 0.0),
+            JointKind::Revolute { .. } => (DrawnJointKind::Revolute, 0.0),
+            JointKind::Prismatic { guide_angle_rad, .. } => (DrawnJointKind::Prismatic, values[*guide_angle_rad]),
+            JointKind::Slot { slot_angle_rad, .. } => (DrawnJointKind::Slot, values[*slot_angle_rad]),
+            JointKind::Rigid { .. } => (DrawnJointKind::Rigid, 0.0),
+        };
+        DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
+    });
+    let drives = model.drives.iter().map(|drive| DrawnDrive {
+        name: drive.name.clone(),
+        joint: drive.joint.0,
+        sense: DriveSense::Still,
+    });
+    let outputs = model.outputs.iter().filter_map(|output| {
+        let point = match output.kind {
+            OutputKind::Motion { of: Position::Point(point, _), derivative: Derivative::Position } => point.of,
+            OutputKind::Path(point) => point.of,
+            _ => return None,
+        };
+        Some(DrawnOutput { name: output.name.clone(), point: reference(point) })
+    });
+    let column = |number: fn(&Pose) -> f64| poses.iter().map(|pose| vec![number(pose)]).collect::<Vec<_>>();
+    let table = PoseTable {
+        drive_angle_rad: vec![0.0],
+        x_m: column(|pose| pose.origin_m[0]),
+        y_m: column(|pose| pose.origin_m[1]),
+        angle_rad: column(|pose| pose.angle_rad),
+    };
+    Drawing {
+        bodies: bodies.collect(),
+        joints: joints.collect(),
+        drives: drives.collect(),
+        output_points: outputs.collect(),
+        poses: table,
+        ideal_poses: PoseTable::default(),
+    }
+}
+
+fn reference(point: PointId) -> PointReference {
+    PointReference { body: point.body.0, point: point.point }
+}
