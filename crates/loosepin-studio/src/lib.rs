@@ -10,8 +10,6 @@
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
-//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs` |
-//! | a drawing from nothing to texts | `drawn.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs` |
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |
@@ -46,8 +44,8 @@ mod result_routes;
 mod routes;
 mod server;
 mod socket;
-mod stored;
 mod still;
+mod stored;
 mod studio;
 mod texts;
 mod tickets;

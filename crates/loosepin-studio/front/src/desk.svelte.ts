@@ -1,6 +1,8 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from './adoption.ts';
 import type { AdoptedAnswer } from './comparison.ts';
+import { Build } from './build.svelte.ts';
+import type { Edit, Named, Poses, Removal, Restructured } from './edits.ts';
 import { messageOf } from './errors.ts';
 import type { FieldOf } from './groups.ts';
 import { differences, Drag, type Point } from './drag.ts';
@@ -50,6 +52,13 @@ export class Desk {
   changedOnDisk = $state.raw<Which[]>([]);
   /** The joint that is looked at. */
   chosen = $state<string | null>(null);
+  /** The body or output that is looked at. */
+  part = $state.raw<Named | null>(null);
+  readonly build = new Build(this);
+  /** What the last edit of links and joints says: degrees of freedom, or why it was not made. */
+  built = $state.raw<{ words: string[]; isRefused: boolean } | null>(null);
+  /** What is to be taken out, once that is confirmed. */
+  removal = $state.raw<Removal | null>(null);
   /** The pin that is dragged. */
   drag = $state.raw<Drag | null>(null);
   /** What the last drag says: new values, or why there are none. */
@@ -60,6 +69,9 @@ export class Desk {
   private viewed = -1;
   /** A drag writes. */
   private isRewriting = false;
+  /** Where bodies are at the start, by name: what does not move yet is drawn there. */
+  private poses: Poses = {};
+  private confirmed: { answer: Restructured; version: number } | null = null;
 
   constructor(readonly documents: Documents) {
     this.looker = new Looker(
@@ -83,6 +95,8 @@ export class Desk {
       }),
       this.documents.listen((step) => {
         this.isSettled = false;
+        this.removal = null;
+        this.built = null;
         // Whoever else changes a text ends a drag: it would write over that.
         if (!this.isRewriting) {
           this.drag = null;
@@ -126,7 +140,8 @@ export class Desk {
   take(joint: string, start: Point, stepMm: number, name: string): void {
     const model = this.documents.textOf('model');
     const motion = this.view?.drawing?.motion;
-    if (!model || !motion || this.isStale) return;
+    // What does not move yet has no position at which its pins could be dragged.
+    if (!model || !motion || this.isStale || this.view?.incomplete != null) return;
     this.head.run(false);
     this.dragged = null;
     this.drag = new Drag(joint, { model, study: this.documents.textOf('study') }, posesAt(motion, this.head.angle), start, stepMm, name);
@@ -222,10 +237,7 @@ export class Desk {
     if (refusal) return [refusal.message, refusal.hint].filter(Boolean).join(': ');
     // The texts went on meanwhile: the places of the answer are old.
     if (documents.version !== version) return this.know(path, text);
-    const name = `know ${path} ${version}`;
-    // From the end, so that the places before stay; what is put in at one place keeps its order.
-    for (const change of [...changes].reverse()) documents.change(change.document, change, { name, joins: 'always' });
-    this.looker.now();
+    this.apply(changes, `know ${path} ${version}`);
     return null;
   }
 
@@ -250,6 +262,89 @@ export class Desk {
     return { words: words.adopted(adopted.words, adopted.has_changed), isDone: true };
   }
 
+  /** Changes of both texts as one step to undo. */
+  private apply(changes: Reshaped['changes'], name: string): void {
+    // From the end, so that the places before stay; what is put in at one place keeps its order.
+    for (const change of [...changes].reverse()) this.documents.change(change.document, change, { name, joins: 'always' });
+    this.looker.now();
+  }
+
+  /** Changes links, joints or names, as one step to undo. Says why, where that cannot be. */
+  async restructure(edit: Edit): Promise<string | null> {
+    const { version } = this.documents;
+    const answer = await this.asked(edit);
+    if (typeof answer === 'string') return this.refuse(answer);
+    // The texts went on meanwhile: the places of the answer are old.
+    if (this.documents.version !== version) return this.restructure(edit);
+    this.takeOver(answer, `${edit.kind} ${version}`);
+    return null;
+  }
+
+  /** Asks what goes with something; where anything does, that is shown and confirmed before. */
+  async askToRemove(what: Named): Promise<string | null> {
+    const { version } = this.documents;
+    const answer = await this.asked({ kind: 'remove', what });
+    if (typeof answer === 'string') return this.refuse(answer);
+    if (this.documents.version !== version) return this.askToRemove(what);
+    this.confirmed = { answer, version };
+    const gone = answer.gone ?? [];
+    if (gone.length > 1) this.removal = { what, gone: gone.slice(1), says: answer.says ?? [] };
+    else this.confirmRemoval();
+    return null;
+  }
+
+  confirmRemoval(): void {
+    const { confirmed } = this;
+    this.removal = null;
+    this.confirmed = null;
+    // Another change has come between: the question is no longer the same.
+    if (!confirmed || confirmed.version !== this.documents.version) return;
+    this.takeOver(confirmed.answer, `remove ${confirmed.version}`);
+    this.chosen = null;
+    this.part = null;
+  }
+
+  /** What a joint or a body is looked at; null puts it away. */
+  choose(what: Named | null): void {
+    this.chosen = what?.table === 'joint' ? what.name : null;
+    this.part = what && what.table !== 'joint' ? what : null;
+  }
+
+  private async asked(edit: Edit): Promise<Restructured | string> {
+    const { documents } = this;
+    const body = { model: documents.textOf('model'), study: documents.textOf('study'), edit, poses: this.poses };
+    try {
+      const answer = await ask<Restructured>('POST', '/api/restructure', body);
+      return answer.refusal ? [answer.refusal.message, answer.refusal.hint].filter(Boolean).join(': ') : answer;
+    } catch (error) {
+      return messageOf(error);
+    }
+  }
+
+  private refuse(words: string): string {
+    this.built = { words: [words], isRefused: true };
+    return words;
+  }
+
+  private takeOver(answer: Restructured, name: string): void {
+    this.poses = { ...this.poses, ...(answer.poses ?? {}) };
+    this.apply(answer.changes ?? [], name);
+    this.built = { words: answer.says ?? [], isRefused: false };
+  }
+
+  /** Remembers where the bodies are at the start. */
+  private keepPoses(view: View): void {
+    const motion = view.drawing?.motion;
+    const first = motion?.angle_deg[0];
+    if (!motion || first === undefined) return;
+    const poses = posesAt(motion, first);
+    const named = view.outline.parts.flatMap(({ name }, body) => {
+      const pose = poses[body];
+      return pose ? [[name, pose] as const] : [];
+    });
+    this.poses = { ...this.poses, ...Object.fromEntries(named) };
+  }
+
   show(document: Which, from: number, to: number): void {
     this.reveal = { document, from, to };
   }
@@ -265,10 +360,10 @@ export class Desk {
   private look() {
     const { drag } = this;
     const { version } = this.documents;
-    if (drag) return { look: { ...drag.base, grip: drag.grip }, version };
+    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: null }, version };
     const model = this.documents.textOf('model');
     if (!model) return null;
-    return { look: { model, study: this.documents.textOf('study'), grip: null }, version };
+    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.poses }, version };
   }
 
   private hear(seen: Seen, version: number, isFinest: boolean): void {
@@ -301,7 +396,9 @@ export class Desk {
       this.viewed = version;
       this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
+      this.keepPoses(seen.view);
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
+      if (this.build.isOn) this.head.set(this.head.first);
       if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);
     }
     this.answers += 1;

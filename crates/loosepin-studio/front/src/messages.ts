@@ -106,7 +106,7 @@ export interface Complaint extends Place {
   fix?: Fix | null;
 }
 
-export interface Part {
+export interface Share {
   name: string;
   kind: 'play' | 'part';
   share: number;
@@ -124,7 +124,7 @@ export interface Band {
   si_per_unit: number;
   /** Whether the band keeps its limits. */
   kept: string[];
-  parts: Part[];
+  parts: Share[];
 }
 
 /** A limit of the study, in its text. */
@@ -146,6 +146,26 @@ export interface JointEntry {
   kind: string;
   play: string | null;
   pin: Pin | null;
+  /** The two that it joins: `rod.small_end`, `slider.pin`. */
+  points: [string, string];
+}
+
+/** A body with its points, in its own frame, mm. */
+export interface Part {
+  name: string;
+  points: { name: string; x: number; y: number }[];
+}
+
+/** A dimension of a body, or of the line of a joint: from and to in the frame of a body of the drawing, mm. */
+export interface Dimension {
+  kind: 'length' | 'angle';
+  of: string;
+  body: number;
+  from: [number, number];
+  to: [number, number];
+  written: string;
+  /** The number behind it, where there is one. */
+  path: string | null;
 }
 
 export interface Outline {
@@ -153,6 +173,9 @@ export interface Outline {
   joints: JointEntry[];
   drives: string[];
   outputs: { name: string; words: string }[];
+  /** All bodies, the ground too, in the order of the drawing. */
+  parts: Part[];
+  dimensions: Dimension[];
 }
 
 export interface Quantity extends Range {
@@ -162,11 +185,15 @@ export interface Quantity extends Range {
   document: Which;
   written: string;
   kind: 'number' | 'scatter' | 'unknown';
+  /** Dragging leaves it as it is. */
+  is_locked: boolean;
 }
 
 export interface View {
   title: string;
   mobility: string;
+  /** Why it does not move yet: it is drawn where its bodies were put. */
+  incomplete: string | null;
   sentences: string[];
   drawing: Drawing | null;
   bands: Band[];
@@ -228,6 +255,8 @@ export interface Look {
   study: PathAndText | null;
   positions: number;
   grip: Grip | null;
+  /** Where bodies were last, by name: what does not move yet is drawn there. */
+  poses: Record<string, [number, number, number]> | null;
 }
 
 export interface Seen {

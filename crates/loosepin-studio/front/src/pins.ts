@@ -3,7 +3,7 @@ import type { JointEntry } from './messages.ts';
 
 const namespace = 'http://www.w3.org/2000/svg';
 
-function element(name: string, attributes: Record<string, string>): SVGElement {
+export function element(name: string, attributes: Record<string, string>): SVGElement {
   const made = document.createElementNS(namespace, name);
   Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
   return made;

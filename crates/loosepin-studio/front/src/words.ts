@@ -1,4 +1,5 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
+import type { EditTool } from './build.svelte.ts';
 import type { Hold } from './sketch.svelte.ts';
 import type { Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
 
@@ -48,7 +49,10 @@ export const words = {
       ['Space', 'plays or stops the drawing'],
       ['Arrows', 'on a pin of the drawing: move it by one step, with Shift by ten'],
       ['Alt', 'while a pin is dragged: values that are not round'],
-      ['Escape', 'ends a drag without a change'],
+      ['V L P J S G M D', 'tools: move, link, plate, join, slider, ground, motor, delete'],
+      ['Enter', 'on a point: chooses it, or does what the tool does'],
+      ['Delete', 'on a pin: deletes it'],
+      ['Escape', 'ends a drag without a change; puts a tool away'],
       ['[ and ]', 'turn the drive by 1 degree'],
       ['Ctrl+S', 'saves'],
       ['Ctrl+Z, Ctrl+Shift+Z', 'undo and redo, over both texts'],
@@ -56,7 +60,7 @@ export const words = {
       ['/', 'finds a mechanism in the gallery'],
       ['F8', 'in a text: goes to the next problem'],
     ] as [string, string][],
-    single: 'Use the keys Space, [, ] and /',
+    single: 'Use the keys Space, [, ], / and the letters of tools',
   },
 
   gallery: {
@@ -226,6 +230,63 @@ export const words = {
     addToLink: 'add a pin …',
     addLink: 'Add a link',
     ends: ['From', 'To'],
+  },
+
+  build: {
+    tools: 'Tools',
+    names: { move: 'Move', link: 'Link', plate: 'Plate', join: 'Join', slider: 'Slider', ground: 'Ground', motor: 'Motor', delete: 'Delete' } as Record<EditTool, string>,
+    keys: { move: 'v', link: 'l', plate: 'p', join: 'j', slider: 's', ground: 'g', motor: 'm', delete: 'd' } as Record<EditTool, string>,
+    hints: {
+      move: '',
+      link: 'Click where the link begins: a point, a link, or a free place. With Shift it begins on the ground.',
+      plate: 'Click a link: it gets further points.',
+      join: 'Click a point, then the point that is to be pinned to it.',
+      slider: 'Click a point: it becomes a pin in a block, in a horizontal guide on the ground.',
+      ground: 'Click a point: it is pinned to the ground.',
+      motor: 'Click a pin without play: the motor turns it from now on.',
+      delete: 'Click a pin, a point or a link. What goes with it is told before.',
+    } as Record<EditTool, string>,
+    next: (tool: EditTool, start: string): string =>
+      tool === 'link'
+        ? `The link begins at ${start}. Click where it ends; with Shift that is on the ground.`
+        : tool === 'plate'
+          ? `Click places or points that belong to ${start}. Escape ends it.`
+          : `Click the point that is to be pinned to ${start}.`,
+    target: (points: string[], at: [number, number]): string => `${points.join(' and ')}, at ${words.draw.at(Math.round(at[0] * 1000) / 1000, Math.round(at[1] * 1000) / 1000)}`,
+    along: (axes: ('x' | 'y')[]): string => (axes.length === 2 ? 'in line with two points' : axes[0] === 'x' ? 'above or below a point' : 'level with a point'),
+    done: 'Done',
+    incomplete: 'Not complete yet',
+    add: 'Add',
+    addLink: 'Add a link',
+    from: 'From',
+    to: 'To',
+    freePlace: 'a free place',
+    onGround: 'a place on the ground',
+    join: 'Join two points',
+    first: 'Point',
+    second: 'With',
+    as: 'As',
+    kinds: { pin: 'a pin', slider: 'a slider on a line', slot: 'a pin in a slot', rigid: 'one body' } as Record<string, string>,
+    play: 'Play',
+    noPlay: 'none',
+    angle: 'Line at',
+    block: 'Add a slider block',
+    blockAt: 'Pin at',
+    blockAngle: 'Guide at',
+    motor: 'Let the motor turn',
+    motorAt: 'Pin',
+    take: 'Turn it',
+    addPoint: (body: string): string => `Add a point to ${body}`,
+    ownPlace: 'own frame, mm',
+    points: 'Points',
+    rename: 'Name',
+    remove: 'Delete',
+    removeOf: (what: string): string => `Delete ${what}`,
+    question: (what: string, count: number): string => `Delete ${what}? ${count === 1 ? 'One thing goes' : `${count} things go`} with it:`,
+    keep: 'Keep it',
+    lock: (label: string): string => `Lock ${label} against dragging`,
+    dimensions: 'Dimensions',
+    inText: 'Show it in the text',
   },
 
   known: {

@@ -170,6 +170,23 @@ fn a_drag_that_is_of_another_model_is_refused() {
     }
 }
 
+#[test]
+fn a_locked_length_stays() {
+    let (_desk, folder) = served();
+    let template = find_template("four-bar").unwrap();
+    let locked = template.model.replace("coupler_length = \"260 mm\"", "coupler_length = \"260 mm\"  # locked");
+    let texts = texts(&folder, &locked, template.study);
+    let old = record(&texts).unwrap();
+    let model = Model::from_text("model.toml", &locked).unwrap();
+    let index = model.joints.iter().position(|joint| joint.name == "crank_pin").unwrap();
+    let [x, y] = at_mm(&old, index, 100);
+    let to_mm = [x + 10.0, y];
+    let grip = Grip { joint: "crank_pin".into(), to_mm, step_mm: 1.0, is_free: false, poses: poses(&old, 100) };
+    let drag = gripped(&model, &texts, &grip);
+    let words = "parameter 'coupler_length' is locked: unlock it in the list of numbers";
+    assert_eq!((drag.reshaped.refusal.as_deref(), drag.model), (Some(words), None));
+}
+
 /// Both texts after some changes, as the page makes them.
 pub fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
     let changed = |document, text: &str| {

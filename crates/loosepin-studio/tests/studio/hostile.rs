@@ -55,6 +55,7 @@ fn without_the_token_nothing_is_told() {
         ("GET", "/api/open?path=link.toml"),
         ("PUT", "/api/file"),
         ("POST", "/api/new"),
+        ("POST", "/api/restructure"),
         ("POST", "/api/view"),
         ("POST", "/api/compare"),
         ("POST", "/api/result"),
@@ -160,11 +161,12 @@ fn ten_thousand_malformed_requests_read_nothing_outside_and_meet_words() {
             }
             2 => {
                 let value = values[noise.below(values.len())];
-                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt"][noise.below(8)];
+                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt", "restructure"][noise.below(9)];
+                let edit = json!({"kind": "rename", "what": {"table": value, "name": value}, "to": value});
                 let mut body =
                     json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value,
                         "before": value, "after": values[noise.below(values.len())], "place": noise.next(),
-                        "model": {"path": value, "text": value}, "study": null})
+                        "model": {"path": value, "text": value}, "study": null, "edit": edit})
                     .to_string()
                     .into_bytes();
                 if noise.below(2) == 0 {
@@ -282,6 +284,81 @@ fn malformed_messages_are_refused_with_words() {
     }
     assert!(is_untouched(desk.path()));
     assert_eq!(server.ask("GET", "/api/hello", "").0, 200, "the server lives");
+}
+
+#[test]
+fn edits_that_no_page_sends_are_refused_with_words_and_open_nothing() {
+    let (desk, served) = desk();
+    let server = Server::of(&served);
+    let before = fs::read_dir(&served).unwrap().count();
+    let template = loosepin::templates::find_template("four-bar").unwrap();
+    let ask = |edit: &Value, poses: &Value, model: &str| {
+        let model = json!({"path": "model.toml", "text": model});
+        let study = json!({"path": "study.toml", "text": template.study});
+        let body = json!({"model": model, "study": study, "edit": edit, "poses": poses});
+        server.ask("POST", "/api/restructure", &body.to_string())
+    };
+    let none = json!({});
+    let point = |body: &str, point: &str| json!({"at": "point", "body": body, "point": point});
+    let free = |x: f64, y: f64| json!({"at": "free", "x": x, "y": y});
+    let good = json!({"kind": "add_link", "from": point("coupler", "tracer"), "to": free(300.0, 300.0)});
+    let (status, answer) = ask(&good, &none, template.model);
+    assert_eq!((status, &answer["refusal"], &answer["name"]), (200, &Value::Null, &json!("link_1")), "{answer}");
+    assert!(answer["changes"].as_array().is_some_and(|changes| !changes.is_empty()), "{answer}");
+    // What the page says of places is looked at before it is used.
+    let far = json!({"crank": [1e300, -1e300, 1e308], "<script>": [0, 0, 0], "coupler": [1e9, 0, 0]});
+    assert_eq!(ask(&good, &far, template.model).0, 200);
+    let names =
+        ["<script>alert(1)</script>", "../secret", "a\"]\n[body.x", "\u{202e}", "", "ground", &"x".repeat(10_000)];
+    for name in names {
+        for edit in [
+            json!({"kind": "add_link", "from": point(name, name), "to": free(1.0, 2.0)}),
+            json!({"kind": "add_point", "body": name, "to": {"at": "on", "body": name, "x": 1e200, "y": 0}}),
+            json!({"kind": "join", "first": point(name, "pin"), "second": point("crank", name), "by": {"as": "pin"}}),
+            json!({"kind": "add_block", "on": point(name, name), "angle_deg": 1e308}),
+            json!({"kind": "drive", "joint": name}),
+            json!({"kind": "remove", "what": {"table": name, "name": name}}),
+            json!({"kind": "remove", "what": {"table": "body", "name": name}}),
+            json!({"kind": "rename", "what": {"table": "joint", "name": name}, "to": "a"}),
+            json!({"kind": "rename", "what": {"table": "body", "name": "crank"}, "to": name}),
+            json!({"kind": "lock", "path": name, "is_locked": true}),
+        ] {
+            let (status, answer) = ask(&edit, &none, template.model);
+            assert_eq!(status, 200, "{edit} {answer}");
+            let words = answer["refusal"]["message"].as_str().unwrap_or_else(|| {
+                // The ground is a body: it can have a further point, but not one that is further away than anything.
+                panic!("{edit} {answer}")
+            });
+            assert!(words.len() > 10 && answer["changes"].is_null(), "{edit} {answer}");
+        }
+    }
+    for edit in [
+        json!({"kind": "erase"}),
+        json!(null),
+        json!([]),
+        json!({"kind": "lock", "path": 1}),
+        json!({"kind": "add_link"}),
+    ] {
+        let (status, answer) = ask(&edit, &none, template.model);
+        assert!(status == 400 && answer["message"].as_str().is_some_and(|words| words.len() > 10), "{edit} {answer}");
+    }
+    // Texts that are no model, or no end of one.
+    let mut noise = Noise(7);
+    for _ in 0..300 {
+        let at = (noise.below(template.model.len())..).find(|at| template.model.is_char_boundary(*at)).unwrap();
+        let mut text = template.model[..at].to_owned();
+        text.push(char::from_u32(noise.next() as u32 % 0xd7ff).unwrap());
+        text.push_str(&template.model[at..]);
+        assert_eq!(ask(&good, &none, &text).0, 200);
+    }
+    let deep = format!("x = {}", "[".repeat(100_000));
+    assert!(ask(&good, &none, &deep).1["refusal"].is_object());
+    let huge = format!("{}\n# {}", template.model, "a".repeat(5 << 20));
+    let model = json!({"path": "model.toml", "text": huge});
+    let body = json!({"model": model, "study": null, "edit": good, "poses": {}}).to_string();
+    assert_eq!(server.ask("POST", "/api/restructure", &body).0, 413);
+    assert!(is_untouched(desk.path()));
+    assert_eq!(fs::read_dir(&served).unwrap().count(), before, "nothing is written");
 }
 
 #[test]
