@@ -41,7 +41,7 @@ export class Build {
   /** What is to be done next, in words. */
   get hint(): string {
     const { tool, start } = this;
-    if (start) return words.build.next(tool, nameOf(start));
+    if (start) return words.build.next(tool, (tool === 'plate' ? bodyOf(start) : null) ?? nameOf(start));
     return words.build.hints[tool];
   }
 
@@ -111,9 +111,11 @@ function round(value: number): number {
   return Math.round(value * 1000) / 1000;
 }
 
+/** The link that is meant: at a pin of two links none is. */
 function bodyOf(taken: Taken): string | null {
-  if ('target' in taken) return taken.target.points.find(({ body }) => body !== 'ground')?.body ?? null;
-  return 'body' in taken ? taken.body : null;
+  if ('body' in taken) return taken.body;
+  const moving = 'target' in taken ? taken.target.points.filter(({ body }) => body !== 'ground') : [];
+  return moving.length === 1 ? (moving[0]?.body ?? null) : null;
 }
 
 function onBody({ body, at: [x, y] }: { body: string; at: Point }): End {

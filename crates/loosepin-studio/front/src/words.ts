@@ -160,6 +160,7 @@ export const words = {
     output: 'Output',
     chart: 'Chart of the band',
     none: 'No output has a deviation: add play to a joint, or scatter to a number.',
+    incomplete: 'The band appears when the mechanism moves.',
     hover: 'Point at the chart to move the mechanism.',
     parts: 'Which tolerance and which play make the band',
     sentences: 'All outputs, in sentences',
