@@ -205,7 +205,7 @@ def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
     studio.take("rank, coupler and rocker")
     before = studio.saved("four-bar")
     studio.click(".outline button", "rocker_pin")
-    name = ".chosen .known input"
+    name = ".chosen .naming input"
 
     def say(text):
         studio.browser.evaluate(f"(document.querySelector({name!r}).focus(), document.querySelector({name!r}).select(), true)")
@@ -213,9 +213,9 @@ def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
         studio.key("Enter")
 
     say("crank_pin")
-    studio.wait("document.querySelector('.chosen .kind').innerText.includes('there is a joint')")
+    studio.wait("document.querySelector('.naming .message')?.innerText.includes('there is a joint')")
     say("top pin")
-    studio.wait("document.querySelector('.chosen .kind').innerText.includes(\"'top pin' is no name\")")
+    studio.wait("document.querySelector('.naming .message')?.innerText.includes(\"'top pin' is no name\")")
     say("top_pin")
     studio.wait("document.querySelector('#chosen-heading')?.innerText === 'top_pin'")
     studio.settle()

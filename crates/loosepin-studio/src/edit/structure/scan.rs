@@ -227,7 +227,7 @@ impl Scanner<'_> {
                 self.text[start..self.at].to_owned()
             }
         };
-        (self.at > start).then(|| Key { name, span: start..self.at })
+        (self.at > start).then_some(Key { name, span: start..self.at })
     }
 
     /// Past a text in quotes: its contents.

@@ -452,7 +452,8 @@ fn random_edits_never_panic_and_never_leave_what_is_no_model() {
 #[test]
 #[ignore = "minutes; just campaign studio-edits"]
 fn campaign_thousands_of_random_sequences() {
-    let (taken, refused) = random_sequences(3000, 2026);
+    let sequences = std::env::var("SEQUENCES").ok().and_then(|count| count.parse().ok()).unwrap_or(3000);
+    let (taken, refused) = random_sequences(sequences, 2026);
     eprintln!("{taken} edits taken, {refused} refused");
 }
 
