@@ -161,7 +161,8 @@ fn ten_thousand_malformed_requests_read_nothing_outside_and_meet_words() {
             }
             2 => {
                 let value = values[noise.below(values.len())];
-                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt", "restructure"][noise.below(9)];
+                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt", "restructure"]
+                    [noise.below(9)];
                 let edit = json!({"kind": "rename", "what": {"table": value, "name": value}, "to": value});
                 let mut body =
                     json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value,
