@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::headline::{is_same_curve, reach_si};
-use super::in_both;
 use super::outputs::SharedOutputs;
+use super::sides::in_both;
 use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::figure::name_of;

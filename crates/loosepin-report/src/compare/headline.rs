@@ -1,7 +1,7 @@
 //! How much smaller or larger the main answer is in the second study.
 
-use super::in_both;
 use super::outputs::SharedOutputs;
+use super::sides::in_both;
 use super::statistics::{Weight, is_same};
 use crate::number::{NumberWriter, Rounding};
 use crate::told::{Told, told};

@@ -9,6 +9,7 @@ mod changed_inputs;
 mod headline;
 mod outputs;
 mod requirements;
+mod sides;
 mod statistics;
 mod warnings;
 
@@ -83,9 +84,4 @@ pub fn compare_studies(before: &StudyResult, after: &StudyResult) -> Comparison 
         statistics,
         inputs,
     }
-}
-
-/// `Name` with a colon and two values: `3 in A, 4 in B`.
-fn in_both<T: std::fmt::Display>([before, after]: [T; 2]) -> String {
-    format!("{before} in A, {after} in B")
 }

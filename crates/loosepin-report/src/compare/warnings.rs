@@ -1,6 +1,6 @@
 //! What makes the numbers of two studies less comparable.
 
-use super::in_both;
+use super::sides::in_both;
 use crate::number::NumberWriter;
 use loosepin_result::study::StudyResult;
 use loosepin_text::units::SiUnit;
