@@ -4,28 +4,9 @@
 //! -Tᵀ (h + M (Aᵀ (γ_R - g), γ_θ, 0) + (0, 0, K q + C q̇)) to the forces (F3), γ the acceleration where the free coordinates have none.
 
 use super::equations::Dynamics;
-use crate::mechanism::{TreeBeam, acceleration_at, moved, turned_by};
+use crate::mechanism::{acceleration_at, moved, turned_by};
 use loosepin_flexible::Inertia;
 use loosepin_math::{Real, Vec2};
-
-/// Room for a flexible body.
-#[derive(Debug, Clone)]
-pub(super) struct BeamRoom<T> {
-    /// M and h at the last evaluation.
-    inertia: Inertia<T>,
-    /// M T, row by row of T: one for each coordinate on which the frame depends.
-    carried: Vec<T>,
-    /// Forces over (V, ω, q̇).
-    forces: Vec<T>,
-}
-
-impl<T: Real> BeamRoom<T> {
-    pub(super) fn new(beam: &TreeBeam, dependences: usize) -> Self {
-        let inertia = Inertia::new(&beam.shapes);
-        let size = inertia.size;
-        Self { inertia, carried: vec![T::zero(); dependences * size], forces: vec![T::zero(); size] }
-    }
-}
 
 impl<T: Real> Dynamics<'_, T> {
     /// Adds mass matrix and forces of all flexible bodies. Not every mechanism has them: out of line, or the compiler would take many

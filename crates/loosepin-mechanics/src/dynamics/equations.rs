@@ -1,6 +1,6 @@
 //! Mass matrix, forces and accelerations.
 
-use super::beam::BeamRoom;
+use super::beam_room::BeamRoom;
 use super::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
 use super::element_force::{ActuatorForce, LoadForce};
 use super::inverse::InverseDynamics;

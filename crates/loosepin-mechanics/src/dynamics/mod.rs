@@ -4,6 +4,7 @@
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
 mod beam;
+mod beam_room;
 mod contact;
 mod contact_motion;
 mod control;
