@@ -23,7 +23,7 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
         loosepin check my_mechanism/model.toml\n  \
         loosepin simulate my_mechanism/model.toml\n  \
         loosepin study my_mechanism/study.toml\n\n\
-        Exit status: 0 success; 1 a requirement of the study is not met or is undecided; 2 error; 3 merged, and the shards must run another \
+        Exit status: 0 success; 1 a requirement of the study is not met or is undecided, or no play explains the readings; 2 error; 3 merged, and the shards must run another \
         round; 130 interrupted."
 )]
 pub struct Arguments {
@@ -44,6 +44,7 @@ pub enum Command {
     Study(StudyArguments),
     Merge(MergeArguments),
     Sweep(SweepArguments),
+    Identify(IdentifyArguments),
     Cases(CasesArguments),
     Report(ReportArguments),
     #[cfg(feature = "studio")]
@@ -430,6 +431,32 @@ pub struct ExportArguments {
     /// Replace another export
     #[arg(long)]
     pub force: bool,
+}
+
+/// Bound the play in joints from readings of a backlash test
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The study has [[measured]] tables: with the drives locked an output is pushed to and fro, and its dead travel is read. \
+    Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most.\n\n\
+    Exit status: 0 the readings are explained; 1 no values of the plays explain them; 2 error.\n\n\
+    Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml"
+)]
+pub struct IdentifyArguments {
+    /// Study file with [[measured]] tables
+    #[arg(value_name = "STUDY")]
+    pub study: PathBuf,
+    /// Write the study with narrowed intervals, comments kept, beside the study
+    #[arg(long, value_name = "FILE")]
+    pub write: Option<PathBuf>,
+    /// Specimen whose readings count [default: all, each by itself]
+    #[arg(long, value_name = "NAME")]
+    pub specimen: Option<String>,
+    /// Probability with which all bounds of a specimen hold together
+    #[arg(long, value_name = "SHARE", default_value = "0.99", value_parser = share)]
+    pub confidence: f64,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Print the JSON Schema of model or study files

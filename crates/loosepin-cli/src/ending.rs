@@ -12,6 +12,8 @@ pub enum Done {
     Well,
     /// As asked, and a requirement of the study, or a number of a reference case, is not shown to be met.
     RequirementNotMet,
+    /// To the end, and no values of the plays explain the readings.
+    Misfit,
     /// To the end, and its result is that of a run that failed: its page says why.
     RunFailed,
     /// As asked, and shards of a study have a further round to run.

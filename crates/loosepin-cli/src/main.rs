@@ -1,7 +1,7 @@
 //! The `loosepin` command: parse arguments, call the library, print.
 //!
 //! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
-//! of the study is not met, or a number of a reference case; 2 an error; 3 merged, and the shards have a further round to run;
+//! of the study is not met, or a number of a reference case, or no play explains readings; 2 an error; 3 merged, and the shards have a further round to run;
 //! 130 interrupted.
 
 mod arguments;
@@ -34,6 +34,7 @@ fn main() -> ExitCode {
         Command::Study(study) => command::study::run(study),
         Command::Merge(merge) => command::merge::run(merge),
         Command::Sweep(sweep) => command::sweep::run(sweep),
+        Command::Identify(identify) => command::identify::run(identify),
         Command::Cases(cases) => command::cases::run(cases),
         Command::Schema(schema) => command::schema::run(schema),
         Command::Explain(explain) => command::explain::run(explain),
@@ -60,6 +61,7 @@ fn exit_code(ending: Ending) -> ExitCode {
     match ending {
         Ok(Done::Well) => ExitCode::SUCCESS,
         Ok(Done::RequirementNotMet) => ExitCode::from(1),
+        Ok(Done::Misfit) => ExitCode::from(1),
         Ok(Done::RunFailed) => ExitCode::from(2),
         Ok(Done::RoundOpen) => ExitCode::from(3),
         Ok(Done::Interrupted) => ExitCode::from(130),

@@ -2,6 +2,7 @@
 //! computed here that needs a mechanism or a sample.
 
 pub mod cases;
+pub mod identification;
 pub mod motion;
 pub mod repeat;
 pub mod simulation;

@@ -64,9 +64,10 @@ pub use error::{StudyError, TooManyFailed};
 pub use export::{ExportError, export_networks};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
-    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, RandomInput, RandomProblem, RareMethod, Reduction,
-    Requirement, Sampling, StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where,
-    named_model, number_and_unit, says_study, signed_parts, study_schema,
+    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredProblem, Push, RandomInput,
+    RandomProblem, RareMethod, ReadingScatter, Reduction, Requirement, Sampling, StatedCorrelation, Study,
+    StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study, signed_parts,
+    study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::{Foreseen, ForeseenPromise, foresee};

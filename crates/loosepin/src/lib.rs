@@ -7,11 +7,12 @@
 //!   [`sweep`], [`measured`] (`loosepin-simulate`). They know nothing of probability.
 //! * Uncertainty: [`uncertainty`], [`contributors`], [`reliability`] (`loosepin-uncertainty`), [`surrogate`], [`bounds`].
 //!   They know nothing of mechanisms.
-//! * [`study`] joins the two wings, [`cases`] holds the program against answers that are known, [`report`] reads results.
+//! * [`study`] joins the two wings, [`identify`] goes from readings of a rig to play, [`cases`] holds the program against answers that are known, [`report`] reads results.
 //!
 //! `docs/architecture.md` shows which crate stands on which.
 
 pub use loosepin_bounds as bounds;
+pub use loosepin_identify as identify;
 pub use loosepin_import as import;
 pub use loosepin_import::templates;
 pub use loosepin_math as math;

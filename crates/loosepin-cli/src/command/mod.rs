@@ -5,6 +5,7 @@ pub mod check;
 pub mod completions;
 pub mod explain;
 pub mod export;
+pub mod identify;
 pub mod import;
 mod inputs;
 pub mod manual;

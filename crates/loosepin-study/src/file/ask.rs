@@ -182,7 +182,8 @@ impl StudyReader {
         Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised })
     }
 
-    fn output(&mut self, table: &Table<'_>) -> Option<usize> {
+    /// The output that a table names, by its place in [`Self::outputs`].
+    pub(super) fn output(&mut self, table: &Table<'_>) -> Option<usize> {
         let entry = table.get("output")?;
         let name = self.reader.text(&entry)?.to_owned();
         let outputs = &self.model.outputs;

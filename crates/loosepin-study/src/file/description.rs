@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::measured::Measured;
 use super::target::AccuracyTarget;
 use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
@@ -51,6 +52,8 @@ pub struct Study {
     pub asks: Vec<Ask>,
     /// What is required, in file order.
     pub requirements: Vec<Requirement>,
+    /// Readings of a backlash test, in file order: what `loosepin identify` narrows intervals by. A study does not look at them.
+    pub measured: Vec<Measured>,
     /// What may be loosened as far as the requirements allow, in file order.
     pub allowances: Vec<Allowance>,
     /// How they are loosened together; nothing where each is by itself, the others as stated.

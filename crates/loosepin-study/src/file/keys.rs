@@ -5,6 +5,7 @@ use loosepin_mechanics::model::CYCLE_NUMBERS;
 use loosepin_text::document::{Key, Keys, Kind, optional, required};
 use loosepin_text::units::Rule;
 
+use super::measured_keys::MEASURED_KEYS;
 use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
 use super::words::{
     self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
@@ -626,6 +627,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
         ),
         optional("ask", Kind::List(&Kind::Table(&ASK_KEYS)), "", "questions"),
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
+        optional(
+            "measured",
+            Kind::List(&Kind::Table(&MEASURED_KEYS)),
+            "",
+            "readings of a backlash test, from which `loosepin identify` narrows the intervals of the plays",
+        ),
         optional(
             "allow",
             Kind::Tables { keys: &ALLOW_KEYS, except: &[] },

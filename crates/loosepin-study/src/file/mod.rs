@@ -12,6 +12,8 @@ mod evidence;
 mod fit;
 mod input;
 mod keys;
+mod measured;
+mod measured_keys;
 mod parameter;
 mod parameter_keys;
 mod plausible;
@@ -40,6 +42,7 @@ pub use description::{
 pub use keys::{MOST_POSES, MOST_RUNS};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
+pub use measured::{Measured, MeasuredProblem, Push, ReadingScatter};
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
@@ -64,7 +67,7 @@ pub fn study_schema() -> serde_json::Value {
 }
 
 /// Keys at the top of study files that model files do not have.
-const STUDY_MARKS: [&str; 6] = ["model", "random", "epistemic", "ask", "require", "sampling"];
+const STUDY_MARKS: [&str; 7] = ["model", "random", "epistemic", "ask", "require", "measured", "sampling"];
 
 /// The model that the text of a study names, as it is written; nothing where it names none, or is not TOML.
 pub fn named_model(source: &Arc<Source>) -> Option<String> {
@@ -219,6 +222,7 @@ fn read(
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
+    let measured = file.read_measured(&root);
     let allowances = file.read_allowances(&root, &requirements);
     let together = file.together(&root, &allowances);
     let promise = file.promise(&root, &asks, &requirements);
@@ -251,6 +255,7 @@ fn read(
         outputs: file.outputs,
         asks,
         requirements,
+        measured,
         allowances,
         together,
         accuracy,

@@ -491,6 +491,26 @@ impl Reader {
             .filter(|value_si| self.keeps(entry, *value_si, dimension, rule))
     }
 
+    /// As [`Reader::measured`], where one of the words of `before` may stand before the value, as `±` does.
+    pub fn measured_beyond(
+        &mut self,
+        entry: &Entry<'_>,
+        before: &[&str],
+        dimension: Dimension,
+        rule: Rule,
+    ) -> Option<f64> {
+        if let DeValue::String(text) = entry.value
+            && let Some(rest) = before.iter().find_map(|word| text.trim_start().strip_prefix(word))
+            && let Ok(measured) = parse_quantity(rest)
+        {
+            return self
+                .measures(entry, measured.dimension, dimension)
+                .then_some(measured.value_si)
+                .filter(|value_si| self.keeps(entry, *value_si, dimension, rule));
+        }
+        self.measured(entry, dimension, rule)
+    }
+
     /// Whether a value measures what is due; complains if not.
     pub fn measures(&mut self, entry: &Entry<'_>, found: Dimension, due: Dimension) -> bool {
         if found == due {

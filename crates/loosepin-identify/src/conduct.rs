@@ -1,0 +1,296 @@
+//! From the readings of a study to its answer.
+
+use super::combinations::{Told, told};
+use super::consistent::{ConsistentSet, End, Row};
+use super::error::IdentifyProblem;
+use super::further::further;
+use super::influence::{Influence, Test};
+use super::misfit::misfit;
+use super::rig::Rig;
+use loosepin_result::identification::{
+    Combination, Consistent, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
+};
+use loosepin_simulate::accuracy::AccuracyError;
+use loosepin_study::{Measured, Push, ReadingScatter, Study};
+use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, format_value};
+use loosepin_uncertainty::{normal_quantile, student_factor};
+
+/// Confidence of all bounds together, where none is stated.
+pub const CONFIDENCE: f64 = 0.99;
+
+/// Rounds in which the exact loops are asked at the ends of all bounds, at most: the second finds nothing more as a rule.
+const ROUNDS: usize = 4;
+
+/// What is asked of the readings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Probability with which all bounds of a specimen hold together, at least (default: 0.99).
+    pub confidence: f64,
+    /// The specimen whose readings count; all, each by itself, where none is named.
+    pub specimen: Option<String>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { confidence: CONFIDENCE, specimen: None }
+    }
+}
+
+/// The plays that are consistent with the readings of `study`, specimen by specimen.
+///
+/// # Errors
+/// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
+pub fn identify(study: &Study, options: &Options) -> Result<Identification, Complaints> {
+    let confidence = options.confidence;
+    if !(0.5..1.0).contains(&confidence) {
+        return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
+    }
+    if study.measured.is_empty() {
+        let place = Place::new(study.source(), 0..0);
+        return Err(Complaint::error(&IdentifyProblem::NoReadings, Some(place)).into());
+    }
+    let specimens = specimens(study, options)?;
+    let has_scatter = |reading: &&Measured| reading.scatter != ReadingScatter::Known(0.0);
+    let scattering = study.measured.iter().filter(has_scatter).count();
+    // What may go wrong is shared between random inputs and readings, and among each of them evenly (Bonferroni's inequality).
+    let parts = usize::from(scattering > 0) + usize::from(!study.random.is_empty());
+    let share = (1.0 - confidence) / parts.max(1) as f64;
+    let rig = Rig::new(study, share / study.random.len().max(1) as f64)?;
+    let of_specimen = |name: &Option<String>| {
+        let readings: Vec<&Measured> = study.measured.iter().filter(|reading| reading.specimen == *name).collect();
+        let scattering = readings.iter().copied().filter(|reading| has_scatter(reading)).count();
+        of_readings(&rig, name, &readings, share / scattering.max(1) as f64)
+    };
+    let specimens = specimens.iter().map(of_specimen).collect::<Result<_, Complaints>>()?;
+    let random = rig.others.iter().filter(|other| other.is_random);
+    Ok(Identification {
+        study: study.name.clone(),
+        model: study.model.name.clone(),
+        version: loosepin_text::VERSION.to_owned(),
+        confidence,
+        random_inputs: random
+            .map(|other| InputRange {
+                path: other.path.clone(),
+                unit: other.unit.clone(),
+                interval_si: other.interval_si,
+            })
+            .collect(),
+        display_units: study.model.shown_in(DisplayUnits::default()),
+        specimens,
+    })
+}
+
+/// The specimens of the readings, in the order of the file, or the one that is asked for.
+fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Complaints> {
+    let mut found: Vec<Option<String>> = Vec::new();
+    for reading in &study.measured {
+        if !found.contains(&reading.specimen) {
+            found.push(reading.specimen.clone());
+        }
+    }
+    let Some(wanted) = &options.specimen else { return Ok(found) };
+    if found.iter().flatten().any(|known| known == wanted) {
+        return Ok(vec![Some(wanted.clone())]);
+    }
+    let known = found.iter().flatten().map(|known| format!("'{known}'")).collect();
+    Err(Complaints::one(&IdentifyProblem::UnknownSpecimen { name: wanted.clone(), known }, None))
+}
+
+/// Largest independent error of the mean of a reading, of either sign, but for `share`.
+fn independent_si(reading: &Measured, share: f64) -> f64 {
+    let root = (reading.repeats as f64).sqrt();
+    match reading.scatter {
+        ReadingScatter::Known(deviation_si) => normal_quantile(1.0 - 0.5 * share) * deviation_si / root,
+        ReadingScatter::Estimated(deviation_si) => {
+            student_factor(1.0 - share, reading.repeats - 1) * deviation_si / root
+        }
+    }
+}
+
+fn of_readings(
+    rig: &Rig<'_>,
+    name: &Option<String>,
+    readings: &[&Measured],
+    share: f64,
+) -> Result<Specimen, Complaints> {
+    let mut instruments: Vec<&str> = Vec::new();
+    for reading in readings {
+        if !instruments.contains(&reading.instrument.as_str()) {
+            instruments.push(&reading.instrument);
+        }
+    }
+    let tests: Vec<Test> = readings
+        .iter()
+        .map(|reading| Test {
+            push: reading.push,
+            travel: reading.travel,
+            pose_rad: reading.pose_rad,
+            friction: reading.friction,
+        })
+        .collect();
+    let mut influences = Vec::with_capacity(readings.len());
+    for (reading, test) in readings.iter().zip(&tests) {
+        let influence = Influence::new(rig, test).map_err(|error| locked(reading, error))?;
+        if influence.factors.iter().all(|factors| *factors == [0.0; 3]) {
+            let problem = IdentifyProblem::DoesNotMove { reading: reading.name.clone() };
+            return Err(Complaint::error(&problem, Some(reading.place.clone())).into());
+        }
+        influences.push(influence);
+    }
+    let independent: Vec<f64> = readings.iter().map(|reading| independent_si(reading, share)).collect();
+    let set_of = |influences: &[Influence]| {
+        let row = |(index, influence): (usize, &Influence)| {
+            let reading = readings[index];
+            let interval_si = [-1.0, 1.0].map(|sign| reading.dead_travel_si + sign * independent[index]);
+            let instrument = instruments.iter().position(|known| *known == reading.instrument).unwrap_or(0);
+            Row::new(rig, influence, interval_si, reading.error_si, instrument)
+        };
+        ConsistentSet {
+            intervals_si: rig.plays.iter().map(|play| play.interval_si).collect(),
+            instruments: instruments.len(),
+            rows: influences.iter().enumerate().map(row).collect(),
+        }
+    };
+    let mut set = set_of(&influences);
+    let widths_si: Vec<f64> = rig.plays.iter().map(|play| play.interval_si[1] - play.interval_si[0]).collect();
+    let nominal: Vec<Vec<f64>> =
+        set.rows.iter().map(|row| row.factors.iter().map(|factors| factors[1]).collect()).collect();
+    let mut told = told(&nominal, &widths_si);
+    add_whole_sum(rig, &mut told);
+    let units = |play: usize| -> Vec<f64> { (0..widths_si.len()).map(|k| f64::from(u8::from(k == play))).collect() };
+    let mut objectives: Vec<Vec<f64>> = (0..widths_si.len()).map(units).collect();
+    objectives.extend(told.combinations.iter().cloned());
+    let mut bounds = all_bounds(&set, &objectives);
+    for _ in 1..ROUNDS {
+        let Some(found) = &bounds else { break };
+        // The linear model must hold where the bounds are attained: the exact loops are asked there.
+        let mut is_wider = false;
+        for (reading, (test, influence)) in readings.iter().zip(tests.iter().zip(&mut influences)) {
+            for end in found.iter().flatten() {
+                let missed =
+                    influence.missed_share(rig, test, &end.plays_si).map_err(|error| locked(reading, error))?;
+                if missed > influence.linearisation_share {
+                    influence.widen(missed);
+                    is_wider = true;
+                }
+            }
+        }
+        if !is_wider {
+            break;
+        }
+        set = set_of(&influences);
+        bounds = all_bounds(&set, &objectives);
+    }
+    let outcome = match bounds {
+        None => Outcome::Misfit(misfit(&set)),
+        Some(bounds) => {
+            let (plays, sums) = bounds.split_at(widths_si.len());
+            let plays = rig.plays.iter().zip(plays).enumerate().map(|(index, (play, ends))| PlayBounds {
+                path: play.path.clone(),
+                name: play.name.clone(),
+                unit: play.unit.clone(),
+                before_si: play.interval_si,
+                after_si: within(play.interval_si, ends),
+                is_identifiable: told.is_identifiable(index),
+                is_interval: play.is_interval,
+            });
+            let plays: Vec<PlayBounds> = plays.collect();
+            let combinations = told.combinations.iter().zip(sums).map(|(weights, ends)| {
+                let before_si = before(rig, weights);
+                let unit = weights.iter().zip(&rig.plays).find(|(weight, _)| **weight != 0.0);
+                Combination {
+                    weights: weights.clone(),
+                    unit: unit.map_or(SiUnit::NONE, |(_, play)| play.unit.clone()),
+                    before_si,
+                    after_si: within(before_si, ends),
+                }
+            });
+            let combinations = combinations.collect();
+            let further = further(rig, &set, &bounds, readings)?;
+            Outcome::Consistent(Consistent { plays, combinations, alike: told.alike.clone(), further })
+        }
+    };
+    let parts = readings.iter().zip(&set.rows).zip(independent.iter().zip(&influences));
+    let readings = parts.map(|((reading, row), (independent_si, influence))| TestReading {
+        name: reading.name.clone(),
+        output: reading.output.clone(),
+        unit: reading.unit.clone(),
+        pose_rad: reading.pose_rad,
+        push: push_words(rig, &reading.push),
+        dead_travel_si: reading.dead_travel_si,
+        repeats: reading.repeats,
+        common_error_si: reading.error_si,
+        independent_error_si: *independent_si,
+        factors: row.factors.clone(),
+        compliance_si: compliance_si(influence),
+        linearisation_share: influence.linearisation_share,
+        allowed_before_si: set.allowed_si(row),
+    });
+    Ok(Specimen { name: name.clone(), readings: readings.collect(), outcome })
+}
+
+/// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is told beside them.
+fn add_whole_sum(rig: &Rig<'_>, told: &mut Told) {
+    let plays = rig.plays.len();
+    let is_of_one_unit = rig.plays.iter().all(|play| play.unit == rig.plays[0].unit);
+    if plays > 1 && is_of_one_unit && told.combinations.len() == plays {
+        told.combinations.push(vec![1.0; plays]);
+    }
+}
+
+/// Bounds of all objectives; nothing where no plays are consistent.
+fn all_bounds(set: &ConsistentSet, objectives: &[Vec<f64>]) -> Option<Vec<[End; 2]>> {
+    if set.is_empty() {
+        return None;
+    }
+    objectives.iter().map(|weights| set.bounds(weights)).collect()
+}
+
+/// The ends of a bound, cut to what was known before.
+fn within(before_si: [f64; 2], [lower, upper]: &[End; 2]) -> [f64; 2] {
+    [lower.value_si.max(before_si[0]), upper.value_si.min(before_si[1])]
+}
+
+/// The interval of a sum of plays by the intervals of the study.
+fn before(rig: &Rig<'_>, weights: &[f64]) -> [f64; 2] {
+    let mut ends = [0.0; 2];
+    for (weight, play) in weights.iter().zip(&rig.plays) {
+        let products = play.interval_si.map(|end| weight * end);
+        ends[0] += f64::min(products[0], products[1]);
+        ends[1] += f64::max(products[0], products[1]);
+    }
+    ends
+}
+
+fn compliance_si(influence: &Influence) -> [f64; 2] {
+    let mut ends = [0.0; 2];
+    for (joint, [least_m, most_m]) in influence.yields_m.iter().enumerate() {
+        let [least, largest] = influence.limits(joint);
+        ends[0] += f64::min(least * least_m, least * most_m);
+        ends[1] += f64::max(largest * least_m, largest * most_m);
+    }
+    ends
+}
+
+/// A push in words: `20 N at slider.pin along 0 deg`.
+pub(crate) fn push_words(rig: &Rig<'_>, push: &Push) -> String {
+    let model = &rig.mechanism.model;
+    match *push {
+        Push::Force { point, direction_rad, force_n } => {
+            let body = &model.bodies[point.body.0];
+            let (force, direction) =
+                (format_value(force_n, Dimension::FORCE), format_value(direction_rad, Dimension::ANGLE));
+            format!("{force} at {}.{} along {direction}", body.name, body.points[point.point].name)
+        }
+        Push::Moment { body, moment_n_m } => {
+            format!("{} on {}", format_value(moment_n_m, Dimension::TORQUE), model.bodies[body.0].name)
+        }
+    }
+}
+
+/// A mechanism that cannot be locked or does not settle, at the reading that asks for it.
+fn locked(reading: &Measured, error: AccuracyError) -> Complaints {
+    let problem = IdentifyProblem::Locked { reading: reading.name.clone(), error };
+    Complaint::error(&problem, Some(reading.place.clone())).into()
+}

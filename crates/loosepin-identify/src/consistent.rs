@@ -1,0 +1,171 @@
+//! The plays that are consistent with readings: a polytope in the box of the study.
+//!
+//! A reading m of an instrument with the common error C s, -1 <= s <= 1, and an independent error of at most e says
+//!
+//! ```text
+//! m - e <= T + C s <= m + e,    Σ low_k c_k <= T <= Σ high_k c_k,    c_k >= 0
+//! ```
+//!
+//! Since no clearance c_k is negative, this holds for some T exactly if Σ low_k c_k + C s <= m + e and Σ high_k c_k + C s >= m - e:
+//! two rows that are linear in the plays and in s.
+
+use super::influence::Influence;
+use super::linear_program::{Largest, LinearProgram};
+use super::rig::Rig;
+
+/// A reading as two rows.
+#[derive(Debug, Clone)]
+pub(crate) struct Row {
+    /// Factors of the play inputs: least, nominal, largest.
+    pub factors: Vec<[f64; 3]>,
+    /// What does not depend on the plays, SI: least and largest.
+    pub constant_si: [f64; 2],
+    /// Mean of the reading, with the independent error taken and added, SI.
+    pub interval_si: [f64; 2],
+    /// The common error, SI, and its instrument.
+    pub common_si: f64,
+    pub instrument: usize,
+}
+
+/// Plays with the readings that they have to explain.
+#[derive(Debug, Clone)]
+pub(crate) struct ConsistentSet {
+    pub intervals_si: Vec<[f64; 2]>,
+    pub instruments: usize,
+    pub rows: Vec<Row>,
+}
+
+/// An end of a bound: its value, and plays at which it is attained.
+#[derive(Debug, Clone)]
+pub(crate) struct End {
+    pub value_si: f64,
+    pub plays_si: Vec<f64>,
+}
+
+impl Row {
+    /// The rows of a reading with this influence.
+    pub fn new(rig: &Rig<'_>, influence: &Influence, interval_si: [f64; 2], common_si: f64, instrument: usize) -> Self {
+        let mut factors = vec![[0.0; 3]; rig.plays.len()];
+        let mut constant_si = [0.0; 2];
+        for (joint, clearance) in rig.clearances.iter().enumerate() {
+            let [least, largest] = influence.limits(joint);
+            let nominal = influence.factors[joint][1];
+            for (factors, slope) in factors.iter_mut().zip(&clearance.slopes) {
+                for (factor, own) in factors.iter_mut().zip([least, nominal, largest]) {
+                    *factor += own * slope;
+                }
+            }
+            let [yield_least_m, yield_most_m] = influence.yields_m[joint];
+            let ends_m = [
+                clearance.offset_m - clearance.spread_m + yield_least_m,
+                clearance.offset_m + clearance.spread_m + yield_most_m,
+            ];
+            constant_si[0] += f64::min(least * ends_m[0], least * ends_m[1]);
+            constant_si[1] += f64::max(largest * ends_m[0], largest * ends_m[1]);
+        }
+        Self { factors, constant_si, interval_si, common_si, instrument }
+    }
+}
+
+impl ConsistentSet {
+    /// The rows of all readings but those that `leaves_out`.
+    fn program(&self, leaves_out: impl Fn(usize) -> bool) -> LinearProgram {
+        let mut program = LinearProgram::new(self.variables());
+        for (_, row) in self.rows.iter().enumerate().filter(|(index, _)| !leaves_out(*index)) {
+            for (coefficients, limit) in self.two_rows(row, 1.0) {
+                program.demand(coefficients, limit);
+            }
+        }
+        program
+    }
+
+    fn variables(&self) -> usize {
+        self.intervals_si.len() + self.instruments
+    }
+
+    /// The two rows of a reading over the unit box, its errors multiplied by `errors`.
+    fn two_rows(&self, row: &Row, errors: f64) -> [(Vec<f64>, f64); 2] {
+        let [lower, upper] = row.interval_si;
+        let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower) * errors);
+        let common_si = row.common_si * errors;
+        [(1.0, 0, middle + half), (-1.0, 2, -(middle - half))].map(|(sign, which, limit)| {
+            let mut coefficients = vec![0.0; self.variables()];
+            let mut limit = limit - sign * row.constant_si[which / 2];
+            for ((coefficient, factors), [low, high]) in
+                coefficients.iter_mut().zip(&row.factors).zip(&self.intervals_si)
+            {
+                *coefficient = sign * factors[which] * (high - low);
+                limit -= sign * factors[which] * low;
+            }
+            coefficients[self.intervals_si.len() + row.instrument] = sign * 2.0 * common_si;
+            limit += sign * common_si;
+            (coefficients, limit)
+        })
+    }
+
+    /// Whether no plays explain all readings.
+    pub fn is_empty(&self) -> bool {
+        self.program(|_| false).is_empty()
+    }
+
+    /// Whether no plays explain all readings where errors are `errors` times as large.
+    pub fn is_empty_with(&self, errors: f64) -> bool {
+        let mut program = LinearProgram::new(self.variables());
+        for row in &self.rows {
+            for (coefficients, limit) in self.two_rows(row, errors) {
+                program.demand(coefficients, limit);
+            }
+        }
+        program.is_empty()
+    }
+
+    /// Lower and upper end of Σ weight · play; nothing where no plays are consistent.
+    pub fn bounds(&self, weights: &[f64]) -> Option<[End; 2]> {
+        let program = self.program(|_| false);
+        Some([self.end(&program, weights, -1.0)?, self.end(&program, weights, 1.0)?])
+    }
+
+    fn end(&self, program: &LinearProgram, weights: &[f64], sign: f64) -> Option<End> {
+        let mut objective = vec![0.0; self.variables()];
+        let mut constant = 0.0;
+        for ((entry, weight), [low, high]) in objective.iter_mut().zip(weights).zip(&self.intervals_si) {
+            *entry = sign * weight * (high - low);
+            constant += weight * low;
+        }
+        let Largest { value, point } = program.largest(&objective)?;
+        Some(End { value_si: constant + sign * value, plays_si: self.plays_at(&point) })
+    }
+
+    fn plays_at(&self, point: &[f64]) -> Vec<f64> {
+        self.intervals_si.iter().zip(point).map(|([low, high], share)| low + share * (high - low)).collect()
+    }
+
+    /// What a further reading of `row` could say, SI: from the least to the largest travel, its common error included. The readings
+    /// that `leaves_out` names do not count.
+    pub fn expected_si(&self, row: &Row, leaves_out: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
+        let program = self.program(leaves_out);
+        let mut ends = [0.0; 2];
+        for (end, (sign, which)) in ends.iter_mut().zip([(-1.0, 0), (1.0, 2)]) {
+            let mut objective = vec![0.0; self.variables()];
+            let mut constant = row.constant_si[which / 2];
+            for ((entry, factors), [low, high]) in objective.iter_mut().zip(&row.factors).zip(&self.intervals_si) {
+                *entry = sign * factors[which] * (high - low);
+                constant += factors[which] * low;
+            }
+            objective[self.intervals_si.len() + row.instrument] = sign * 2.0 * row.common_si;
+            constant -= row.common_si;
+            *end = constant + sign * program.largest(&objective)?.value;
+        }
+        Some(ends)
+    }
+
+    /// What the intervals of the study alone allow for a reading without any error, SI.
+    pub fn allowed_si(&self, row: &Row) -> [f64; 2] {
+        let mut ends = row.constant_si;
+        for (factors, interval) in row.factors.iter().zip(&self.intervals_si) {
+            ends[0] += f64::min(factors[0] * interval[0], factors[0] * interval[1]);
+            ends[1] += f64::max(factors[2] * interval[0], factors[2] * interval[1]);
+        }
+        ends
+    }
+}

@@ -1,0 +1,63 @@
+//! Why readings say nothing of the plays.
+
+use loosepin_mechanics::mechanism::MechanismError;
+use loosepin_mechanics::model::QuantityError;
+use loosepin_simulate::accuracy::AccuracyError;
+use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::document::listed;
+
+problems! {
+    /// Why nothing can be identified.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum IdentifyProblem {
+        NoReadings => Code::NothingAsked,
+            says("the study has no readings"),
+            hint("add [[measured]] with output, pose, force, dead_travel and its error");
+        NoPlay => Code::NothingUncertain,
+            says("no input of the study is the play of a joint: there is nothing to identify"),
+            hint("name one under [epistemic], for example \"joint.pin.radial_clearance\" = {{ interval = [\"0.01 mm\", \"0.5 mm\"] }}");
+        PlayMovesGeometry { path: String } => Code::AskNotPossible,
+            says("'{path}' is a play and a dimension at once: it moves the mechanism, and not only its journals"),
+            hint("give the clearance a parameter of its own");
+        PlayNotLinear { path: String } => Code::AskNotPossible,
+            says("the clearances do not follow '{path}' in a straight line"),
+            hint("name the clearance of the joint itself under [epistemic]");
+        UnknownSpecimen { name: String, known: Vec<String> } => Code::UnknownReference,
+            says("no reading is of specimen '{name}'"),
+            hint_of(Some(if known.is_empty() {
+                "the readings name no specimen: leave --specimen out".to_owned()
+            } else {
+                format!("there is {}", listed(known, "and"))
+            }));
+        SeveralSpecimens { found: usize } => Code::AskNotPossible,
+            says("the readings are of {found} specimens; a study is narrowed to one of them"),
+            hint("name it: --specimen NAME");
+        NoJson { reason: String } => Code::ResultNotStorable,
+            says("the result has no form in JSON: {reason}");
+        LiftOff { play: String } => Code::NoQuasiStaticAnswer,
+            says("{play} may lift off its cam, and goes then as far as it is pushed"),
+            hint("hold the follower with a groove, which has backlash");
+        Confidence { found: f64 } => Code::BadProbability,
+            says("the confidence is {found}; must be between 0.5 and 1, and below 1");
+        Locked { reading: String, error: AccuracyError } => error.code(),
+            says("{reading}: {error}"),
+            hint_of(error.hint());
+        DoesNotMove { reading: String } => Code::AskNotPossible,
+            says("{reading}: no play gives way to this push, so that its dead travel says nothing"),
+            hint("push a point that moves with the drive locked, in a direction that it can go");
+        Model { error: MechanismError } => error.code(),
+            says("{error}"),
+            hint_of(error.hint());
+        Values { error: QuantityError } => error.code(),
+            says("{error}"),
+            hint_of(error.hint());
+        NotBeside { file: String, folder: String } => Code::FolderNotUsable,
+            says("{file} is not in {folder}, the folder of the study, from which it names its model"),
+            hint("write it beside the study");
+        Exists { file: String } => Code::FileExists,
+            says("{file} exists already; nothing is overwritten"),
+            hint("choose another name, or remove it");
+        NotWritten { file: String, reason: String } => Code::FolderNotUsable,
+            says("{file} cannot be written: {reason}");
+    }
+}

@@ -1,0 +1,142 @@
+//! Friction in the joints while an output is pushed: how far from the frictionless place a journal may stop.
+//!
+//! A journal that is pressed into its bearing slides along it until the normal of the contact is within the angle of friction
+//! φ = atan μ of the force in the joint: there it stays. The force in the joint itself is turned by the moments of friction,
+//! at most M_k = μ/√(1 + μ²) · R_k N_k at each pin of radius R_k: they change the force in joint j by Σ_k M_k ∂θ_k/∂e_j,
+//! where θ_k is the angle by which the bodies of joint k turn against each other (virtual work).
+
+use super::locked::{UNLOADED, largest_load};
+use super::rig::Rig;
+use loosepin_math::Vec2;
+use loosepin_mechanics::mechanism::{PlayShape, Sample};
+use loosepin_mechanics::model::{BodyId, PlayId, Position, Relative};
+use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, play_gradients};
+use std::f64::consts::{PI, TAU};
+
+/// Rounds in which forces grow by the moments that they make themselves; beyond, friction holds the mechanism.
+const ROUNDS: usize = 30;
+
+/// Friction of a reading.
+pub(crate) struct Friction {
+    /// Largest coefficient of each joint with play.
+    pub coefficients: Vec<f64>,
+    /// Angle by which the contact of each joint may lie off the frictionless place, rad: at most π, where friction may hold it anywhere.
+    pub turns_rad: Vec<f64>,
+    /// Share by which friction may change the load of each joint.
+    pub load_shares: Vec<f64>,
+}
+
+impl Friction {
+    /// The friction under a unit push that loads the joints with `loads`; `stated` is the largest coefficient, where it is not that of
+    /// the model.
+    pub fn new(
+        rig: &Rig<'_>,
+        coordinates: &[f64],
+        loads: &[Vec2<f64>],
+        stated: Option<f64>,
+    ) -> Result<Self, AccuracyError> {
+        let coefficients: Vec<f64> =
+            rig.mechanism.plays.iter().map(|play| stated.unwrap_or_else(|| coefficient(rig, *play))).collect();
+        if coefficients.iter().all(|coefficient| *coefficient == 0.0) {
+            let nothing = vec![0.0; coefficients.len()];
+            return Ok(Self { coefficients, turns_rad: nothing.clone(), load_shares: nothing });
+        }
+        let sample = Sample::new(&rig.mechanism, &rig.values)?;
+        let mut loops = DisplacedLoops::new(&rig.mechanism, &rig.values);
+        loops.set_position(coordinates);
+        // By how much a unit force in joint k may change the force in joint j.
+        let mut changes = vec![vec![0.0; loads.len()]; loads.len()];
+        for (k, play) in rig.mechanism.plays.iter().enumerate() {
+            let (PlayShape::Pin { bearing_radius_m }, Some(angle)) = (&sample.plays[k].shape, turn_in(rig, *play))
+            else {
+                continue;
+            };
+            let arm_m = coefficients[k] / (1.0 + coefficients[k] * coefficients[k]).sqrt() * bearing_radius_m;
+            let turning = play_gradients(&mut loops, &[angle])?.swap_remove(0);
+            for (j, turning) in turning.iter().enumerate() {
+                changes[j][k] = arm_m * turning.length();
+            }
+        }
+        let least = UNLOADED * largest_load(loads);
+        let mut change = vec![0.0; loads.len()];
+        for _ in 0..ROUNDS {
+            let size = |k: usize| loads[k].length() + change[k];
+            let next: Vec<f64> =
+                changes.iter().map(|row| row.iter().enumerate().map(|(k, entry)| entry * size(k)).sum()).collect();
+            change = next;
+        }
+        let load_shares: Vec<f64> =
+            change.iter().zip(loads).map(|(change, load)| change / load.length().max(least)).collect();
+        let turn_rad = |k: usize| {
+            let by_moments_rad = if load_shares[k] < 1.0 { load_shares[k].asin() } else { PI };
+            (coefficients[k].atan() + by_moments_rad).min(PI)
+        };
+        let turns_rad = (0..loads.len()).map(turn_rad).collect();
+        Ok(Self { coefficients, turns_rad, load_shares })
+    }
+}
+
+/// The largest coefficient of friction that the model and the study allow a joint; zero where its contact has no friction.
+fn coefficient(rig: &Rig<'_>, play: PlayId) -> f64 {
+    let model = &rig.mechanism.model;
+    let Some(contact) = model.play_contact(play) else { return 0.0 };
+    let table = format!("contact.{}.friction.", model.contacts[contact.0].name);
+    let of_friction = model.quantities.iter().filter(|(_, quantity)| {
+        let key = quantity.path.strip_prefix(&table);
+        key.is_some_and(|key| key == "coefficient" || key == "static_coefficient")
+    });
+    let largest = of_friction.map(|(id, quantity)| {
+        let input = rig.others.iter().find(|other| other.path == quantity.path);
+        input.map_or(rig.values[id], |input| input.interval_si[1])
+    });
+    largest.fold(0.0, f64::max)
+}
+
+/// The angle by which the second body of a joint turns against the first.
+fn turn_in(rig: &Rig<'_>, play: PlayId) -> Option<Position> {
+    const GROUND: BodyId = BodyId(0);
+    let PlayId::Joint(joint) = play else { return None };
+    let [first, second] = rig.mechanism.model.joints[joint.0].kind.bodies();
+    let (of, to) = if second == GROUND { (first, second) } else { (second, first) };
+    Some(Position::Angle(Relative { of, to: (to != GROUND).then_some(to) }))
+}
+
+/// Least and largest travel·d for unit vectors d within `turn_rad` of the direction of `load`.
+pub(crate) fn turned_products(load: Vec2<f64>, travel: Vec2<f64>, turn_rad: f64) -> [f64; 2] {
+    let size = travel.length();
+    if size == 0.0 {
+        return [0.0; 2];
+    }
+    if turn_rad >= PI {
+        return [-size, size];
+    }
+    // Angle from the travel to the load, -π to π.
+    let between_rad = travel.cross(load).atan2(travel.dot(load));
+    let ends = [between_rad - turn_rad, between_rad + turn_rad];
+    let holds =
+        |angle_rad: f64| [-TAU, 0.0, TAU].into_iter().any(|turn| (ends[0]..=ends[1]).contains(&(angle_rad + turn)));
+    let [first, second] = ends.map(f64::cos);
+    let least = if holds(PI) { -1.0 } else { first.min(second) };
+    let largest = if holds(0.0) { 1.0 } else { first.max(second) };
+    [size * least, size * largest]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::turned_products;
+    use loosepin_math::Vec2;
+
+    #[test]
+    fn analytic_products_within_the_angle_of_friction() {
+        const TOLERANCE: f64 = 1e-15; // round-off
+        let along = Vec2::new(0.3, 0.4);
+        let [least, largest] = turned_products(along * 7.0, along, 0.1);
+        assert!((largest - 0.5).abs() < TOLERANCE && (least - 0.5 * 0.1_f64.cos()).abs() < TOLERANCE);
+        // Across: the sine of the angle, either way.
+        let [least, largest] = turned_products(along.turned(), along, 0.1);
+        assert!((largest - 0.5 * 0.1_f64.sin()).abs() < TOLERANCE && (least + largest).abs() < TOLERANCE);
+        let [least, largest] = turned_products(along * -1.0, along, 0.1);
+        assert!((least + 0.5).abs() < TOLERANCE && (largest + 0.5 * 0.1_f64.cos()).abs() < TOLERANCE);
+        assert_eq!(turned_products(along, along, 4.0), [-0.5, 0.5]);
+    }
+}

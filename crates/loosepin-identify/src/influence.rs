@@ -1,0 +1,163 @@
+//! How much each play moves the dead travel of a reading, and what may add to or take from that.
+
+use super::friction::{Friction, turned_products};
+use super::locked::{UNLOADED, exact_travel, gradient, largest_load, locked_at, pushed, reaches};
+use super::rig::Rig;
+use super::yielding::yields_m;
+use loosepin_math::Vec2;
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::model::{Position, Values};
+use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, PlayReach};
+use loosepin_study::Push;
+
+/// What the exact loops miss at the corners of the plays is taken twice: between the corners, and where fifth powers of
+/// clearance over length begin to count, it may be more.
+const MISSED_TIMES: f64 = 2.0;
+
+/// The dead travel of a reading as a sum over the joints with play: Σ factor_k · (clearance_k + yield_k).
+#[derive(Debug, Clone)]
+pub(crate) struct Influence {
+    /// Coordinates of the ideal mechanism, locked.
+    pub coordinates: Vec<f64>,
+    /// Factors: least, nominal, largest. Nominal is 2 g·e for the displacement e that a clearance of one allows and the push chooses.
+    pub factors: Vec<[f64; 3]>,
+    /// How far each contact gives way under the push, m: least and largest.
+    pub yields_m: Vec<[f64; 2]>,
+    /// What the exact loops differ by from Σ |nominal| · (clearance + yield), as a share, at most.
+    pub linearisation_share: f64,
+}
+
+/// A reading: what pushes, what is read, and where.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Test {
+    pub push: Push,
+    pub travel: Position,
+    pub pose_rad: f64,
+    /// Largest coefficient of friction, where it is not that of the model.
+    pub friction: Option<f64>,
+}
+
+impl Influence {
+    /// The influence of all plays on a reading.
+    ///
+    /// # Errors
+    /// The mechanism cannot be locked there, or a dead point lies within the play.
+    pub fn new(rig: &Rig<'_>, test: &Test) -> Result<Self, AccuracyError> {
+        let nominal = Nominal::at(&rig.mechanism, &rig.values, test)?;
+        let friction = Friction::new(rig, &nominal.coordinates, &nominal.loads, test.friction)?;
+        let mut factors = nominal.factors_with_friction(&friction);
+        for other in &rig.others {
+            let mut spread = vec![0.0_f64; factors.len()];
+            for end_si in other.interval_si {
+                let values = rig.values_with(&[(other.quantity, end_si)])?;
+                let moved = Nominal::at(&rig.mechanism, &values, test)?;
+                for ((spread, moved), nominal) in spread.iter_mut().zip(&moved.factors).zip(&nominal.factors) {
+                    *spread = spread.max((moved - nominal).abs());
+                }
+            }
+            // One input at a time: that two act together is of second order, and covered by a hundredth more.
+            for ([least, _, largest], spread) in factors.iter_mut().zip(spread) {
+                *least -= 1.01 * spread;
+                *largest += 1.01 * spread;
+            }
+        }
+        let yields_m = yields_m(rig, &nominal.loads, &friction, test)?;
+        let mut influence = Self { coordinates: nominal.coordinates, factors, yields_m, linearisation_share: 0.0 };
+        for corner in rig.corners() {
+            let missed = influence.missed_share(rig, test, &corner)?;
+            influence.linearisation_share = influence.linearisation_share.max(MISSED_TIMES * missed);
+        }
+        Ok(influence)
+    }
+
+    /// By what share of Σ |factor| · (clearance + yield) the exact loops miss the linear model at some plays.
+    pub fn missed_share(&self, rig: &Rig<'_>, test: &Test, plays_si: &[f64]) -> Result<f64, AccuracyError> {
+        let clearances_m = rig.clearances_m(plays_si);
+        let radii_m: Vec<f64> =
+            clearances_m.iter().zip(&self.yields_m).map(|(clearance_m, [_, most_m])| clearance_m + most_m).collect();
+        let exact = exact_travel(rig, &self.coordinates, &pushed(&test.push), test.travel, &radii_m)?;
+        let terms = || self.factors.iter().zip(&radii_m).map(|([_, nominal, _], radius_m)| nominal * radius_m);
+        let (sum, size): (f64, f64) = (terms().sum(), terms().map(f64::abs).sum());
+        Ok(if size > 0.0 { (exact - sum).abs() / size } else { 0.0 })
+    }
+
+    /// Takes the exact loops to differ by `share` at least.
+    pub fn widen(&mut self, missed_share: f64) {
+        self.linearisation_share = self.linearisation_share.max(MISSED_TIMES * missed_share);
+    }
+
+    /// Least and largest factor of a joint with what linearisation may add.
+    pub fn limits(&self, joint: usize) -> [f64; 2] {
+        let [least, nominal, largest] = self.factors[joint];
+        let missed = self.linearisation_share * nominal.abs();
+        [least - missed, largest + missed]
+    }
+}
+
+/// The linear model at one set of values, without friction.
+pub(crate) struct Nominal {
+    pub coordinates: Vec<f64>,
+    /// h_k: gradients of the pushed position, which are the loads of the joints under a unit push.
+    pub loads: Vec<Vec2<f64>>,
+    /// g_k: gradients of the position that is read.
+    pub travels: Vec<Vec2<f64>>,
+    pub factors: Vec<f64>,
+    reaches: Vec<PlayReach>,
+}
+
+impl Nominal {
+    pub fn at(mechanism: &Mechanism, values: &Values, test: &Test) -> Result<Self, AccuracyError> {
+        let coordinates = locked_at(mechanism, values, test.pose_rad)?;
+        Self::of_position(mechanism, values, coordinates, &pushed(&test.push), &[(test.travel, 1.0)])
+    }
+
+    /// The same where the locked position is known.
+    pub fn of_position(
+        mechanism: &Mechanism,
+        values: &Values,
+        coordinates: Vec<f64>,
+        push: &[(Position, f64)],
+        travel: &[(Position, f64)],
+    ) -> Result<Self, AccuracyError> {
+        let sample = Sample::new(mechanism, values)?;
+        let clearances_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
+        let reaches = reaches(mechanism, &sample, &clearances_m)?;
+        let mut loops = DisplacedLoops::new(mechanism, values);
+        loops.set_position(&coordinates);
+        let (loads, travels) = (gradient(&mut loops, push)?, gradient(&mut loops, travel)?);
+        let least = UNLOADED * largest_load(&loads);
+        let factors = (0..reaches.len())
+            .map(|k| match reaches[k].furthest(loads[k]) {
+                Some(end) if loads[k].length() > least => 2.0 * travels[k].dot(end) / clearances_m[k],
+                _ => 0.0,
+            })
+            .collect();
+        Ok(Self { coordinates, loads, travels, factors, reaches })
+    }
+
+    /// Least, nominal and largest factors with the friction of the joints.
+    fn factors_with_friction(&self, friction: &Friction) -> Vec<[f64; 3]> {
+        let least_load = UNLOADED * largest_load(&self.loads);
+        let of = |k: usize| {
+            let (load, travel, nominal) = (self.loads[k], self.travels[k], self.factors[k]);
+            let is_loaded = load.length() > least_load;
+            let ends = match self.reaches[k] {
+                PlayReach::Disc { .. } if is_loaded => turned_products(load, travel, friction.turns_rad[k]),
+                PlayReach::Disc { .. } => [-travel.length(), travel.length()],
+                PlayReach::Slot { .. } if is_loaded => return [nominal; 3],
+                PlayReach::Slot { .. } => [-travel.x.abs(), travel.x.abs()],
+                PlayReach::Guide { clearance_m, largest_tilt_rad, .. } => {
+                    // With friction the block may stay at the end across or at the end of its tilt, whichever it comes to first.
+                    let across = travel.x * load.x.signum();
+                    let tilted = travel.y * load.y.signum() * largest_tilt_rad / clearance_m;
+                    if friction.coefficients[k] == 0.0 {
+                        return [nominal; 3];
+                    }
+                    [across.min(tilted), across.max(tilted)]
+                }
+            };
+            [f64::min(2.0 * ends[0], nominal), nominal, f64::max(2.0 * ends[1], nominal)]
+        };
+        (0..self.factors.len()).map(of).collect()
+    }
+}

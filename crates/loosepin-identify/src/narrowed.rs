@@ -1,0 +1,135 @@
+//! From the answer back to the input: the study file with narrower intervals.
+
+use super::error::IdentifyProblem;
+use loosepin_result::identification::Consistent;
+use loosepin_study::{Study, number_and_unit};
+use loosepin_text::diagnostics::Complaints;
+use loosepin_text::document::parse_toml;
+use loosepin_text::units::{Dimension, ReadableUnit, decimal_exponent, parse_quantity};
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::ops::Range;
+use std::path::Path;
+
+/// Digits of a written end, rounded outwards.
+const DIGITS: i32 = 6;
+
+/// An interval that became narrower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Narrowed {
+    /// Path in the model.
+    pub path: String,
+    /// What was written: lower and upper end.
+    pub before: [String; 2],
+    /// What is written now.
+    pub after: [String; 2],
+}
+
+/// The text of `study` with every plain interval as narrow as `known` proves, everything else as it was written; and which these are.
+///
+/// Ends are rounded outwards. An end that the readings do not narrow stays as it is written, and so does everything that is not stated as
+/// `interval = [...]`.
+pub fn narrowed(study: &Study, known: &Consistent) -> (String, Vec<Narrowed>) {
+    let text = study.source().text();
+    let mut changes: Vec<(Range<usize>, String)> = Vec::new();
+    let mut all = Vec::new();
+    for play in known.plays.iter().filter(|play| play.is_interval) {
+        let Some(written) = written_ends(study, &play.path) else { continue };
+        let dimension = study.model.quantities.id(&play.path).map(|id| study.model.quantities[id].dimension);
+        let Some(dimension) = dimension else { continue };
+        let before = written.clone().map(|(text, _)| text);
+        let mut after = before.clone();
+        for (end, is_narrowed) in play.is_narrowed().into_iter().enumerate() {
+            if !is_narrowed {
+                continue;
+            }
+            let rounded = outwards(play.after_si[end], end == 1, &before[end], dimension);
+            // What rounding takes back is no narrowing.
+            let is_narrower = parse_quantity(&rounded).is_ok_and(|read| match end {
+                0 => read.value_si > play.before_si[0],
+                _ => read.value_si < play.before_si[1],
+            });
+            if is_narrower {
+                changes.push((written[end].1.clone(), format!("\"{rounded}\"")));
+                after[end] = rounded;
+            }
+        }
+        if after != before {
+            all.push(Narrowed { path: play.path.clone(), before, after });
+        }
+    }
+    changes.sort_by_key(|(range, _)| range.start);
+    let mut changed = String::with_capacity(text.len());
+    let mut from = 0;
+    for (range, new) in changes {
+        changed.push_str(&text[from..range.start]);
+        changed.push_str(&new);
+        from = range.end;
+    }
+    changed.push_str(&text[from..]);
+    (changed, all)
+}
+
+/// Both ends of `interval` as they are written, with their places.
+fn written_ends(study: &Study, path: &str) -> Option<[(String, Range<usize>); 2]> {
+    let toml = parse_toml(study.source()).ok()?;
+    let inputs = toml.get_ref().get("epistemic")?.get_ref().as_table()?;
+    let (_, input) = inputs.iter().find(|(key, _)| key.get_ref() == path)?;
+    let ends = input.get_ref().as_table()?.get("interval")?.get_ref().as_array()?;
+    let mut written = ends.iter().map(|end| {
+        let range = end.span();
+        let raw = &study.source().text()[range.clone()];
+        (end.get_ref().as_str().map_or_else(|| raw.to_owned(), str::to_owned), range)
+    });
+    Some([written.next()?, written.next()?])
+}
+
+/// A value in the unit of `like`, rounded down or up to [`DIGITS`] digits, so that it does not cut off what is possible.
+fn outwards(value_si: f64, is_upper: bool, like: &str, dimension: Dimension) -> String {
+    let symbol = number_and_unit(like).map_or("", |(_, unit)| unit);
+    let unit = ReadableUnit::of_dimension(symbol, dimension).unwrap_or_else(|| ReadableUnit::default_for(dimension));
+    let number = unit.number(value_si);
+    let decimals = (DIGITS - 1 - decimal_exponent(number).unwrap_or(0)).clamp(0, 15);
+    let step = 10.0_f64.powi(-decimals);
+    let sign = if is_upper { 1.0 } else { -1.0 };
+    let mut steps = if is_upper { (number / step).ceil() } else { (number / step).floor() };
+    loop {
+        let digits = format!("{:.*}", decimals as usize, steps * step);
+        let text = format!("{digits} {}", unit.text).trim_end().to_owned();
+        // Reading it back decides: decimal fractions have no exact binary form.
+        let is_outside = parse_quantity(&text).is_ok_and(|read| sign * (read.value_si - value_si) >= 0.0);
+        if is_outside || !steps.is_finite() {
+            return text;
+        }
+        steps += sign;
+    }
+}
+
+/// Writes a narrowed study beside the one that it comes from.
+///
+/// # Errors
+/// A path in another folder, from which the model would not be found; a file that is there already; one that cannot be written.
+pub fn write_narrowed(study: &Study, path: &Path, text: &str) -> Result<(), Complaints> {
+    let file = path.display().to_string();
+    let folder_of = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        std::fs::canonicalize(folder)
+    };
+    let own = Path::new(study.source().name());
+    let is_beside = matches!((folder_of(path), folder_of(own)), (Ok(a), Ok(b)) if a == b);
+    if !is_beside {
+        let folder = own.parent().map_or_else(String::new, |folder| folder.display().to_string());
+        let folder = if folder.is_empty() { ".".to_owned() } else { folder };
+        return Err(Complaints::one(&IdentifyProblem::NotBeside { file, folder }, None));
+    }
+    let written =
+        OpenOptions::new().write(true).create_new(true).open(path).and_then(|mut new| new.write_all(text.as_bytes()));
+    written.map_err(|error| {
+        let problem = if error.kind() == std::io::ErrorKind::AlreadyExists {
+            IdentifyProblem::Exists { file }
+        } else {
+            IdentifyProblem::NotWritten { file, reason: error.to_string() }
+        };
+        Complaints::one(&problem, None)
+    })
+}

@@ -1,0 +1,358 @@
+//! The answer of an identification for a terminal: readings, plays, sums that are fixed, what to measure next; or the misfit.
+
+use super::number::{NumberWriter, Rounding};
+use super::terminal_table::{push_table, table, wrapped};
+use loosepin_result::identification::{
+    Combination, Consistent, Culprit, FurtherReading, Identification, Misfit, Outcome, PlayBounds, Specimen,
+    TestReading,
+};
+use loosepin_text::units::{SiUnit, counted, listed};
+
+/// Digits of a bound.
+const DIGITS: usize = 4;
+/// Digits of a factor.
+const FACTOR_DIGITS: usize = 4;
+/// Digits of an error.
+const ERROR_DIGITS: usize = 2;
+
+/// The answer as text.
+pub fn identification_text(answer: &Identification) -> String {
+    let writer = NumberWriter::for_terminal(&answer.display_units);
+    let mut text = format!("{}\n", answer.study);
+    for specimen in &answer.specimens {
+        if let Some(name) = &specimen.name {
+            text.push_str(&format!("\nSpecimen {name}\n"));
+        }
+        push_specimen(&mut text, specimen, &writer);
+    }
+    text.push('\n');
+    for sentence in grounds(answer, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+    text
+}
+
+fn push_specimen(text: &mut String, specimen: &Specimen, writer: &NumberWriter<'_>) {
+    let readings = &specimen.readings;
+    match &specimen.outcome {
+        Outcome::Consistent(known) => {
+            text.push_str(&format!("\n{}\n", wrapped(&headline(readings, known, writer), "")));
+            push_table(text, &plays_table(&known.plays, writer));
+            let sums: Vec<String> = known
+                .combinations
+                .iter()
+                .filter(|sum| sum.weights.iter().filter(|weight| **weight != 0.0).count() > 1)
+                .map(|sum| sum_words(sum, &known.plays, writer))
+                .collect();
+            if !sums.is_empty() {
+                text.push_str("\nSums that the readings fix\n\n");
+            }
+            for sum in sums {
+                text.push_str(&format!("{}\n", wrapped(&sum, "- ")));
+            }
+            let sentences = alike_words(known, readings).into_iter().chain(further_words(known, writer));
+            let sentences: Vec<String> = sentences.collect();
+            if !sentences.is_empty() {
+                text.push_str("\nWhat to measure next\n\n");
+            }
+            for sentence in sentences {
+                text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+            }
+            text.push_str("\nReadings, and how much each play moves them\n");
+            push_table(text, &readings_table(readings, writer));
+            push_table(text, &factors_table(readings, &known.plays, writer));
+        }
+        Outcome::Misfit(misfit) => {
+            let of_all = match readings.len() {
+                1 => "the reading".to_owned(),
+                count => format!("all {count} readings"),
+            };
+            text.push_str(&format!("\nMISFIT: no values of the plays explain {of_all}\n\n"));
+            for sentence in misfit_words(misfit, readings, writer) {
+                text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+            }
+            text.push_str("\nReadings\n");
+            push_table(text, &readings_table(readings, writer));
+        }
+    }
+}
+
+/// What became of the plays, in one sentence.
+fn headline(readings: &[TestReading], known: &Consistent, writer: &NumberWriter<'_>) -> String {
+    let fixed = known.plays.iter().filter(|play| play.is_identifiable).count();
+    let readings = counted(readings.len(), "reading");
+    match (fixed, known.plays.as_slice()) {
+        (_, [only]) if fixed == 1 => {
+            format!("The play of {} is {} by {readings}.", only.name, range(only.after_si, &only.unit, writer))
+        }
+        (fixed, plays) if fixed == plays.len() => {
+            format!("{readings} fix each of {} plays.", plays.len())
+        }
+        (0, plays) => format!(
+            "{readings} fix {} of {} plays, and none of them by itself.",
+            counted(known.combinations.len(), "sum"),
+            plays.len()
+        ),
+        (fixed, plays) => {
+            format!("{readings} fix {fixed} of {} plays by itself; of the others only sums.", plays.len())
+        }
+    }
+}
+
+fn plays_table(plays: &[PlayBounds], writer: &NumberWriter<'_>) -> comfy_table::Table {
+    let mut table = table(&["play", "before", "after", "fixed by itself", "narrowed"], &[]);
+    for play in plays {
+        let narrowed = match play.is_narrowed() {
+            [true, true] => "both ends",
+            [true, false] => "lower end",
+            [false, true] => "upper end",
+            [false, false] => "no",
+        };
+        table.add_row(vec![
+            play.name.clone(),
+            range(play.before_si, &play.unit, writer),
+            range(play.after_si, &play.unit, writer),
+            if play.is_identifiable { "yes" } else { "no" }.to_owned(),
+            narrowed.to_owned(),
+        ]);
+    }
+    table
+}
+
+fn readings_table(readings: &[TestReading], writer: &NumberWriter<'_>) -> comfy_table::Table {
+    let head = ["reading", "output", "drive", "push", "dead travel", "common error", "scatter", "allowed before"];
+    let mut table = table(&head, &[2, 4, 5, 6]);
+    for reading in readings {
+        let unit = &reading.unit;
+        let error = |error_si: f64| match error_si {
+            0.0 => "none".to_owned(),
+            error_si => format!("± {}", writer.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)),
+        };
+        table.add_row(vec![
+            reading.name.clone(),
+            reading.output.clone(),
+            writer.value_trimmed(reading.pose_rad, &SiUnit::ANGLE),
+            reading.push.clone(),
+            writer.value(reading.dead_travel_si, unit),
+            error(reading.common_error_si),
+            error(reading.independent_error_si),
+            range(reading.allowed_before_si, unit, writer),
+        ]);
+    }
+    table
+}
+
+fn factors_table(readings: &[TestReading], plays: &[PlayBounds], writer: &NumberWriter<'_>) -> comfy_table::Table {
+    let head: Vec<&str> = std::iter::once("reading")
+        .chain(plays.iter().map(|play| play.name.as_str()))
+        .chain(["contacts give"])
+        .collect();
+    let numbers: Vec<usize> = (1..=plays.len()).collect();
+    let mut table = table(&head, &numbers);
+    for reading in readings {
+        let factor = |(factors, play): (&[f64; 3], &PlayBounds)| {
+            let per = |factor: f64| {
+                let is_plain = reading.unit == play.unit;
+                let shown = if is_plain {
+                    factor
+                } else {
+                    writer.scaled(factor, &reading.unit) / writer.scaled(1.0, &play.unit)
+                };
+                writer.rounded(shown, &SiUnit::NONE, FACTOR_DIGITS, Rounding::Nearest)
+            };
+            let unit = if reading.unit == play.unit {
+                String::new()
+            } else {
+                format!(" {}/{}", writer.symbol(&reading.unit), writer.symbol(&play.unit))
+            };
+            if factors[0] == factors[2] {
+                format!("{}{unit}", per(factors[1]))
+            } else {
+                format!("{} to {}{unit}", per(factors[0]), per(factors[2]))
+            }
+        };
+        let mut row = vec![reading.name.clone()];
+        row.extend(reading.factors.iter().zip(plays).map(factor));
+        row.push(range_digits(reading.compliance_si, &reading.unit, ERROR_DIGITS, writer));
+        table.add_row(row);
+    }
+    table
+}
+
+/// `crank_pin + 2 coupler_pin is 0.21 mm to 0.23 mm; 0.03 mm to 0.9 mm before`.
+fn sum_words(sum: &Combination, plays: &[PlayBounds], writer: &NumberWriter<'_>) -> String {
+    format!(
+        "{} is {}; {} before",
+        terms(&sum.weights, plays, writer),
+        range(sum.after_si, &sum.unit, writer),
+        range(sum.before_si, &sum.unit, writer)
+    )
+}
+
+fn terms(weights: &[f64], plays: &[PlayBounds], writer: &NumberWriter<'_>) -> String {
+    let mut words = String::new();
+    for (weight, play) in weights.iter().zip(plays).filter(|(weight, _)| **weight != 0.0) {
+        let sign = match (words.is_empty(), *weight < 0.0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        let size = weight.abs();
+        let factor = if size == 1.0 {
+            String::new()
+        } else {
+            format!("{} ", writer.rounded(size, &SiUnit::NONE, FACTOR_DIGITS, Rounding::Nearest))
+        };
+        words.push_str(&format!("{sign}{factor}{}", play.name));
+    }
+    words
+}
+
+fn names(places: &[usize], plays: &[PlayBounds]) -> String {
+    let names: Vec<String> = places.iter().map(|place| plays[*place].name.clone()).collect();
+    listed(&names, "and")
+}
+
+fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
+    let which = if readings.len() == 1 { "the reading" } else { "every reading" };
+    let of_group = |group: &Vec<usize>| {
+        let is_equal = readings.iter().all(|reading| {
+            let first = reading.factors[group[0]][1];
+            group.iter().all(|play| (reading.factors[*play][1] - first).abs() <= 1e-6 * first.abs())
+        });
+        let how = if is_equal { "with the same factor" } else { "in the same proportion" };
+        format!(
+            "{} enter {which} {how}: no repeat of these readings tells them apart, only their sum is fixed",
+            names(group, &known.plays)
+        )
+    };
+    known.alike.iter().map(of_group).collect()
+}
+
+fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
+    let Some(further) = &known.further else {
+        return vec![
+            "no further reading of this kind with these errors would narrow the plays by more than 5 %".to_owned(),
+        ];
+    };
+    let widths: Vec<String> = known
+        .plays
+        .iter()
+        .zip(&further.widths_si)
+        .map(|(play, width_si)| {
+            let now_si = play.after_si[1] - play.after_si[0];
+            format!(
+                "{} {} wide instead of {}",
+                play.name,
+                writer.rounded(*width_si, &play.unit, 3, Rounding::Up),
+                writer.rounded(now_si, &play.unit, 3, Rounding::Up)
+            )
+        })
+        .collect();
+    let mut words = vec![
+        format!(
+            "of {} that were compared this would narrow most: {}",
+            counted(further.candidates, "reading"),
+            test_words(further, writer)
+        ),
+        format!(
+            "with an error of ± {} and a result in the middle of what is possible it would leave {}",
+            writer.rounded(further.error_si, &further.unit, ERROR_DIGITS, Rounding::Up),
+            listed(&widths, "and")
+        ),
+    ];
+    if !further.has_output {
+        words.push(format!("the model has no output for the {} yet: give it one", further.reads));
+    }
+    words
+}
+
+/// A reading that could be made, in words.
+fn test_words(further: &FurtherReading, writer: &NumberWriter<'_>) -> String {
+    let push = match further.direction_rad {
+        Some(direction_rad) => {
+            format!("push {} along {}", further.pushed, writer.value_trimmed(direction_rad, &SiUnit::ANGLE))
+        }
+        None => format!("turn {} with a moment", further.pushed),
+    };
+    let pose = writer.value_trimmed(further.pose_rad, &SiUnit::ANGLE);
+    format!("lock the drive at {pose}, {push}, read {}", further.reads)
+}
+
+fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
+    let of_culprit = |culprit: &Culprit| {
+        let reading = &readings[culprit.reading];
+        let who = if culprit.is_alone { "the intervals of the study by themselves" } else { "the other readings" };
+        format!(
+            "'{}' says {}, and {who} leave {}, its common error included: {} apart",
+            reading.name,
+            range(culprit.found_si, &reading.unit, writer),
+            range(culprit.expected_si, &reading.unit, writer),
+            writer.rounded(culprit.apart_si, &reading.unit, ERROR_DIGITS, Rounding::Nearest)
+        )
+    };
+    let mut words: Vec<String> = misfit.culprits.iter().map(of_culprit).collect();
+    if misfit.culprits.is_empty() {
+        words.push(
+            "no single reading is at odds with all the others: three or more of them contradict one another".to_owned(),
+        );
+    }
+    if let Some(error_factor) = misfit.error_factor {
+        let strained: Vec<String> =
+            misfit.strained.iter().map(|reading| format!("'{}'", readings[*reading].name)).collect();
+        let which =
+            if strained.is_empty() { String::new() } else { format!("; it rests on {}", listed(&strained, "and")) };
+        words.push(format!(
+            "all errors would have to be {} times as large{which}",
+            writer.rounded(error_factor, &SiUnit::NONE, 3, Rounding::Up)
+        ));
+    }
+    words.push(
+        "the nearest values are not given: they would explain nothing. A joint that is ideal in the model may have play, an interval of \
+         the study may be too narrow, friction may be larger than stated, or a reading may be wrong"
+            .to_owned(),
+    );
+    words
+}
+
+/// What the bounds rest on.
+fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
+    let readings = || answer.specimens.iter().flat_map(|specimen| &specimen.readings);
+    let has_scatter = readings().any(|reading| reading.independent_error_si > 0.0);
+    let has_random = !answer.random_inputs.is_empty();
+    let percent = writer.percent(answer.confidence, Rounding::Nearest);
+    let inputs = counted(answer.random_inputs.len(), "random input");
+    let mut words = vec![match (has_scatter, has_random) {
+        (false, false) => "all bounds hold for every value within the stated errors".to_owned(),
+        (true, false) => format!("all bounds hold together with {percent} confidence over the scatter of the readings"),
+        (false, true) => format!("all bounds hold together with {percent} confidence over the {inputs}"),
+        (true, true) => format!(
+            "all bounds hold together with {percent} confidence over the scatter of the readings and the {inputs}; over everything else \
+             they hold for every value"
+        ),
+    }];
+    let share = readings().map(|reading| reading.linearisation_share).fold(0.0, f64::max);
+    words.push(format!(
+        "the exact loops differ from the linear model by at most {} % of the dead travel, found at the corners of the intervals and at the \
+         bounds, and doubled; the bounds include it",
+        writer.rounded(100.0 * share, &SiUnit::NONE, ERROR_DIGITS, Rounding::Up)
+    ));
+    if answer.specimens.len() > 1 {
+        words.push("each specimen stands for itself: its plays and lengths are its own".to_owned());
+    }
+    words
+}
+
+fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+    range_digits(ends_si, unit, DIGITS, writer)
+}
+
+/// Both ends, rounded outwards.
+fn range_digits(ends_si: [f64; 2], unit: &SiUnit, digits: usize, writer: &NumberWriter<'_>) -> String {
+    let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)];
+    let shown = |(value_si, rounding): (f64, Rounding)| {
+        if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, digits, rounding) }
+    };
+    format!("{} to {}", shown(lower), shown(upper))
+}

@@ -1,0 +1,190 @@
+//! The record of an identification: what readings of a rig say of the plays of a mechanism.
+
+use loosepin_text::units::{DisplayUnits, SiUnit};
+use serde::{Deserialize, Serialize};
+
+/// What the readings of a study say of its plays.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Identification {
+    /// Name of the study.
+    pub study: String,
+    /// Name of its model.
+    pub model: String,
+    /// The version that made it.
+    pub version: String,
+    /// Probability, at least, with which all bounds of a specimen hold together, over the independent errors of its readings and
+    /// its random inputs. Everything else is an interval, for which they always hold.
+    pub confidence: f64,
+    /// Random inputs: each counts with the interval that holds it with its share of the confidence.
+    pub random_inputs: Vec<InputRange>,
+    /// Units in which it is shown.
+    pub display_units: DisplayUnits,
+    /// The specimens, in the order of the file.
+    pub specimens: Vec<Specimen>,
+}
+
+/// The interval of an input that is no play.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputRange {
+    /// Path in the model.
+    pub path: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Its interval, SI.
+    pub interval_si: [f64; 2],
+}
+
+/// A mechanism that was measured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Specimen {
+    /// Its name; nothing where the file does not say.
+    pub name: Option<String>,
+    /// Its readings, in the order of the file.
+    pub readings: Vec<TestReading>,
+    /// What is consistent with them.
+    pub outcome: Outcome,
+}
+
+/// What is consistent with all readings of a specimen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// Some values of the plays.
+    Consistent(Consistent),
+    /// No value of the plays.
+    Misfit(Misfit),
+}
+
+/// A reading with its part in the model: measured = Σ factor · play + compliance + errors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TestReading {
+    /// Its name.
+    pub name: String,
+    /// The output that was read.
+    pub output: String,
+    /// Unit of the reading.
+    pub unit: SiUnit,
+    /// Angle at which the drive was locked, rad.
+    pub pose_rad: f64,
+    /// The push, in words.
+    pub push: String,
+    /// Dead travel, mean of the repeats, SI.
+    pub dead_travel_si: f64,
+    /// Number of readings behind it.
+    pub repeats: usize,
+    /// Largest common error, of either sign, SI.
+    pub common_error_si: f64,
+    /// Largest independent error of the mean at the confidence, of either sign, SI.
+    pub independent_error_si: f64,
+    /// Factors of the inputs that are plays, in their order: least with friction and all else against it, nominal, largest.
+    pub factors: Vec<[f64; 3]>,
+    /// Travel by the contacts that give way under the push, SI: least and largest.
+    pub compliance_si: [f64; 2],
+    /// Share by which the exact loops differ from the linear model, at most.
+    pub linearisation_share: f64,
+    /// What the study's own intervals allow, SI.
+    pub allowed_before_si: [f64; 2],
+}
+
+/// What is known of the plays.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Consistent {
+    /// Each play by itself.
+    pub plays: Vec<PlayBounds>,
+    /// The combinations of plays that the readings fix.
+    pub combinations: Vec<Combination>,
+    /// Plays that enter every reading alike, by their places among the plays; each group has two or more.
+    pub alike: Vec<Vec<usize>>,
+    /// The reading that would narrow most; nothing where none would.
+    pub further: Option<FurtherReading>,
+}
+
+/// A play, before and after.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlayBounds {
+    /// Path in the model, or of the parameter that it follows from.
+    pub path: String,
+    /// Name in sentences.
+    pub name: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Interval of the study, SI.
+    pub before_si: [f64; 2],
+    /// Interval that is consistent with the readings, SI: within the one before.
+    pub after_si: [f64; 2],
+    /// Whether the readings fix it by itself, whatever the other plays are.
+    pub is_identifiable: bool,
+    /// Whether the study states it as a plain interval, which can be narrowed.
+    pub is_interval: bool,
+}
+
+impl PlayBounds {
+    /// Whether the interval after is narrower than the one before, at the lower and at the upper end.
+    pub fn is_narrowed(&self) -> [bool; 2] {
+        [self.after_si[0] > self.before_si[0], self.after_si[1] < self.before_si[1]]
+    }
+}
+
+/// A sum of plays, each times its weight.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Combination {
+    /// Weights, by the place of the play.
+    pub weights: Vec<f64>,
+    /// Unit of the sum.
+    pub unit: SiUnit,
+    /// Interval of the study, SI.
+    pub before_si: [f64; 2],
+    /// Interval that is consistent with the readings, SI.
+    pub after_si: [f64; 2],
+}
+
+/// A reading that was not made.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FurtherReading {
+    /// What is read: an output of the model, or a coordinate of a point that the model has no output for.
+    pub reads: String,
+    /// Whether the model has an output for it.
+    pub has_output: bool,
+    /// Angle of the drive, rad.
+    pub pose_rad: f64,
+    /// The point that is pushed, or the body that a moment turns.
+    pub pushed: String,
+    /// Direction of the push from the ground's x axis, rad; nothing for a moment.
+    pub direction_rad: Option<f64>,
+    /// The error that was assumed, of either sign, in the unit of the reading.
+    pub error_si: f64,
+    /// Unit of the reading.
+    pub unit: SiUnit,
+    /// Factors of the plays.
+    pub factors: Vec<f64>,
+    /// Width of the interval of each play that would be left if the reading came out in the middle of what is possible, SI.
+    pub widths_si: Vec<f64>,
+    /// Number of candidates that were compared.
+    pub candidates: usize,
+}
+
+/// Readings that no value of the plays explains.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Misfit {
+    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent.
+    pub culprits: Vec<Culprit>,
+    /// Factor by which the errors of all readings had to be larger for the readings to be consistent; nothing where none is enough.
+    pub error_factor: Option<f64>,
+    /// Readings that would then lie at the end of their error, by their places.
+    pub strained: Vec<usize>,
+}
+
+/// A reading that is at odds with the others, or with the intervals of the study alone.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Culprit {
+    /// Its place among the readings.
+    pub reading: usize,
+    /// Whether the study's own intervals exclude it, without any other reading.
+    pub is_alone: bool,
+    /// What the others leave for it, SI.
+    pub expected_si: [f64; 2],
+    /// What it says with its errors, SI.
+    pub found_si: [f64; 2],
+    /// How far the two are apart, SI, > 0.
+    pub apart_si: f64,
+}

@@ -1,0 +1,349 @@
+//! Readings of a backlash test.
+
+use super::measured_keys::MEASURED_KEYS;
+use super::problem::StudyProblem;
+use super::reader::StudyReader;
+use crate::outputs::Seen;
+use loosepin_mechanics::model::{Axis, BodyId, PointId, Position};
+use loosepin_simulate::Reading;
+use loosepin_text::diagnostics::{Code, Place, nearest_name, problems};
+use loosepin_text::document::{Entry, Table, listed};
+use loosepin_text::units::{Dimension, Rule, SiUnit};
+
+/// Readings of a study, at most: each is two rows of every linear programme.
+const MOST_READINGS: usize = 200;
+/// Repeats from which their scatter is estimated, at least: Student's factor for 99.9 % is 32 with three, and 637 with two.
+const LEAST_ESTIMATED: usize = 3;
+
+/// A reading of a backlash test: the drives locked, an output pushed to and fro, the travel between the settled positions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// Name in messages: as written, or `reading 3`.
+    pub name: String,
+    /// The mechanism that was measured; nothing where the file does not say.
+    pub specimen: Option<String>,
+    /// The instrument, which has the common error.
+    pub instrument: String,
+    /// Name of the output, with the component of a path.
+    pub output: String,
+    /// The position that is read.
+    pub travel: Position,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Angle of the drive that the cycle counts, rad.
+    pub pose_rad: f64,
+    /// What pushes.
+    pub push: Push,
+    /// Largest coefficient of friction in the joints, where the file states it.
+    pub friction: Option<f64>,
+    /// Dead travel, mean over the repeats, SI.
+    pub dead_travel_si: f64,
+    /// Number of readings behind it.
+    pub repeats: usize,
+    /// Largest error common to all readings of the instrument, of either sign, SI.
+    pub error_si: f64,
+    /// The error of each reading by itself.
+    pub scatter: ReadingScatter,
+    /// Place of the dead travel in the file.
+    pub place: Place,
+}
+
+/// What pushes an output to and fro.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Push {
+    /// A force at a point.
+    Force {
+        /// The point.
+        point: PointId,
+        /// Its direction on the way to, from the ground's x axis, rad.
+        direction_rad: f64,
+        /// Its size, N.
+        force_n: f64,
+    },
+    /// A moment on a body.
+    Moment {
+        /// The body.
+        body: BodyId,
+        /// Its size, N m.
+        moment_n_m: f64,
+    },
+}
+
+/// The independent error of one reading: normal about zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ReadingScatter {
+    /// Its standard deviation is known, SI; zero for readings without one.
+    Known(f64),
+    /// Its standard deviation is estimated from the repeats, SI.
+    Estimated(f64),
+}
+
+problems! {
+    /// What can be wrong with a reading. `entry` is a path in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum MeasuredProblem {
+        NoPosition { entry: String, output: String } => Code::AskNotPossible,
+            says("{entry}: output '{output}' is no position and no angle; a dead travel is one of these"),
+            hint("give the model an output position_of or angle_of, and name it here");
+        MomentOnPoint { entry: String } => Code::AskNotPossible,
+            says("{entry}: a moment turns a body, and the output is a coordinate of a point"),
+            hint("write force = \"20 N\", or read the angle of the body that is turned");
+        NoPlaceOfForce { entry: String } => Code::AskNotPossible,
+            says("{entry}: the output is an angle, so that 'at' and 'direction' must say where and which way the force pushes"),
+            hint("write at = \"rocker.tip\" and direction = \"90 deg\", or moment in place of force");
+        RelativeOutput { entry: String } => Code::AskNotPossible,
+            says("{entry}: the output is seen from another body, so that 'at' and 'direction' must say where and which way \
+                  the push acts"),
+            hint("write at = \"rocker.tip\" and direction = \"90 deg\"");
+        BesideMoment { entry: String } => Code::AskNotPossible,
+            says("{entry} stands beside a moment, which has neither place nor direction"),
+            hint("leave it out, or write force in place of moment");
+        DirectionMissing { entry: String } => Code::AskNotPossible,
+            says("{entry}: 'at' names another place than the output, so that 'direction' must say which way the force pushes"),
+            hint("write direction = \"90 deg\", from the ground's x axis");
+        NotAPoint { entry: String, found: String } => Code::UnknownReference,
+            says("{entry} is '{found}'; must be a point, body and name with a dot between them"),
+            hint("for example at = \"slider.pin\"");
+        UnknownPoint { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: the model has no point '{found}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!("there is {}", listed(known, "and")),
+            }));
+        PointOfGround { entry: String } => Code::AskNotPossible,
+            says("{entry}: a point of the ground cannot be pushed"),
+            hint("name a point of a body that moves");
+        WithoutError { entry: String } => Code::AskNotPossible,
+            says("{entry} has no error: without one a reading fixes a play exactly"),
+            hint("write error = \"± 0.005 mm\" beside it (calibration), scatter = \"0.002 mm\" (standard deviation), or give \
+                  three repeats or more");
+        RepeatsOfList { entry: String, found: usize } => Code::AskNotPossible,
+            says("{entry} stands beside a list of {found} readings, which are the repeats"),
+            hint("leave it out");
+        NoPose { entry: String } => Code::AskNotPossible,
+            says("{entry} names no angle; must name one"),
+            hint("write pose = {{ crank = \"60 deg\" }}, with the drive that the cycle counts");
+        TooManyReadings { found: usize } => Code::TooMany,
+            says("[[measured]] has {found} readings; must be at most {MOST_READINGS}"),
+            hint("write repeats of a reading as one list");
+    }
+}
+
+impl StudyReader {
+    /// Reads the readings.
+    pub fn read_measured(&mut self, root: &Table<'_>) -> Vec<Measured> {
+        let entries = self.double_brackets(root, "measured");
+        if let Some(surplus) = entries.get(MOST_READINGS) {
+            let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
+            self.reader.complain(&problem, surplus.span);
+            return Vec::new();
+        }
+        let read = entries.iter().enumerate().filter_map(|(index, entry)| {
+            let table = self.reader.table(entry, &MEASURED_KEYS)?;
+            self.reading_of_test(&table, index)
+        });
+        read.collect()
+    }
+
+    fn reading_of_test(&mut self, table: &Table<'_>, index: usize) -> Option<Measured> {
+        let output = self.output(table);
+        let pose_rad = self.locked_angle(table);
+        let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
+            let entry = table.get(key)?;
+            self.reader.text(&entry).map(str::to_owned)
+        });
+        let friction = self.reader.number(table, "friction");
+        // Without the output neither units nor the usual place of the push are known.
+        let output = self.outputs[output?].clone();
+        let Seen::Reading(Reading::Position(travel)) = output.seen else {
+            let problem = MeasuredProblem::NoPosition { entry: table.path.describe(), output: output.name };
+            return self.refused(&problem, table.get("output").map_or(table.span, |entry| entry.span));
+        };
+        let push = self.push(table, travel);
+        let values = self.dead_travels(table, output.dimension);
+        let stated = self.errors(table, output.dimension);
+        let (values_si, [error_si, scatter_si]) = (values?, stated?);
+        let (repeats, scatter) = self.repeats(table, &values_si, scatter_si)?;
+        let entry = table.get("dead_travel")?;
+        // Repeats that are all equal tell of the resolution of the instrument, not of its error.
+        let is_without = matches!(scatter, None | Some(ReadingScatter::Estimated(0.0)));
+        if error_si.is_none() && is_without {
+            return self.refused(&MeasuredProblem::WithoutError { entry: entry.path.describe() }, entry.span);
+        }
+        Some(Measured {
+            name: name.unwrap_or_else(|| format!("reading {}", index + 1)),
+            specimen,
+            instrument: instrument.unwrap_or_else(|| format!("that of {}", output.name)),
+            output: output.name,
+            travel,
+            unit: output.unit,
+            pose_rad: pose_rad?,
+            push: push?,
+            friction,
+            dead_travel_si: values_si.iter().sum::<f64>() / values_si.len() as f64,
+            repeats,
+            error_si: error_si.unwrap_or(0.0),
+            scatter: scatter.unwrap_or(ReadingScatter::Known(0.0)),
+            place: self.reader.place(entry.span),
+        })
+    }
+
+    /// The angle at which the drive is locked, rad.
+    fn locked_angle(&mut self, table: &Table<'_>) -> Option<f64> {
+        let entry = table.get("pose")?;
+        if !entry.is_table() {
+            return self.reader.wrong_type(&entry, "a table such as { crank = \"60 deg\" }");
+        }
+        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
+        let mut angle_rad = None;
+        for angle in self.reader.any_keys(&entry) {
+            if angle.name != due {
+                let name = angle.name.to_owned();
+                let problem = StudyProblem::WrongDrive { entry: angle.path.describe(), name, due: due.clone() };
+                return self.refused(&problem, angle.key_span);
+            }
+            angle_rad = Some(self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite)?);
+        }
+        if angle_rad.is_none() {
+            self.reader.complain(&MeasuredProblem::NoPose { entry: entry.path.describe() }, entry.span);
+        }
+        angle_rad
+    }
+
+    fn push(&mut self, table: &Table<'_>, travel: Position) -> Option<Push> {
+        let of_key = |reader: &mut Self, key: &str| {
+            let entry = table.get(key)?;
+            let (dimension, rule) = entry.due_quantity()?;
+            reader.reader.measured(&entry, dimension, rule)
+        };
+        let (force_n, moment_n_m) = (of_key(self, "force"), of_key(self, "moment"));
+        let direction_rad = of_key(self, "direction");
+        let point = table.get("at").map(|entry| self.pushed_point(&entry));
+        if let Some(moment) = table.get("moment") {
+            for beside in ["at", "direction"].into_iter().filter_map(|key| table.get(key)) {
+                self.reader.complain(&MeasuredProblem::BesideMoment { entry: beside.path.describe() }, beside.key_span);
+            }
+            let Position::Angle(body) = travel else {
+                let problem = MeasuredProblem::MomentOnPoint { entry: moment.path.describe() };
+                return self.refused(&problem, moment.span);
+            };
+            if body.to.is_some() {
+                let problem = MeasuredProblem::RelativeOutput { entry: table.path.describe() };
+                return self.refused(&problem, moment.span);
+            }
+            return Some(Push::Moment { body: body.of, moment_n_m: moment_n_m? });
+        }
+        let entry = table.get("force")?;
+        let force_n = force_n?;
+        if table.has("direction") && direction_rad.is_none() {
+            return None;
+        }
+        let words = || table.path.describe();
+        let own = match travel {
+            Position::Point(point, axis) if point.to.is_none() => {
+                let along_rad = if axis == Axis::X { 0.0 } else { std::f64::consts::FRAC_PI_2 };
+                Some((point.of, along_rad))
+            }
+            _ => None,
+        };
+        let problem = match (point, direction_rad, own, travel) {
+            (Some(point), Some(direction_rad), ..) => {
+                return Some(Push::Force { point: point?, direction_rad, force_n });
+            }
+            (Some(Some(point)), None, Some((own, direction_rad)), _) if point == own => {
+                return Some(Push::Force { point, direction_rad, force_n });
+            }
+            (Some(None), ..) => return None,
+            (Some(_), None, Some(_), _) => MeasuredProblem::DirectionMissing { entry: words() },
+            (None, given, Some((point, along_rad)), _) => {
+                return Some(Push::Force { point, direction_rad: given.unwrap_or(along_rad), force_n });
+            }
+            (_, _, None, Position::Angle(body)) if body.to.is_none() => {
+                MeasuredProblem::NoPlaceOfForce { entry: words() }
+            }
+            (_, _, None, _) => MeasuredProblem::RelativeOutput { entry: words() },
+        };
+        self.refused(&problem, entry.span)
+    }
+
+    /// The point that an entry names as `body.point`.
+    fn pushed_point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
+        let text = self.reader.text(entry)?.to_owned();
+        if !text.contains('.') {
+            return self.refused(&MeasuredProblem::NotAPoint { entry: entry.path.describe(), found: text }, entry.span);
+        }
+        let bodies = self.model.bodies.iter().enumerate();
+        let all: Vec<(String, PointId)> = bodies
+            .flat_map(|(body, known)| {
+                let points = known.points.iter().enumerate();
+                points.map(move |(point, named)| {
+                    (format!("{}.{}", known.name, named.name), PointId { body: BodyId(body), point })
+                })
+            })
+            .collect();
+        let Some((_, point)) = all.iter().find(|(name, _)| *name == text) else {
+            let nearest = nearest_name(&text, all.iter().map(|(name, _)| name.as_str())).map(str::to_owned);
+            let known = all.iter().map(|(name, _)| format!("'{name}'")).collect();
+            let problem = MeasuredProblem::UnknownPoint { entry: entry.path.describe(), found: text, nearest, known };
+            return self.refused(&problem, entry.span);
+        };
+        if point.body == BodyId(0) {
+            return self.refused(&MeasuredProblem::PointOfGround { entry: entry.path.describe() }, entry.span);
+        }
+        Some(*point)
+    }
+
+    /// The readings, SI: one, or all repeats.
+    fn dead_travels(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<f64>> {
+        let entry = table.get("dead_travel")?;
+        if !entry.is_list() {
+            return self.reader.measured(&entry, dimension, Rule::NonNegative).map(|value_si| vec![value_si]);
+        }
+        let entries = self.reader.list(&entry)?;
+        if entries.is_empty() {
+            return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
+        }
+        let read: Vec<Option<f64>> =
+            entries.iter().map(|entry| self.reader.measured(entry, dimension, Rule::NonNegative)).collect();
+        read.into_iter().collect()
+    }
+
+    /// The common error and the standard deviation of one reading, SI, each where it is written.
+    fn errors(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<[Option<f64>; 2]> {
+        let read = ["error", "scatter"].map(|key| {
+            let Some(entry) = table.get(key) else { return Some(None) };
+            self.reader.measured_beyond(&entry, &["±", "+/-", "+-"], dimension, Rule::NonNegative).map(Some)
+        });
+        let [error_si, scatter_si] = read;
+        Some([error_si?, scatter_si?])
+    }
+
+    /// The number of readings behind the mean, and their scatter where it is known.
+    fn repeats(
+        &mut self,
+        table: &Table<'_>,
+        values_si: &[f64],
+        scatter_si: Option<f64>,
+    ) -> Option<(usize, Option<ReadingScatter>)> {
+        let stated = self.reader.count(table, "repeats");
+        if let (Some(entry), true) =
+            (table.get("repeats"), table.get("dead_travel").is_some_and(|entry| entry.is_list()))
+        {
+            let problem = MeasuredProblem::RepeatsOfList { entry: entry.path.describe(), found: values_si.len() };
+            return self.refused(&problem, entry.span);
+        }
+        if table.has("repeats") && stated.is_none() {
+            return None;
+        }
+        let repeats = stated.map_or(values_si.len(), |count| count as usize);
+        if let Some(scatter_si) = scatter_si {
+            return Some((repeats, Some(ReadingScatter::Known(scatter_si))));
+        }
+        if values_si.len() < LEAST_ESTIMATED {
+            return Some((repeats, None));
+        }
+        let mean_si = values_si.iter().sum::<f64>() / values_si.len() as f64;
+        let squares: f64 = values_si.iter().map(|value_si| (value_si - mean_si) * (value_si - mean_si)).sum();
+        Some((repeats, Some(ReadingScatter::Estimated((squares / (values_si.len() - 1) as f64).sqrt()))))
+    }
+}
