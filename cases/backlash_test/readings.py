@@ -32,7 +32,7 @@ TESTS = [
     ("tool, up and down", 150.0, "tool", 90.0, 15.0, "y"),
     ("ear, up and down", 60.0, "ear", 90.0, 15.0, "y"),
 ]
-STEPS = 25  # places of each pin that are tried
+STEPS = 21  # places of each pin that are tried
 FRICTION = 0.12
 
 
@@ -149,23 +149,45 @@ def with_yield(test, clearances_m, lengths):
 
 
 def region(test, sign, radii_m, friction, lengths):
-    """Readings and angles of all positions that hold, on a grid about the frictionless one."""
+    """Readings of all positions that hold, on a grid about the frictionless one."""
     centre = frictionless(test, sign, radii_m, lengths)
     reach = np.arctan(friction) * 1.5 + 0.01
+    found = on_grid(test, sign, radii_m, friction, lengths, centre, reach)[0]
+    at_centre, _ = holds(centre, test, sign, radii_m, friction, lengths)
+    return np.append(found, at_centre)
+
+
+def on_grid(test, sign, radii_m, friction, lengths, centre, reach):
+    """Readings and angles of the positions on a grid that hold."""
     steps = np.linspace(-reach, reach, STEPS)
     grid = np.stack(np.meshgrid(steps, steps, steps, indexing="ij"), axis=-1).reshape(-1, 3) + centre
     travel, off = holds(grid, test, sign, radii_m, friction, lengths)
     kept = np.abs(off).max(axis=-1) <= np.arctan(friction)
-    at_centre, _ = holds(centre, test, sign, radii_m, friction, lengths)
-    return np.append(travel[kept], at_centre), np.vstack([grid[kept], centre])
+    return travel[kept], grid[kept]
+
+
+def extreme(test, sign, radii_m, friction, lengths, wanted):
+    """The least (wanted -1) or largest (1) reading of all positions that hold: the grid closes in on the best place."""
+    centre = frictionless(test, sign, radii_m, lengths)
+    best, _ = holds(centre, test, sign, radii_m, friction, lengths)
+    reach = np.arctan(friction) * 1.5 + 0.01
+    for _ in range(5):
+        travel, angles = on_grid(test, sign, radii_m, friction, lengths, centre, reach)
+        if len(travel):
+            place = np.argmax(wanted * travel)
+            if wanted * (travel[place] - best) > 0:
+                best, centre = travel[place], angles[place]
+        reach *= 0.3
+    return best
 
 
 def travels(test, clearances_m, friction, lengths):
     """Least and largest dead travel over everything that friction allows."""
     radii_m = with_yield(test, clearances_m, lengths)
-    to, _ = region(test, 1, radii_m, friction, lengths)
-    fro, _ = region(test, -1, radii_m, friction, lengths)
-    return to.min() - fro.max(), to.max() - fro.min()
+    ends = {
+        (sign, wanted): extreme(test, sign, radii_m, friction, lengths, wanted) for sign in (1, -1) for wanted in (1, -1)
+    }
+    return ends[1, -1] - ends[-1, 1], ends[1, 1] - ends[-1, -1]
 
 
 def stopped(test, clearances_m, friction, lengths, random):
@@ -173,8 +195,7 @@ def stopped(test, clearances_m, friction, lengths, random):
     radii_m = with_yield(test, clearances_m, lengths)
     ends = []
     for sign in (1, -1):
-        readings, _ = region(test, sign, radii_m, friction, lengths)
-        ends.append(random.choice(readings))
+        ends.append(random.choice(region(test, sign, radii_m, friction, lengths)))
     return ends[0] - ends[1]
 
 

@@ -19,8 +19,10 @@ use loosepin_uncertainty::{normal_quantile, student_factor};
 /// Confidence of all bounds together, where none is stated.
 pub const CONFIDENCE: f64 = 0.99;
 
-/// Rounds in which the exact loops are asked at the ends of all bounds, at most: the second finds nothing more as a rule.
-const ROUNDS: usize = 4;
+/// Rounds in which the box of the plays becomes smaller and the exact loops are asked at the ends of all bounds, at most.
+const ROUNDS: usize = 6;
+/// A box is worth another round where a width is below this share of the one before.
+const WORTH_A_ROUND: f64 = 0.98;
 
 /// What is asked of the readings.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,11 +31,13 @@ pub struct Options {
     pub confidence: f64,
     /// The specimen whose readings count; all, each by itself, where none is named.
     pub specimen: Option<String>,
+    /// Whether the reading that would narrow most is looked for (default: yes).
+    pub looks_further: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { confidence: CONFIDENCE, specimen: None }
+        Self { confidence: CONFIDENCE, specimen: None, looks_further: true }
     }
 }
 
@@ -60,7 +64,7 @@ pub fn identify(study: &Study, options: &Options) -> Result<Identification, Comp
     let of_specimen = |name: &Option<String>| {
         let readings: Vec<&Measured> = study.measured.iter().filter(|reading| reading.specimen == *name).collect();
         let scattering = readings.iter().copied().filter(|reading| has_scatter(reading)).count();
-        of_readings(&rig, name, &readings, share / scattering.max(1) as f64)
+        of_readings(&rig, name, &readings, share / scattering.max(1) as f64, options.looks_further)
     };
     let specimens = specimens.iter().map(of_specimen).collect::<Result<_, Complaints>>()?;
     let random = rig.others.iter().filter(|other| other.is_random);
@@ -113,6 +117,7 @@ fn of_readings(
     name: &Option<String>,
     readings: &[&Measured],
     share: f64,
+    looks_further: bool,
 ) -> Result<Specimen, Complaints> {
     let mut instruments: Vec<&str> = Vec::new();
     for reading in readings {
@@ -126,17 +131,25 @@ fn of_readings(
             push: reading.push,
             travel: reading.travel,
             pose_rad: reading.pose_rad,
+            pose_error_rad: reading.pose_error_rad,
             friction: reading.friction,
         })
         .collect();
-    let mut influences = Vec::with_capacity(readings.len());
-    for (reading, test) in readings.iter().zip(&tests) {
-        let influence = Influence::new(rig, test).map_err(|error| locked(reading, error))?;
-        if influence.factors.iter().all(|factors| *factors == [0.0; 3]) {
+    // Contacts yield the more alike, and the loops are the straighter, the smaller the box of the plays is: what the readings leave
+    // of it is the next box.
+    let influences_in = |plays_si: &[[f64; 2]]| -> Result<Vec<Influence>, Complaints> {
+        let of = |(reading, test): (&&Measured, &Test)| {
+            Influence::new(rig, test, plays_si).map_err(|error| locked(reading, error))
+        };
+        readings.iter().zip(&tests).map(of).collect()
+    };
+    let mut plays_si = rig.intervals_si();
+    let mut influences = influences_in(&plays_si)?;
+    for (reading, influence) in readings.iter().zip(&influences) {
+        if !influence.is_moved() {
             let problem = IdentifyProblem::DoesNotMove { reading: reading.name.clone() };
             return Err(Complaint::error(&problem, Some(reading.place.clone())).into());
         }
-        influences.push(influence);
     }
     let independent: Vec<f64> = readings.iter().map(|reading| independent_si(reading, share)).collect();
     let set_of = |influences: &[Influence]| {
@@ -164,6 +177,15 @@ fn of_readings(
     let mut bounds = all_bounds(&set, &objectives);
     for _ in 1..ROUNDS {
         let Some(found) = &bounds else { break };
+        let left: Vec<[f64; 2]> =
+            plays_si.iter().zip(found).map(|(before_si, ends)| within(*before_si, ends)).collect();
+        let is_smaller =
+            |(left, before): (&[f64; 2], &[f64; 2])| left[1] - left[0] < WORTH_A_ROUND * (before[1] - before[0]);
+        let may_gain = left.iter().zip(&plays_si).any(is_smaller);
+        if may_gain {
+            plays_si = left;
+            influences = influences_in(&plays_si)?;
+        }
         // The linear model must hold where the bounds are attained: the exact loops are asked there.
         let mut is_wider = false;
         for (reading, (test, influence)) in readings.iter().zip(tests.iter().zip(&mut influences)) {
@@ -176,7 +198,7 @@ fn of_readings(
                 }
             }
         }
-        if !is_wider {
+        if !may_gain && !is_wider {
             break;
         }
         set = set_of(&influences);
@@ -207,7 +229,7 @@ fn of_readings(
                 }
             });
             let combinations = combinations.collect();
-            let further = further(rig, &set, &bounds, readings)?;
+            let further = looks_further.then(|| further(rig, &set, &bounds, readings)).flatten();
             Outcome::Consistent(Consistent { plays, combinations, alike: told.alike.clone(), further })
         }
     };

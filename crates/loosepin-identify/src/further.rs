@@ -15,7 +15,6 @@ use loosepin_result::identification::FurtherReading;
 use loosepin_simulate::accuracy::{PositionOutput, position_outputs};
 use loosepin_simulate::{Reading, relative_words};
 use loosepin_study::{Measured, Push};
-use loosepin_text::diagnostics::Complaints;
 use loosepin_text::units::SiUnit;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -56,26 +55,27 @@ struct Usual {
     angle_error_rad: f64,
     force_n: f64,
     moment_n_m: f64,
+    /// Largest coefficient that a reading states; that of the model where none does.
+    friction: Option<f64>,
 }
 
-/// The best further reading; nothing where none narrows.
-///
-/// # Errors
-/// None: places where the mechanism cannot be locked are left out.
+/// The best further reading; nothing where none narrows. Poses in which the mechanism cannot be locked are left out.
 pub(crate) fn further(
     rig: &Rig<'_>,
     set: &ConsistentSet,
     bounds: &[[End; 2]],
     readings: &[&Measured],
-) -> Result<Option<FurtherReading>, Complaints> {
+) -> Option<FurtherReading> {
     let usual = Usual::of(rig, set, readings);
     let information = information(set);
     let (candidates, tried) = candidates(rig, &usual, &information);
     let middle = middle(bounds);
     let now: Vec<f64> = bounds[..rig.plays.len()].iter().map(|[low, high]| high.value_si - low.value_si).collect();
     let mut best: Option<(f64, FurtherReading)> = None;
+    let plays_si: Vec<[f64; 2]> =
+        bounds[..rig.plays.len()].iter().map(|[low, high]| [low.value_si, high.value_si]).collect();
     for candidate in candidates {
-        let Ok(influence) = Influence::new(rig, &candidate.test) else { continue };
+        let Ok(influence) = Influence::new(rig, &candidate.test, &plays_si) else { continue };
         if influence.linearisation_share > MOST_MISSED {
             continue;
         }
@@ -100,7 +100,7 @@ pub(crate) fn further(
             best = Some((score, described(rig, &candidate, error_si, left, tried)));
         }
     }
-    Ok(best.filter(|(score, _)| *score <= 1.0 - LEAST_GAIN).map(|(_, further)| further))
+    best.filter(|(score, _)| *score <= 1.0 - LEAST_GAIN).map(|(_, further)| further)
 }
 
 impl Usual {
@@ -127,6 +127,7 @@ impl Usual {
             angle_error_rad: angle.or(length.map(|error_m| error_m / size_m)).unwrap_or(0.0),
             force_n: force.or(moment.map(|moment_n_m| moment_n_m / size_m)).unwrap_or(0.0),
             moment_n_m: moment.or(force.map(of_force)).unwrap_or(0.0),
+            friction: readings.iter().filter_map(|reading| reading.friction).reduce(f64::max),
         }
     }
 
@@ -170,7 +171,6 @@ fn middle(bounds: &[[End; 2]]) -> Vec<f64> {
 
 /// The best candidates, each with another place of the push or another output, and the number of all.
 fn candidates(rig: &Rig<'_>, usual: &Usual, information: &[f64]) -> (Vec<Candidate>, usize) {
-    let model = &rig.mechanism.model;
     let outputs = position_outputs(&rig.mechanism);
     let mut best: HashMap<String, Candidate> = HashMap::new();
     let mut tried = 0;
@@ -190,7 +190,8 @@ fn candidates(rig: &Rig<'_>, usual: &Usual, information: &[f64]) -> (Vec<Candida
                 tried += 1;
                 let factors = factors_of_plays(rig, &nominal.factors);
                 let gain = gain(rig, information, &factors, usual.error_si(&read.unit));
-                let test = Test { push, travel: read.position, pose_rad, friction: None };
+                let test =
+                    Test { push, travel: read.position, pose_rad, pose_error_rad: 0.0, friction: usual.friction };
                 let key = format!("{} {}", pushed_words(rig, &push), read.words);
                 let candidate = Candidate { test, read, factors, gain };
                 match best.get(&key) {
@@ -202,7 +203,6 @@ fn candidates(rig: &Rig<'_>, usual: &Usual, information: &[f64]) -> (Vec<Candida
             }
         }
     }
-    debug_assert!(!model.bodies.is_empty(), "there is a ground");
     let mut ranked: Vec<(String, Candidate)> = best.into_iter().filter(|(_, candidate)| candidate.gain > 0.0).collect();
     ranked.sort_by(|(a_key, a), (b_key, b)| b.gain.total_cmp(&a.gain).then_with(|| a_key.cmp(b_key)));
     (ranked.into_iter().take(IN_FULL).map(|(_, candidate)| candidate).collect(), tried)

@@ -33,37 +33,39 @@ pub(crate) struct Test {
     pub push: Push,
     pub travel: Position,
     pub pose_rad: f64,
+    /// Largest error of that angle, of either sign, rad.
+    pub pose_error_rad: f64,
     /// Largest coefficient of friction, where it is not that of the model.
     pub friction: Option<f64>,
 }
 
 impl Influence {
-    /// The influence of all plays on a reading.
+    /// The influence of all plays on a reading, where the play inputs lie in the box `plays_si`.
     ///
     /// # Errors
     /// The mechanism cannot be locked there, or a dead point lies within the play.
-    pub fn new(rig: &Rig<'_>, test: &Test) -> Result<Self, AccuracyError> {
+    pub fn new(rig: &Rig<'_>, test: &Test, plays_si: &[[f64; 2]]) -> Result<Self, AccuracyError> {
         let nominal = Nominal::at(&rig.mechanism, &rig.values, test)?;
         let friction = Friction::new(rig, &nominal.coordinates, &nominal.loads, test.friction)?;
         let mut factors = nominal.factors_with_friction(&friction);
         for other in &rig.others {
-            let mut spread = vec![0.0_f64; factors.len()];
+            let mut moved = Vec::new();
             for end_si in other.interval_si {
                 let values = rig.values_with(&[(other.quantity, end_si)])?;
-                let moved = Nominal::at(&rig.mechanism, &values, test)?;
-                for ((spread, moved), nominal) in spread.iter_mut().zip(&moved.factors).zip(&nominal.factors) {
-                    *spread = spread.max((moved - nominal).abs());
-                }
+                moved.push(Nominal::at(&rig.mechanism, &values, test)?);
             }
-            // One input at a time: that two act together is of second order, and covered by a hundredth more.
-            for ([least, _, largest], spread) in factors.iter_mut().zip(spread) {
-                *least -= 1.01 * spread;
-                *largest += 1.01 * spread;
-            }
+            widen(&mut factors, &nominal, &moved);
         }
-        let yields_m = yields_m(rig, &nominal.loads, &friction, test)?;
+        if test.pose_error_rad > 0.0 {
+            let mut moved = Vec::new();
+            for pose_rad in [test.pose_rad - test.pose_error_rad, test.pose_rad + test.pose_error_rad] {
+                moved.push(Nominal::at(&rig.mechanism, &rig.values, &Test { pose_rad, ..*test })?);
+            }
+            widen(&mut factors, &nominal, &moved);
+        }
+        let yields_m = yields_m(rig, &nominal.loads, &friction, test, plays_si)?;
         let mut influence = Self { coordinates: nominal.coordinates, factors, yields_m, linearisation_share: 0.0 };
-        for corner in rig.corners() {
+        for corner in Rig::corners(plays_si) {
             let missed = influence.missed_share(rig, test, &corner)?;
             influence.linearisation_share = influence.linearisation_share.max(MISSED_TIMES * missed);
         }
@@ -81,6 +83,11 @@ impl Influence {
         Ok(if size > 0.0 { (exact - sum).abs() / size } else { 0.0 })
     }
 
+    /// Whether a push makes any play move what is read, friction apart.
+    pub fn is_moved(&self) -> bool {
+        self.factors.iter().any(|[_, nominal, _]| *nominal != 0.0)
+    }
+
     /// Takes the exact loops to differ by `share` at least.
     pub fn widen(&mut self, missed_share: f64) {
         self.linearisation_share = self.linearisation_share.max(MISSED_TIMES * missed_share);
@@ -91,6 +98,17 @@ impl Influence {
         let [least, nominal, largest] = self.factors[joint];
         let missed = self.linearisation_share * nominal.abs();
         [least - missed, largest + missed]
+    }
+}
+
+/// Widens factors by the largest change among `moved`, where one input is at either end of its interval: one at a time. That two act
+/// together is of second order, and covered by a hundredth more.
+fn widen(factors: &mut [[f64; 3]], nominal: &Nominal, moved: &[Nominal]) {
+    for (joint, [least, _, largest]) in factors.iter_mut().enumerate() {
+        let changes = moved.iter().map(|moved| (moved.factors[joint] - nominal.factors[joint]).abs());
+        let spread = 1.01 * changes.fold(0.0, f64::max);
+        *least -= spread;
+        *largest += spread;
     }
 }
 

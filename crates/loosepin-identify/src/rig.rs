@@ -119,11 +119,15 @@ impl<'s> Rig<'s> {
         self.clearances.iter().map(of).collect()
     }
 
-    /// All combinations of the ends of the play inputs; of many inputs those in which all but one are at the same end.
-    pub fn corners(&self) -> Vec<Vec<f64>> {
+    /// The intervals of the play inputs as the study has them, SI.
+    pub fn intervals_si(&self) -> Vec<[f64; 2]> {
+        self.plays.iter().map(|play| play.interval_si).collect()
+    }
+
+    /// All corners of a box of the play inputs; of many inputs those in which all but one are at the same end.
+    pub fn corners(ends: &[[f64; 2]]) -> Vec<Vec<f64>> {
         /// Inputs of which all corners are taken, at most: 32 of them.
         const MOST_FOR_ALL: usize = 5;
-        let ends: Vec<[f64; 2]> = self.plays.iter().map(|play| play.interval_si).collect();
         let at = |pick: &dyn Fn(usize) -> usize| (0..ends.len()).map(|input| ends[input][pick(input)]).collect();
         if ends.len() <= MOST_FOR_ALL {
             return (0..1_usize << ends.len()).map(|bits| at(&|input| (bits >> input) & 1)).collect();

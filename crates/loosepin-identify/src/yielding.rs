@@ -18,24 +18,29 @@ const DEEPEST_M: f64 = 1.0;
 /// below 45°.
 const MOST_ALONG_PITCH_LINE: f64 = std::f64::consts::SQRT_2;
 
-/// Least and largest yield of each joint with play under the push of a test, m: over the clearances, the other inputs and the contact
+/// Least and largest yield of each joint with play under the push of a test, m: over the clearances in the box `plays_si`, the other inputs and the contact
 /// laws of the study, each by itself, and over what friction does to the loads. `loads` are those of a unit push.
 pub(crate) fn yields_m(
     rig: &Rig<'_>,
     loads: &[Vec2<f64>],
     friction: &Friction,
     test: &Test,
+    plays_si: &[[f64; 2]],
 ) -> Result<Vec<[f64; 2]>, AccuracyError> {
     let size = match test.push {
         Push::Force { force_n, .. } => force_n,
         Push::Moment { moment_n_m, .. } => moment_n_m,
     };
-    let mut all = vec![rig.values.clone()];
+    let middle: Vec<_> =
+        rig.plays.iter().zip(plays_si).map(|(play, [low, high])| (play.quantity, 0.5 * (low + high))).collect();
+    let mut all = vec![rig.values_with(&middle)?];
     for which in [0, 1] {
-        let ends: Vec<_> = rig.plays.iter().map(|play| (play.quantity, play.interval_si[which])).collect();
+        let ends: Vec<_> = rig.plays.iter().zip(plays_si).map(|(play, ends)| (play.quantity, ends[which])).collect();
         all.push(rig.values_with(&ends)?);
         for other in &rig.others {
-            all.push(rig.values_with(&[(other.quantity, other.interval_si[which])])?);
+            let mut changes = middle.clone();
+            changes.push((other.quantity, other.interval_si[which]));
+            all.push(rig.values_with(&changes)?);
         }
     }
     let of_values = |mechanism: &Mechanism, values: &Values| -> Result<Vec<[f64; 2]>, AccuracyError> {
@@ -49,7 +54,7 @@ pub(crate) fn yields_m(
             })
             .collect())
     };
-    let mut found = of_values(&rig.mechanism, &rig.values)?;
+    let mut found = vec![[f64::INFINITY, 0.0]; loads.len()];
     let own = all.iter().map(|values| (&rig.mechanism, values));
     for (mechanism, values) in own.chain(rig.other_laws.iter().map(|(mechanism, values)| (mechanism, values))) {
         for ([least, most], [own_least, own_most]) in found.iter_mut().zip(of_values(mechanism, values)?) {

@@ -14,7 +14,8 @@ use crate::ending::{Done, Ending, Failure};
 /// Shows what the readings of a study say of its plays, and writes the narrowed study where that is asked for.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
     let study = read_study(&arguments.study)?;
-    let options = Options { confidence: arguments.confidence, specimen: arguments.specimen.clone() };
+    let options =
+        Options { confidence: arguments.confidence, specimen: arguments.specimen.clone(), ..Options::default() };
     let answer = identify(&study, &options)?;
     let text = if arguments.json {
         files::to_json(&answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))?

@@ -32,6 +32,8 @@ pub struct Measured {
     pub unit: SiUnit,
     /// Angle of the drive that the cycle counts, rad.
     pub pose_rad: f64,
+    /// Largest error of that angle, of either sign, rad.
+    pub pose_error_rad: f64,
     /// What pushes.
     pub push: Push,
     /// Largest coefficient of friction in the joints, where the file states it.
@@ -148,6 +150,10 @@ impl StudyReader {
     fn reading_of_test(&mut self, table: &Table<'_>, index: usize) -> Option<Measured> {
         let output = self.output(table);
         let pose_rad = self.locked_angle(table);
+        let pose_error_rad = match table.get("pose_error") {
+            Some(entry) => self.reader.measured(&entry, Dimension::ANGLE, Rule::NonNegative),
+            None => Some(0.0),
+        };
         let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
             let entry = table.get(key)?;
             self.reader.text(&entry).map(str::to_owned)
@@ -178,6 +184,7 @@ impl StudyReader {
             travel,
             unit: output.unit,
             pose_rad: pose_rad?,
+            pose_error_rad: pose_error_rad?,
             push: push?,
             friction,
             dead_travel_si: values_si.iter().sum::<f64>() / values_si.len() as f64,

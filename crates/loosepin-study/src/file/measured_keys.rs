@@ -19,6 +19,12 @@ pub(super) static MEASURED_KEYS: Keys = Keys::new(
             "angle at which the drive that the cycle counts is locked",
         ),
         optional(
+            "pose_error",
+            quantity(Dimension::ANGLE, Rule::NonNegative),
+            "\"0.5 deg\"",
+            "largest error of that angle, of either sign; 0 if left out",
+        ),
+        optional(
             "force",
             quantity(Dimension::FORCE, Rule::Positive),
             "\"20 N\"",
