@@ -1,9 +1,16 @@
 //! Friction in the joints while an output is pushed: how far from the frictionless place a journal may stop.
 //!
 //! A journal that is pressed into its bearing slides along it until the normal of the contact is within the angle of friction
-//! φ = atan μ of the force in the joint: there it stays. The force in the joint itself is turned by the moments of friction,
-//! at most M_k = μ/√(1 + μ²) · R_k N_k at each pin of radius R_k: they change the force in joint j by Σ_k M_k ∂θ_k/∂e_j,
-//! where θ_k is the angle by which the bodies of joint k turn against each other (virtual work).
+//! φ_k = atan μ_k of the force in the joint: there it stays, its normal γ_k from the force, |γ_k| <= φ_k. The force in the joint is turned as
+//! well, by the moments of friction M_k = R_k N_k sin γ_k at pins of radius R_k: by virtual work they add Σ_k M_k ∂θ_k/∂e_j to the
+//! force F h_j in joint j, where θ_k is the angle by which the journal of joint k turns in its bearing. So the normal of joint j lies at
+//!
+//! ```text
+//! t_j = γ_j + Σ_k B_jk sin γ_k,    B_jk = R_k N_k (ĥ_j × ∂θ_k/∂e_j)/N_j
+//! |t_j| <= |φ_j + B_jj sin φ_j| + Σ_{k≠j} |B_jk| sin φ_k
+//! ```
+//!
+//! from the direction of h_j, to first order in the moments; N_k is taken as large as they can make it.
 
 use super::locked::{UNLOADED, largest_load};
 use super::rig::Rig;
@@ -44,32 +51,42 @@ impl Friction {
         let sample = Sample::new(&rig.mechanism, &rig.values)?;
         let mut loops = DisplacedLoops::new(&rig.mechanism, &rig.values);
         loops.set_position(coordinates);
-        // By how much a unit force in joint k may change the force in joint j.
-        let mut changes = vec![vec![0.0; loads.len()]; loads.len()];
+        // How a unit force in joint k, turned by its whole angle of friction, changes the force in joint j.
+        let mut changes = vec![vec![Vec2::zero(); loads.len()]; loads.len()];
         for (k, play) in rig.mechanism.plays.iter().enumerate() {
-            let (PlayShape::Pin { bearing_radius_m }, Some(angle)) = (&sample.plays[k].shape, turn_in(rig, *play))
+            let (PlayShape::Pin { bearing_radius_m }, Some((angle, sign))) =
+                (&sample.plays[k].shape, turn_in(rig, *play))
             else {
                 continue;
             };
-            let arm_m = coefficients[k] / (1.0 + coefficients[k] * coefficients[k]).sqrt() * bearing_radius_m;
+            let sine = coefficients[k] / (1.0 + coefficients[k] * coefficients[k]).sqrt();
             let turning = play_gradients(&mut loops, &[angle])?.swap_remove(0);
             for (j, turning) in turning.iter().enumerate() {
-                changes[j][k] = arm_m * turning.length();
+                changes[j][k] = *turning * (sign * sine * bearing_radius_m);
             }
         }
         let least = UNLOADED * largest_load(loads);
         let mut change = vec![0.0; loads.len()];
         for _ in 0..ROUNDS {
             let size = |k: usize| loads[k].length() + change[k];
-            let next: Vec<f64> =
-                changes.iter().map(|row| row.iter().enumerate().map(|(k, entry)| entry * size(k)).sum()).collect();
+            let sum = |row: &Vec<Vec2<f64>>| row.iter().enumerate().map(|(k, entry)| entry.length() * size(k)).sum();
+            let next: Vec<f64> = changes.iter().map(sum).collect();
             change = next;
         }
         let load_shares: Vec<f64> =
             change.iter().zip(loads).map(|(change, load)| change / load.length().max(least)).collect();
-        let turn_rad = |k: usize| {
-            let by_moments_rad = if load_shares[k] < 1.0 { load_shares[k].asin() } else { PI };
-            (coefficients[k].atan() + by_moments_rad).min(PI)
+        let turn_rad = |j: usize| {
+            let own = loads[j].length().max(least);
+            // Where moments may be as large as the force itself they may turn it anywhere.
+            if load_shares[j] >= 1.0 {
+                return PI;
+            }
+            let across = |k: usize| {
+                let size = loads[k].length() + change[k];
+                loads[j].cross(changes[j][k]) * size / (own * own * (1.0 - load_shares[j]))
+            };
+            let others: f64 = (0..loads.len()).filter(|k| *k != j).map(|k| across(k).abs()).sum();
+            ((coefficients[j].atan() + across(j)).abs().max(coefficients[j].atan()) + others).min(PI)
         };
         let turns_rad = (0..loads.len()).map(turn_rad).collect();
         Ok(Self { coefficients, turns_rad, load_shares })
@@ -92,13 +109,13 @@ fn coefficient(rig: &Rig<'_>, play: PlayId) -> f64 {
     largest.fold(0.0, f64::max)
 }
 
-/// The angle by which the second body of a joint turns against the first.
-fn turn_in(rig: &Rig<'_>, play: PlayId) -> Option<Position> {
+/// The angle by which the journal of a joint turns in its bearing, as an angle of bodies and its sign.
+fn turn_in(rig: &Rig<'_>, play: PlayId) -> Option<(Position, f64)> {
     const GROUND: BodyId = BodyId(0);
     let PlayId::Joint(joint) = play else { return None };
     let [first, second] = rig.mechanism.model.joints[joint.0].kind.bodies();
-    let (of, to) = if second == GROUND { (first, second) } else { (second, first) };
-    Some(Position::Angle(Relative { of, to: (to != GROUND).then_some(to) }))
+    let (of, to, sign) = if second == GROUND { (first, second, -1.0) } else { (second, first, 1.0) };
+    Some((Position::Angle(Relative { of, to: (to != GROUND).then_some(to) }), sign))
 }
 
 /// Least and largest travel·d for unit vectors d within `turn_rad` of the direction of `load`.

@@ -80,22 +80,19 @@ fn push_specimen(text: &mut String, specimen: &Specimen, writer: &NumberWriter<'
 /// What became of the plays, in one sentence.
 fn headline(readings: &[TestReading], known: &Consistent, writer: &NumberWriter<'_>) -> String {
     let fixed = known.plays.iter().filter(|play| play.is_identifiable).count();
+    let plays = known.plays.len();
+    let fix = if readings.len() == 1 { "fixes" } else { "fix" };
     let readings = counted(readings.len(), "reading");
-    match (fixed, known.plays.as_slice()) {
-        (_, [only]) if fixed == 1 => {
-            format!("The play of {} is {} by {readings}.", only.name, range(only.after_si, &only.unit, writer))
+    match known.plays.as_slice() {
+        [only] if fixed == 1 => {
+            format!("{readings} {fix} the play of {}: {}.", only.name, range(only.after_si, &only.unit, writer))
         }
-        (fixed, plays) if fixed == plays.len() => {
-            format!("{readings} fix each of {} plays.", plays.len())
+        _ if fixed == plays => format!("{readings} {fix} each of {plays} plays."),
+        _ if fixed == 0 => {
+            let sums = counted(known.combinations.len(), "sum");
+            format!("{readings} {fix} {sums} of {plays} plays, and none of the plays by itself.")
         }
-        (0, plays) => format!(
-            "{readings} fix {} of {} plays, and none of them by itself.",
-            counted(known.combinations.len(), "sum"),
-            plays.len()
-        ),
-        (fixed, plays) => {
-            format!("{readings} fix {fixed} of {} plays by itself; of the others only sums.", plays.len())
-        }
+        _ => format!("{readings} {fix} {fixed} of {plays} plays; of the others only sums."),
     }
 }
 
@@ -110,7 +107,7 @@ fn plays_table(plays: &[PlayBounds], writer: &NumberWriter<'_>) -> comfy_table::
         };
         table.add_row(vec![
             play.name.clone(),
-            range(play.before_si, &play.unit, writer),
+            stated(play.before_si, &play.unit, writer),
             range(play.after_si, &play.unit, writer),
             if play.is_identifiable { "yes" } else { "no" }.to_owned(),
             narrowed.to_owned(),
@@ -185,7 +182,7 @@ fn sum_words(sum: &Combination, plays: &[PlayBounds], writer: &NumberWriter<'_>)
         "{} is {}; {} before",
         terms(&sum.weights, plays, writer),
         range(sum.after_si, &sum.unit, writer),
-        range(sum.before_si, &sum.unit, writer)
+        stated(sum.before_si, &sum.unit, writer)
     )
 }
 
@@ -342,6 +339,11 @@ fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
         words.push("each specimen stands for itself: its plays and lengths are its own".to_owned());
     }
     words
+}
+
+/// An interval that was stated, in the fewest digits that tell it.
+fn stated(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+    format!("{} to {}", writer.value_shortest(ends_si[0], unit), writer.value_shortest(ends_si[1], unit))
 }
 
 fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {

@@ -6,6 +6,7 @@ mod cluster_page;
 mod command_line;
 mod failed_runs;
 mod figures;
+mod identify;
 mod import;
 mod pages;
 mod paths;

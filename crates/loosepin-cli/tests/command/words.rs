@@ -133,6 +133,7 @@ fn version_and_help() {
         "motion",
         "study",
         "sweep",
+        "identify",
         "cases",
         "report",
         "schema",
@@ -157,7 +158,9 @@ fn completions_and_manual_pages_know_every_command() {
     }
     let page = desk.succeed(&["manual"]).output;
     assert!(page.contains(".TH loosepin 1"), "{page}");
-    for command in ["new", "import", "check", "motion", "simulate", "study", "merge", "sweep", "cases", "report"] {
+    for command in
+        ["new", "import", "check", "motion", "simulate", "study", "merge", "sweep", "identify", "cases", "report"]
+    {
         assert!(page.contains(&format!("loosepin\\-{command}(1)")), "the page of loosepin names {command}");
         let page = desk.succeed(&["manual", command]).output;
         assert!(page.contains(".SH OPTIONS") && page.contains("Example"), "{page}");

@@ -1,0 +1,68 @@
+//! `loosepin identify`: what it prints, writes, and how it ends.
+
+use super::command_line::{Desk, case_text};
+
+/// The readings of the ear of the rocker, and wrong ones.
+const EAR: &str = "[\"0.1501 mm\", \"0.1492 mm\", \"0.1493 mm\"]";
+const WRONG: &str = "[\"0.0701 mm\", \"0.0692 mm\", \"0.0693 mm\"]";
+
+fn desk() -> Desk {
+    let desk = Desk::with_model("backlash_test");
+    for study in ["first.toml", "study.toml"] {
+        desk.write(study, &case_text("backlash_test", study));
+    }
+    desk
+}
+
+#[test]
+fn text_of_one_reading_says_that_only_the_sum_is_fixed() {
+    let said = desk().succeed(&["identify", "first.toml"]);
+    for words in [
+        "1 reading fixes 1 sum of 3 plays, and none of the plays by itself.",
+        "- crank_pin + coupler_pin + rocker_pivot is 0.2",
+        "enter the reading with the same factor",
+        "this would narrow most: lock the drive at",
+    ] {
+        assert!(said.output.contains(words), "{words}\n{}", said.output);
+    }
+}
+
+#[test]
+fn narrowed_studies_are_written_once_and_not_for_a_misfit() {
+    let desk = desk();
+    let said = desk.succeed(&["identify", "study.toml", "--write", "narrowed.toml"]);
+    assert!(said.messages.contains("wrote narrowed.toml: 3 intervals narrowed"), "{}", said.messages);
+    let written = desk.read("narrowed.toml");
+    assert!(written.contains("# from new to the limit of wear") && !written.contains("0.30 mm"), "{written}");
+    desk.succeed(&["check", "narrowed.toml"]);
+    let again = desk.run(&["identify", "study.toml", "--write", "narrowed.toml"]);
+    assert_eq!(again.status, 2);
+    assert!(again.messages.contains("narrowed.toml exists already; nothing is overwritten"), "{}", again.messages);
+    desk.write("wrong.toml", &case_text("backlash_test", "study.toml").replace(EAR, WRONG));
+    let wrong = desk.run(&["identify", "wrong.toml", "--write", "of_wrong.toml"]);
+    assert_eq!(wrong.status, 1);
+    assert!(wrong.output.contains("MISFIT: no values of the plays explain all 4 readings"), "{}", wrong.output);
+    assert!(wrong.output.contains("- 'ear, up and down' says "), "{}", wrong.output);
+    assert!(wrong.messages.contains("of_wrong.toml is not written"), "{}", wrong.messages);
+    assert!(!desk.path("of_wrong.toml").exists());
+}
+
+#[test]
+fn json_holds_what_the_text_says() {
+    let desk = desk();
+    let said = desk.succeed(&["identify", "study.toml", "--json"]).output;
+    let json: serde_json::Value = serde_json::from_str(&said).expect("it is JSON");
+    let plays =
+        json.pointer("/specimens/0/outcome/consistent/plays").and_then(|plays| plays.as_array()).expect("plays");
+    let truths_m = [0.062e-3, 0.118e-3, 0.041e-3];
+    assert_eq!(plays.len(), truths_m.len());
+    for (play, truth_m) in plays.iter().zip(truths_m) {
+        let end = |end: usize| play["after_si"][end].as_f64().expect("a number");
+        assert!(end(0) <= truth_m && truth_m <= end(1), "{play}");
+    }
+    desk.write("wrong.toml", &case_text("backlash_test", "study.toml").replace(EAR, WRONG));
+    let wrong = desk.run(&["identify", "wrong.toml", "--json"]);
+    assert_eq!(wrong.status, 1);
+    let json: serde_json::Value = serde_json::from_str(&wrong.output).expect("it is JSON");
+    assert_eq!(json.pointer("/specimens/0/outcome/misfit/culprits/0/reading"), Some(&serde_json::json!(3)));
+}
