@@ -242,12 +242,38 @@ def terms(points):
     return np.stack([np.ones_like(x), x, y, z, x * x, y * y, z * z, x * y, y * z, z * x], axis=1)
 
 
+LENGTH_FACTOR = 3.1440  # normal quantile of 1 - 0.005/3/2: half of what may go wrong, shared by three lengths
+
+
+def by_lengths(test, clearances_m):
+    """Least and largest ratio of the frictionless travel to the nominal one, over the corners of the intervals of the lengths."""
+    def travel(lengths):
+        radii_m = with_yield(test, clearances_m, lengths)
+        ends = []
+        for sign in (1, -1):
+            angles = frictionless(test, sign, radii_m, lengths)
+            ends.append(holds(angles, test, sign, radii_m, 0.0, lengths)[0])
+        return ends[0] - ends[1]
+
+    corners = []
+    for signs in np.ndindex(2, 2, 2):
+        moved = {
+            name: LENGTHS[name] + LENGTH_FACTOR * DEVIATIONS[name] * (2 * sign - 1)
+            for name, sign in zip(LENGTHS, signs, strict=True)
+        }
+        corners.append(travel(moved))
+    nominal = travel(LENGTHS)
+    return min(corners) / nominal, max(corners) / nominal
+
+
 def surfaces():
-    """Least and largest travels of every test as quadratic surfaces through 27 sets of clearances; they are all but planes."""
+    """Least and largest travels of every test, over friction and lengths, as quadratic surfaces through 27 sets of clearances: they are
+    all but planes."""
     points = np.array([NODES[list(place)] for place in np.ndindex(3, 3, 3)])
     columns = []
     for test in TESTS:
-        ends = np.array([travels(test, point, FRICTION, LENGTHS) for point in points])
+        ratios = by_lengths(test, NODES[[1, 1, 1]])
+        ends = np.array([travels(test, point, FRICTION, LENGTHS) for point in points]) * ratios
         columns += [ends[:, 0], ends[:, 1]]
     values = np.stack(columns, axis=1)
     found, *_ = np.linalg.lstsq(terms(points), values, rcond=None)

@@ -31,6 +31,8 @@ pub(crate) struct Friction {
     pub turns_rad: Vec<f64>,
     /// Share by which friction may change the load of each joint.
     pub load_shares: Vec<f64>,
+    /// B_jk sin φ_k, rad: how the moment of joint k turns the force in joint j.
+    across_rad: Vec<Vec<f64>>,
 }
 
 impl Friction {
@@ -46,7 +48,7 @@ impl Friction {
             rig.mechanism.plays.iter().map(|play| stated.unwrap_or_else(|| coefficient(rig, *play))).collect();
         if coefficients.iter().all(|coefficient| *coefficient == 0.0) {
             let nothing = vec![0.0; coefficients.len()];
-            return Ok(Self { coefficients, turns_rad: nothing.clone(), load_shares: nothing });
+            return Ok(Self { coefficients, turns_rad: nothing.clone(), load_shares: nothing, across_rad: Vec::new() });
         }
         let sample = Sample::new(&rig.mechanism, &rig.values)?;
         let mut loops = DisplacedLoops::new(&rig.mechanism, &rig.values);
@@ -89,7 +91,37 @@ impl Friction {
             ((coefficients[j].atan() + across(j)).abs().max(coefficients[j].atan()) + others).min(PI)
         };
         let turns_rad = (0..loads.len()).map(turn_rad).collect();
-        Ok(Self { coefficients, turns_rad, load_shares })
+        let across = |j: usize, k: usize| {
+            let own = loads[j].length().max(least);
+            loads[j].cross(changes[j][k]) * loads[k].length() / (own * own)
+        };
+        let across_rad = (0..loads.len()).map(|j| (0..loads.len()).map(|k| across(j, k)).collect()).collect();
+        Ok(Self { coefficients, turns_rad, load_shares, across_rad })
+    }
+}
+
+impl Friction {
+    /// Cosines of the angles t_j where every γ_k is at an end ±φ_k, a row for each combination of signs: a sum Σ a_j cos t_j with a_j >= 0
+    /// is least at one of them, since it is concave. What friction does to the loads themselves is added to each angle. Nothing without
+    /// friction, where it may hold a joint anywhere, or for more than eight joints.
+    pub fn least_cosines(&self) -> Option<Vec<Vec<f64>>> {
+        const MOST_JOINTS: usize = 8;
+        let joints = self.coefficients.len();
+        let largest = self.load_shares.iter().fold(0.0_f64, |largest, share| largest.max(*share));
+        if self.across_rad.is_empty() || joints > MOST_JOINTS || largest >= 0.5 {
+            return None;
+        }
+        let slack = (1.0 + largest) / (1.0 - largest) - 1.0;
+        let row = |bits: usize| {
+            let sign = |k: usize| if (bits >> k) & 1 == 0 { 1.0 } else { -1.0 };
+            let cosine = |j: usize| {
+                let turned: f64 = (0..joints).map(|k| sign(k) * self.across_rad[j][k]).sum();
+                let loose: f64 = self.across_rad[j].iter().map(|across| slack * across.abs()).sum();
+                ((sign(j) * self.coefficients[j].atan() + turned).abs() + loose).min(PI).cos()
+            };
+            (0..joints).map(cosine).collect()
+        };
+        Some((0..1_usize << joints).map(row).collect())
     }
 }
 

@@ -64,7 +64,21 @@ impl Influence {
             widen(&mut factors, &nominal, &moved);
         }
         let yields_m = yields_m(rig, &nominal.loads, &friction, test, plays_si)?;
+        let together = nominal.least_together(&friction, rig, plays_si, &yields_m);
+        let least_alone: Vec<f64> = nominal.factors_with_friction(&friction).iter().map(|factors| factors[0]).collect();
         let mut influence = Self { coordinates: nominal.coordinates, factors, yields_m, linearisation_share: 0.0 };
+        if let Some(together) = together {
+            // Either holds; the one that says more in the middle of the box is kept.
+            let middle: Vec<f64> = plays_si.iter().map(|[low, high]| 0.5 * (low + high)).collect();
+            let middle_m = rig.clearances_m(&middle);
+            let sum = |factors: &[f64]| factors.iter().zip(&middle_m).map(|(f, c)| f * c).sum::<f64>();
+            if sum(&together) > sum(&least_alone) {
+                for (factors, (together, alone)) in influence.factors.iter_mut().zip(together.iter().zip(&least_alone))
+                {
+                    factors[0] += together - alone;
+                }
+            }
+        }
         for corner in Rig::corners(plays_si) {
             let missed = influence.missed_share(rig, test, &corner)?;
             influence.linearisation_share = influence.linearisation_share.max(MISSED_TIMES * missed);
@@ -151,6 +165,41 @@ impl Nominal {
             })
             .collect();
         Ok(Self { coordinates, loads, travels, factors, reaches })
+    }
+
+    /// Least factors with friction where it is read where it is pushed: the same share of all nominal ones. Friction does not turn
+    /// all joints furthest at once, so that the sum falls by less than its terms may. The share is the least of
+    /// Σ A_j cos t_j r_j / Σ A_j r_j over the corners of the radii r, where a ratio of linear functions is least.
+    fn least_together(
+        &self,
+        friction: &Friction,
+        rig: &Rig<'_>,
+        plays_si: &[[f64; 2]],
+        yields_m: &[[f64; 2]],
+    ) -> Option<Vec<f64>> {
+        /// Round-off of 2 |g| beside the factor.
+        const SAME: f64 = 1e-9;
+        let is_same = |k: usize| {
+            let due = 2.0 * self.travels[k].length();
+            matches!(self.reaches[k], PlayReach::Disc { .. }) && (self.factors[k] - due).abs() <= SAME * due
+        };
+        if !Rig::takes_all_corners(plays_si) {
+            return None;
+        }
+        let rows = friction.least_cosines().filter(|_| (0..self.factors.len()).all(is_same))?;
+        let mut share = 1.0_f64;
+        for corner in Rig::corners(plays_si) {
+            let clearances_m = rig.clearances_m(&corner);
+            for end in [0, 1] {
+                let terms: Vec<f64> =
+                    (0..self.factors.len()).map(|k| self.factors[k] * (clearances_m[k] + yields_m[k][end])).collect();
+                let sum: f64 = terms.iter().sum();
+                for row in &rows {
+                    share = share.min(row.iter().zip(&terms).map(|(cosine, term)| cosine * term).sum::<f64>() / sum);
+                }
+            }
+        }
+        Some(self.factors.iter().map(|factor| share * factor).collect())
     }
 
     /// Least, nominal and largest factors with the friction of the joints.

@@ -56,7 +56,7 @@ pub(crate) fn gradient(
     let mut sum = vec![Vec2::zero(); loops.displacements().len()];
     for ((_, weight), gradients) in parts.iter().zip(&gradients) {
         for (sum, gradient) in sum.iter_mut().zip(gradients) {
-            *sum = *sum + *gradient * *weight;
+            *sum += *gradient * *weight;
         }
     }
     Ok(sum)

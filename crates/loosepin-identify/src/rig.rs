@@ -124,12 +124,15 @@ impl<'s> Rig<'s> {
         self.plays.iter().map(|play| play.interval_si).collect()
     }
 
+    /// Whether [`Self::corners`] are all corners of a box: up to 32 of them.
+    pub fn takes_all_corners(ends: &[[f64; 2]]) -> bool {
+        ends.len() <= 5
+    }
+
     /// All corners of a box of the play inputs; of many inputs those in which all but one are at the same end.
     pub fn corners(ends: &[[f64; 2]]) -> Vec<Vec<f64>> {
-        /// Inputs of which all corners are taken, at most: 32 of them.
-        const MOST_FOR_ALL: usize = 5;
         let at = |pick: &dyn Fn(usize) -> usize| (0..ends.len()).map(|input| ends[input][pick(input)]).collect();
-        if ends.len() <= MOST_FOR_ALL {
+        if Self::takes_all_corners(ends) {
             return (0..1_usize << ends.len()).map(|bits| at(&|input| (bits >> input) & 1)).collect();
         }
         let mut corners: Vec<Vec<f64>> = vec![at(&|_| 0), at(&|_| 1)];
