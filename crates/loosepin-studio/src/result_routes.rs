@@ -61,7 +61,7 @@ pub async fn adopt(State(studio): State<Studio>, body: Bytes) -> Answer {
     let Asked { model, study, path, place } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
-        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None });
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
         Ok(match adopted(&folder, &texts, &path, place) {
             Ok(adopted) => Said { adopted: Some(adopted), refusal: None },
             Err(refusal) => Said { adopted: None, refusal: Some(refusal.into()) },
