@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::measured::Measured;
+use super::measurement::Measured;
 use super::target::AccuracyTarget;
 use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};

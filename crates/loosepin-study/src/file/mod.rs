@@ -14,6 +14,7 @@ mod input;
 mod keys;
 mod measured;
 mod measured_keys;
+mod measurement;
 mod parameter;
 mod parameter_keys;
 mod plausible;
@@ -42,7 +43,8 @@ pub use description::{
 pub use keys::{MOST_POSES, MOST_RUNS};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
-pub use measured::{Measured, MeasuredProblem, Push, ReadingScatter};
+pub use measured::MeasuredProblem;
+pub use measurement::{Measured, Push, ReadingScatter};
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
