@@ -4,7 +4,8 @@ use super::combinations::{Told, told};
 use super::consistent::{ConsistentSet, End, Row};
 use super::error::IdentifyProblem;
 use super::further::further;
-use super::influence::{Influence, Test};
+use super::influence::Influence;
+use super::locked::Test;
 use super::misfit::misfit;
 use super::rig::Rig;
 use loosepin_result::identification::{

@@ -6,8 +6,8 @@
 //! best of each place and output are then computed in full, as if the reading came out in the middle of what is possible.
 
 use super::consistent::{ConsistentSet, End, Row};
-use super::influence::{Influence, Nominal, Test};
-use super::locked::{locked_at, pushed};
+use super::influence::{Influence, Nominal};
+use super::locked::{Test, locked_at, pushed};
 use super::rig::Rig;
 use loosepin_math::solve_square;
 use loosepin_mechanics::model::{Axis, BodyId, PointId, Position, Relative};

@@ -1,14 +1,13 @@
 //! How much each play moves the dead travel of a reading, and what may add to or take from that.
 
 use super::friction::{Friction, turned_products};
-use super::locked::{UNLOADED, exact_travel, gradient, largest_load, locked_at, pushed, reaches};
+use super::locked::{Test, UNLOADED, exact_travel, gradient, largest_load, locked_at, pushed, reaches};
 use super::rig::Rig;
 use super::yielding::yields_m;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::{Position, Values};
 use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, PlayReach};
-use loosepin_study::Push;
 
 /// What the exact loops miss at the corners of the plays is taken twice: between the corners, and where fifth powers of
 /// clearance over length begin to count, it may be more.
@@ -25,18 +24,6 @@ pub(crate) struct Influence {
     pub yields_m: Vec<[f64; 2]>,
     /// What the exact loops differ by from Σ |nominal| · (clearance + yield), as a share, at most.
     pub linearisation_share: f64,
-}
-
-/// A reading: what pushes, what is read, and where.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Test {
-    pub push: Push,
-    pub travel: Position,
-    pub pose_rad: f64,
-    /// Largest error of that angle, of either sign, rad.
-    pub pose_error_rad: f64,
-    /// Largest coefficient of friction, where it is not that of the model.
-    pub friction: Option<f64>,
 }
 
 impl Influence {

@@ -14,6 +14,18 @@ const SETTLED: f64 = 1e-12;
 /// A joint whose load is below this share of the largest is not loaded.
 pub(crate) const UNLOADED: f64 = 1e-9;
 
+/// A reading: what pushes, what is read, and where.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Test {
+    pub push: Push,
+    pub travel: Position,
+    pub pose_rad: f64,
+    /// Largest error of that angle, of either sign, rad.
+    pub pose_error_rad: f64,
+    /// Largest coefficient of friction, where it is not that of the model.
+    pub friction: Option<f64>,
+}
+
 /// The coordinates of the ideal mechanism where the drive that the cycle counts stands at `angle_rad`.
 pub(crate) fn locked_at(mechanism: &Mechanism, values: &Values, angle_rad: f64) -> Result<Vec<f64>, AccuracyError> {
     let input = mechanism.model.cycle_input(values);

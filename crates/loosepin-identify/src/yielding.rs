@@ -1,7 +1,7 @@
 //! How far contacts give way under a push: δ with F_el(δ) = N, the elastic part of the contact law at rest.
 
 use super::friction::Friction;
-use super::influence::Test;
+use super::locked::Test;
 use super::rig::Rig;
 use loosepin_math::Vec2;
 use loosepin_mechanics::contact::NormalContact;
