@@ -37,7 +37,8 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
         for (frequencies_hz, one, many) in
             [(lateral, "lateral shape", "lateral shapes"), (axial, "axial shape", "axial shapes")]
         {
-            let hz: Vec<String> = frequencies_hz.iter().map(|hz| format_value(*hz, Dimension::FREQUENCY)).collect();
+            let in_words = |hz: &f64| format!("{} Hz", format_value(*hz, Dimension::NUMBER));
+            let hz: Vec<String> = frequencies_hz.iter().map(in_words).collect();
             let at = if hz.is_empty() { String::new() } else { format!(" at {}", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
         }
