@@ -1,7 +1,9 @@
 //! Numbers of runs that need not be in memory all at once: in a file without a name, read as if they were memory.
 //!
-//! Numbers are written once and never change. What was read of them lately stays in memory, [`MOST_READ_BYTES`] at most; the operating
-//! system reads the rest again when it is asked for. Where the file has no room for more, what would follow stays in memory.
+//! Numbers are written once and never change. What was read of them lately stays in memory, [`MOST_READ_BYTES`] at most (on Unix; elsewhere
+//! the system decides); the operating system reads the rest again when it is asked for. Where the file has no room for more, what would
+//! follow stays in memory. The file has to lie on a disk of the machine: where what was written cannot be read again, as on a network drive
+//! that has gone, the system ends the process.
 #![allow(unsafe_code, reason = "a file can be read as memory only by one who knows that nobody else changes it")]
 
 use std::fmt;
@@ -10,7 +12,7 @@ use std::io::{self, Seek, SeekFrom, Write};
 use std::ops::{Deref, Range};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use memmap2::{Mmap, MmapOptions};
 
@@ -29,7 +31,8 @@ pub struct Scratch {
 /// Parts of which pages are in memory, and their sizes together.
 #[derive(Default)]
 struct Read {
-    parts: Vec<Arc<Part>>,
+    /// They do not hold the parts, which hold them.
+    parts: Vec<Weak<Part>>,
     bytes: usize,
 }
 
@@ -68,6 +71,7 @@ impl Scratch {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let path = folder.join(format!(".numbers-{}-{number}", std::process::id()));
         let file = OpenOptions::new().read(true).write(true).create_new(true).open(&path)?;
+        // A file that keeps its name is no scratch file: it is empty still, and the next program of the same number is told.
         std::fs::remove_file(&path)?;
         Ok(Self { file: Arc::new(Mutex::new(file)), read: Arc::default() })
     }
@@ -80,16 +84,24 @@ impl Scratch {
     pub(crate) fn put(&self, numbers: &[f64]) -> io::Result<Away> {
         let mut file = lock(&self.file);
         let begin = file.seek(SeekFrom::End(0))?.next_multiple_of(ALIGNMENT);
-        file.seek(SeekFrom::Start(begin))?;
-        // SAFETY: every byte of a number is a byte, and numbers need a wider alignment than bytes.
-        let bytes = unsafe { std::slice::from_raw_parts(numbers.as_ptr().cast::<u8>(), size_of_val(numbers)) };
-        file.write_all(bytes)?;
-        // SAFETY: the file has no name, so that no other process has it; it is written by this function alone, which never goes back
-        // behind the end of what was there before. So the mapped bytes never change and are never cut off.
-        let map = unsafe { MmapOptions::new().offset(begin).len(bytes.len()).map(&*file)? };
+        let map = map_written(&mut file, begin, numbers).inspect_err(|_| {
+            // What was written in part would fill the disk for the results. It is mapped nowhere.
+            let _ = file.set_len(begin);
+        })?;
         let part = Part { map, is_read: AtomicBool::new(false), read: Arc::clone(&self.read) };
         Ok(Away { part: Arc::new(part), range: 0..numbers.len() })
     }
+}
+
+/// Writes `numbers` at `begin`, which is not before the end of `file`, and maps them.
+fn map_written(file: &mut File, begin: u64, numbers: &[f64]) -> io::Result<Mmap> {
+    file.seek(SeekFrom::Start(begin))?;
+    // SAFETY: every byte of a number is a byte, and numbers need a wider alignment than bytes.
+    let bytes = unsafe { std::slice::from_raw_parts(numbers.as_ptr().cast::<u8>(), size_of_val(numbers)) };
+    file.write_all(bytes)?;
+    // SAFETY: the file has no name, so that nobody else opens it; only this function writes to it, never before the end of what was
+    // there, and only what could not be mapped is cut off. So the mapped bytes never change.
+    unsafe { MmapOptions::new().offset(begin).len(bytes.len()).map(&*file) }
 }
 
 impl Part {
@@ -111,9 +123,9 @@ impl Part {
             return;
         }
         read.bytes += self.map.len();
-        read.parts.push(Arc::clone(self));
+        read.parts.push(Arc::downgrade(self));
         if read.bytes > MOST_READ_BYTES {
-            for part in std::mem::take(&mut *read).parts {
+            for part in std::mem::take(&mut *read).parts.iter().filter_map(Weak::upgrade) {
                 // Whoever reads it from now on notes it again.
                 part.is_read.store(false, Ordering::Relaxed);
                 part.leave();
@@ -188,6 +200,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 mod tests {
     use super::{MOST_READ_BYTES, Numbers, Scratch, lock};
     use rayon::prelude::*;
+    use std::sync::Arc;
 
     fn scratch() -> Scratch {
         Scratch::in_folder(&std::env::temp_dir()).expect("a file")
@@ -231,6 +244,18 @@ mod tests {
         let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&numbers), bits(&odd));
         std::fs::remove_dir_all(&folder).expect("a folder");
+    }
+
+    #[test]
+    fn nothing_is_left_when_it_is_dropped() {
+        let scratch = scratch();
+        let numbers = scratch.put(&[1.5; 1000]).expect("room");
+        assert_eq!(numbers[999], 1.5);
+        let (part, read) = (Arc::downgrade(&numbers.part), Arc::downgrade(&scratch.read));
+        drop(scratch);
+        assert_eq!(numbers[0], 1.5, "numbers outlive the file that they are in");
+        drop(numbers);
+        assert!(part.upgrade().is_none() && read.upgrade().is_none());
     }
 
     #[test]
