@@ -17,8 +17,8 @@ use super::still_figures::orbit_figure;
 use super::wear_section::wear_section;
 use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
-    SimulationRecord, StopReason, SwingCourse,
+    BendingRecord, ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory,
+    QuasiStaticShare, SimulationRecord, StopReason, SwingCourse,
 };
 use loosepin_text::units::SiUnit;
 
@@ -172,6 +172,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         "The energy balance has an error of {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
+    sentences.extend(record.bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
@@ -179,6 +180,21 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
     sentences.extend(quasi_static_sentence(&checks, writer));
     sentences
+}
+
+/// That a body bends further than its floating frame is meant for.
+fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<String> {
+    /// Angle at which foreshortening to second order is off by half a percent, rad.
+    const LARGEST_RAD: f64 = 0.1;
+    // Not a number is no small angle.
+    (!(bending.largest_angle_rad <= LARGEST_RAD)).then(|| {
+        format!(
+            "The {} bends too far for its model: its ends turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens.",
+            bending.body,
+            writer.value(bending.largest_angle_rad, &SiUnit::ANGLE),
+            writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE),
+        )
+    })
 }
 
 /// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.

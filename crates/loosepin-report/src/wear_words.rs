@@ -7,6 +7,8 @@ use loosepin_text::units::{DisplayUnit, DisplayUnits, SiUnit};
 
 /// Sectors over which the widest patch of pressure is to lie, at least.
 const LEAST_SECTORS: f64 = 4.0;
+/// Half-width of the patch over the radius from which the surfaces are no half-spaces any more: the arc is 1.5 % longer than its chord.
+const WIDE_PATCH: f64 = 0.3;
 /// Depth over clearance from which the unworn geometry is told to be an estimate only.
 const MUCH_WORN: f64 = 0.1;
 
@@ -52,14 +54,14 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
     let sectors = wear.surfaces.first().map_or(0, |surface| surface.depth_m.len());
     sentences.push(match checks.path_error {
         Some(error) => format!(
-            "{joint}: the friction path integrated with the motion and that of the {} differ by {} of it; volume and \
-             sectors by {}.",
+            "{joint}: the friction path integrated with the motion and that of the {} differ by {} of it; the depths add up \
+             to theirs within {}.",
             counted(sectors as u64, "sector", writer),
             share(error),
             share(of_sectors)
         ),
         None => format!(
-            "{joint}: volume and {} differ by {} of it.",
+            "{joint}: the depths of the {} add up to the volume within {} of it.",
             counted(sectors as u64, "sector", writer),
             share(of_sectors)
         ),
@@ -75,6 +77,14 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
         let width = writer.rounded(checks.widest_patch_sectors, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
             "{joint}: the widest contact lies over {width} sectors. Greatest depths are means over a sector: take more sectors."
+        ));
+    }
+    let half_width = std::f64::consts::PI * checks.widest_patch_sectors / sectors.max(1) as f64;
+    if half_width > WIDE_PATCH {
+        let wide = writer.rounded(half_width, &SiUnit::NONE, 2, Rounding::Nearest);
+        sentences.push(format!(
+            "{joint}: the widest contact has a half-width of {wide} radii. Hertz's pressure is meant for less than {WIDE_PATCH}: \
+             depths are rough there, volumes are not touched."
         ));
     }
     if checks.capped_share > 0.0 {

@@ -84,6 +84,19 @@ pub struct SimulationRecord {
     /// Wear of the joints that wear; empty, and not written, where there are none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub wear: Vec<JointWearRecord>,
+    /// How far flexible bodies bend; empty, and not written, where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bending: Vec<BendingRecord>,
+}
+
+/// How far a flexible body bends.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BendingRecord {
+    /// Name of the body.
+    pub body: String,
+    /// Largest angle of the section at either end from the frame of the body.
+    #[serde(with = "extended")]
+    pub largest_angle_rad: f64,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot

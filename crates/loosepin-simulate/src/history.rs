@@ -1,5 +1,6 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
+use super::bending::BendingRecorder;
 use super::column::{Arms, Column, columns};
 use super::control_history::ControlRecorder;
 use super::drawing::{add_pose, skeleton};
@@ -216,6 +217,7 @@ struct Recorder<'a> {
     flight: FlightClock,
     sections: SectionRecorder,
     wear: WearRecorder,
+    bending: BendingRecorder,
     with_forces: bool,
     has_dampers: bool,
 }
@@ -274,6 +276,7 @@ impl<'a> Recorder<'a> {
             flight: FlightClock::new(mechanism, window.start_s),
             sections,
             wear: WearRecorder::new(mechanism, values),
+            bending: BendingRecorder::new(mechanism),
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             has_dampers: mechanism.has_dampers(),
             columns,
@@ -507,6 +510,7 @@ impl<'a> Recorder<'a> {
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
             wear: self.wear.records(self.mechanism, &report),
+            bending: self.bending.records(self.mechanism),
         };
         Simulation { record, states: self.states, report, failure: None }
     }
@@ -570,6 +574,7 @@ impl Observer for Recorder<'_> {
         self.note_extremes(step);
         self.note_peak_forces(step);
         self.wear.step(step);
+        self.bending.step(step);
     }
 
     fn contact_begins(&mut self, onset: &Onset) {

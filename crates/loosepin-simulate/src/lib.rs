@@ -6,6 +6,7 @@ pub mod sweep;
 
 mod balance;
 mod batch;
+mod bending;
 mod column;
 mod control_history;
 mod controlled_drawing;

@@ -42,7 +42,8 @@ pub struct SurfaceWear {
     /// Mean depth of each sector. Sector s of n reaches from 360°·s/n to 360°·(s + 1)/n, from the x axis of the body with the surface.
     #[serde(with = "extended")]
     pub depth_m: Vec<f64>,
-    /// Sum of the volumes of all sectors over the worn volume, less one.
+    /// Sum of the volumes of all sectors over the volume that was distributed over them, less one; how that differs from the worn volume
+    /// stands in [`WearChecks::path_error`].
     #[serde(with = "extended")]
     pub sum_of_sectors_error: f64,
     /// Greatest depth with half as many sectors; absent where their number is odd.

@@ -15,8 +15,11 @@ const SURFACES: [WornSurface; 2] = [WornSurface::Bearing, WornSurface::Journal];
 impl WearingJoint {
     /// Friction path of a cycle, J: integrated with the motion, or that of the profile where an ideal joint has no such integral.
     pub fn friction_path_j(&self, report: &RunReport, profile: Option<&WearProfile>) -> f64 {
-        let integrated = report.friction_paths.iter().find(|path| Some(path.play) == self.play);
-        integrated.map(|path| path.path_j).or(profile.map(|profile| profile.total_j)).unwrap_or(f64::NAN)
+        let path_j = match self.play {
+            Some(play) => report.friction_paths.iter().find(|path| path.play == play).map(|path| path.path_j),
+            None => profile.map(|profile| profile.total_j),
+        };
+        path_j.unwrap_or(f64::NAN)
     }
 
     /// Worn volume N k W of bearing (0) or journal (1) after all cycles, m³; zero where it does not wear.
@@ -34,6 +37,7 @@ impl WearingJoint {
         let coefficient_m2_n = self.coefficients_m2_n[side]?;
         let depth_m = self.depths_m(side, profile);
         let volume_m3 = self.volume_m3(side, friction_path_j);
+        let distributed_m3 = self.volume_m3(side, profile.total_j);
         let sum_m3 = depth_m.iter().sum::<f64>() * self.sector_area_m2(side);
         let deepest = depth_m.iter().copied().enumerate();
         let (deepest_sector, greatest_depth_m) =
@@ -46,7 +50,7 @@ impl WearingJoint {
             volume_m3,
             greatest_depth_m,
             deepest_sector,
-            sum_of_sectors_error: if volume_m3 > 0.0 { sum_m3 / volume_m3 - 1.0 } else { 0.0 },
+            sum_of_sectors_error: if distributed_m3 > 0.0 { sum_m3 / distributed_m3 - 1.0 } else { 0.0 },
             coarse_greatest_depth_m: odd.is_empty().then_some(coarse),
             depth_m,
         })

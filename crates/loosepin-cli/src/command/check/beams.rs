@@ -39,7 +39,8 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
         {
             let in_words = |hz: &f64| format!("{} Hz", format_value(*hz, Dimension::NUMBER));
             let hz: Vec<String> = frequencies_hz.iter().map(in_words).collect();
-            let at = if hz.is_empty() { String::new() } else { format!(" at {}", listed(&hz, "and")) };
+            let at =
+                if hz.is_empty() { String::new() } else { format!(" at {} with the frame held", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
         }
         for (index, (play, id)) in sample.plays.iter().zip(&mechanism.plays).enumerate() {

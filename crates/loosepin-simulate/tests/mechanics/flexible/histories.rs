@@ -55,6 +55,9 @@ fn peer_a_blade_whose_hub_is_brought_to_speed() {
         text.lines().skip(1).map(|line| line.split(',').map(|n| n.parse().expect("a number")).collect()).collect();
     let of = |name: &str| &record.outputs.iter().find(|history| history.name == name).expect("an output").value_si;
     assert_eq!(record.time_s.len(), 121);
+    // The slope of the tip is 0.13 where it bends most.
+    assert_eq!(record.bending.len(), 1);
+    assert!((record.bending[0].largest_angle_rad - 0.13).abs() < 0.005, "{:?}", record.bending);
     assert!(record.energy.relative_residual < 1e-9, "{:e}", record.energy.relative_residual);
     for ((row, time_s), (along, across)) in rows.iter().zip(&record.time_s).zip(of("along").iter().zip(of("across"))) {
         assert!((row[0] - time_s).abs() < 1e-12);
