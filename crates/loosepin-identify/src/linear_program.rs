@@ -47,7 +47,12 @@ impl LinearProgram {
     pub fn largest(&self, objective: &[f64]) -> Option<Largest> {
         let mut tableau = Tableau::new(self);
         if !tableau.find_feasible() {
-            return None;
+            if self.is_proof_of_emptiness(&tableau.multipliers()) {
+                return None;
+            }
+            // Undecided: the bound of the box holds.
+            let value = objective.iter().map(|entry| entry.max(0.0)).sum();
+            return Some(Largest { value, point: tableau.point(self.variables) });
         }
         tableau.set_objective(objective);
         tableau.climb();
@@ -57,9 +62,18 @@ impl LinearProgram {
         Some(Largest { value, point })
     }
 
-    /// Whether no y keeps all rows.
+    /// Whether no y keeps all rows, with proof: what is undecided is not empty.
     pub fn is_empty(&self) -> bool {
-        !Tableau::new(self).find_feasible()
+        let mut tableau = Tableau::new(self);
+        !tableau.find_feasible() && self.is_proof_of_emptiness(&tableau.multipliers())
+    }
+
+    /// Whether λ >= 0 proves that no y keeps all rows (Farkas): then 0·y has the upper bound bᵀλ + Σ max(0, -Aᵀλ) < 0, which a point
+    /// of the set would contradict. It holds for any λ, wherever the simplex method stopped; the sum is taken with its round-off.
+    fn is_proof_of_emptiness(&self, multipliers: &[f64]) -> bool {
+        let size: f64 = multipliers.iter().sum();
+        let terms = (self.rows.len() * (self.variables + 1)) as f64;
+        self.dual_value(&vec![0.0; self.variables], multipliers) < -f64::EPSILON * terms * size
     }
 
     /// bᵀλ + Σ max(0, c - Aᵀλ): by weak duality an upper bound of c·y over the set, since 0 <= y <= 1.
@@ -271,6 +285,22 @@ mod tests {
         let mut beyond = LinearProgram::new(1);
         beyond.demand(vec![-1e-4], -1.2e-4);
         assert!(beyond.is_empty(), "no y <= 1 reaches 1.2");
+    }
+
+    #[test]
+    fn identity_no_multipliers_prove_a_set_with_points_empty_and_some_prove_an_empty_one() {
+        let mut program = LinearProgram::new(2);
+        program.demand(vec![-1.0, -1.0], -0.7);
+        program.demand(vec![1.0, 0.4], 0.3);
+        // (0.02, 0.68) keeps both rows, to two parts in a thousand.
+        for multipliers in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.4, 1.0], [1.0, 2.5], [1e9, 2.5e9]] {
+            assert!(!program.is_proof_of_emptiness(&multipliers), "{multipliers:?}");
+        }
+        program.demand(vec![0.0, 1.0], 0.5);
+        // x >= 0.2 and 0.3 - 0.2 >= x: 1.0 of the first, 1.0 of the second, 0.6 of the third say 0 <= -0.1.
+        assert!(program.is_proof_of_emptiness(&[1.0, 1.0, 0.6]) && program.is_empty());
+        // Multipliers of a simplex method that stopped early prove nothing.
+        assert!(!program.is_proof_of_emptiness(&[1.0, 0.0, 0.0]));
     }
 
     #[test]
