@@ -2,16 +2,16 @@
 
 use super::combinations::{Told, told};
 use super::consistent::{ConsistentSet, End, Row};
-use super::error::IdentifyProblem;
+use super::error::{Failure, IdentifyProblem};
 use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
 use super::misfit::misfit;
 use super::rig::Rig;
+use super::states::States;
 use loosepin_result::identification::{
     Combination, Consistent, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
 };
-use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
 use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, format_value};
@@ -20,8 +20,11 @@ use loosepin_uncertainty::{normal_quantile, student_factor};
 /// Confidence of all bounds together, where none is stated.
 pub const CONFIDENCE: f64 = 0.99;
 
-/// Rounds in which the box of the plays becomes smaller and the exact loops are asked at the ends of all bounds, at most.
+/// Boxes of the plays, each smaller than the one before, at most.
 const ROUNDS: usize = 6;
+/// Times that the exact loops are asked at the ends of all bounds, at most: each box needs one that widens nothing, and what widens is
+/// doubled.
+const CHECKS: usize = 10 * ROUNDS;
 /// A box is worth another round where a width is below this share of the one before.
 const WORTH_A_ROUND: f64 = 0.98;
 
@@ -136,13 +139,18 @@ fn of_readings(
             friction: reading.friction,
         })
         .collect();
+    let states = readings
+        .iter()
+        .zip(&tests)
+        .map(|(reading, test)| States::new(rig, test).map_err(|error| locked(reading, error.into())))
+        .collect::<Result<Vec<States>, Complaints>>()?;
     // Contacts yield the more alike, and the loops are the straighter, the smaller the box of the plays is: what the readings leave
     // of it is the next box.
     let influences_in = |plays_si: &[[f64; 2]]| -> Result<Vec<Influence>, Complaints> {
-        let of = |(reading, test): (&&Measured, &Test)| {
-            Influence::new(rig, test, plays_si).map_err(|error| locked(reading, error))
+        let of = |((reading, test), states): ((&&Measured, &Test), &States)| {
+            Influence::new(rig, test, states, plays_si).map_err(|error| locked(reading, error))
         };
-        readings.iter().zip(&tests).map(of).collect()
+        readings.iter().zip(&tests).zip(&states).map(of).collect()
     };
     let mut plays_si = rig.intervals_si();
     let mut influences = influences_in(&plays_si)?;
@@ -172,35 +180,42 @@ fn of_readings(
         set.rows.iter().map(|row| row.factors.iter().map(|factors| factors[1]).collect()).collect();
     let mut told = told(&nominal, &widths_si);
     add_whole_sum(rig, &mut told);
+    let is_fixed: Vec<bool> = (0..widths_si.len()).map(|play| told.is_identifiable(play) && set.fixes(play)).collect();
+    // What nominal factors tell apart, and those within their bounds do not, is no play that is fixed.
+    told.combinations.retain(|weights| match sole(weights) {
+        Some(play) => is_fixed[play],
+        None => true,
+    });
     let units = |play: usize| -> Vec<f64> { (0..widths_si.len()).map(|k| f64::from(u8::from(k == play))).collect() };
     let mut objectives: Vec<Vec<f64>> = (0..widths_si.len()).map(units).collect();
     objectives.extend(told.combinations.iter().cloned());
     let mut bounds = all_bounds(&set, &objectives);
-    for _ in 1..ROUNDS {
+    let mut shrunk = 1;
+    for _ in 0..CHECKS {
         let Some(found) = &bounds else { break };
-        let left: Vec<[f64; 2]> =
-            plays_si.iter().zip(found).map(|(before_si, ends)| within(*before_si, ends)).collect();
-        let is_smaller =
-            |(left, before): (&[f64; 2], &[f64; 2])| left[1] - left[0] < WORTH_A_ROUND * (before[1] - before[0]);
-        let may_gain = left.iter().zip(&plays_si).any(is_smaller);
-        if may_gain {
-            plays_si = left;
-            influences = influences_in(&plays_si)?;
-        }
-        // The linear model must hold where the bounds are attained: the exact loops are asked there.
+        // The linear model must hold where the bounds are attained: the exact loops are asked there, before a box is cut by them.
         let mut is_wider = false;
         for (reading, (test, influence)) in readings.iter().zip(tests.iter().zip(&mut influences)) {
             for end in found.iter().flatten() {
                 let missed =
-                    influence.missed_share(rig, test, &end.plays_si).map_err(|error| locked(reading, error))?;
+                    influence.missed_share(rig, test, &end.plays_si).map_err(|error| locked(reading, error.into()))?;
                 if missed > influence.linearisation_share {
                     influence.widen(missed);
                     is_wider = true;
                 }
             }
         }
-        if !may_gain && !is_wider {
-            break;
+        if !is_wider {
+            let left: Vec<[f64; 2]> =
+                plays_si.iter().zip(found).map(|(before_si, ends)| within(*before_si, ends)).collect();
+            let is_smaller =
+                |(left, before): (&[f64; 2], &[f64; 2])| left[1] - left[0] < WORTH_A_ROUND * (before[1] - before[0]);
+            if shrunk == ROUNDS || !left.iter().zip(&plays_si).any(is_smaller) {
+                break;
+            }
+            plays_si = left;
+            influences = influences_in(&plays_si)?;
+            shrunk += 1;
         }
         set = set_of(&influences);
         bounds = all_bounds(&set, &objectives);
@@ -215,7 +230,7 @@ fn of_readings(
                 unit: play.unit.clone(),
                 before_si: play.interval_si,
                 after_si: within(play.interval_si, ends),
-                is_identifiable: told.is_identifiable(index),
+                is_identifiable: is_fixed[index],
                 is_interval: play.is_interval,
             });
             let plays: Vec<PlayBounds> = plays.collect();
@@ -230,8 +245,10 @@ fn of_readings(
                 }
             });
             let combinations = combinations.collect();
-            let further = looks_further.then(|| further(rig, &set, &bounds, readings)).flatten();
-            Outcome::Consistent(Consistent { plays, combinations, alike: told.alike.clone(), further })
+            let further = looks_further.then(|| further(rig, &set, &bounds, readings));
+            let searched = further.as_ref().map(|(searched, _)| *searched);
+            let further = further.and_then(|(_, further)| further);
+            Outcome::Consistent(Consistent { plays, combinations, alike: told.alike.clone(), further, searched })
         }
     };
     let parts = readings.iter().zip(&set.rows).zip(independent.iter().zip(&influences));
@@ -251,6 +268,12 @@ fn of_readings(
         allowed_before_si: set.allowed_si(row),
     });
     Ok(Specimen { name: name.clone(), readings: readings.collect(), outcome })
+}
+
+/// The play of a sum that holds no other.
+fn sole(weights: &[f64]) -> Option<usize> {
+    let mut held = weights.iter().enumerate().filter(|(_, weight)| **weight != 0.0);
+    held.next().map(|(play, _)| play).filter(|_| held.next().is_none())
 }
 
 /// Where every play is fixed by itself, their sum is fixed as well, and often far better: it is told beside them.
@@ -287,13 +310,8 @@ fn before(rig: &Rig<'_>, weights: &[f64]) -> [f64; 2] {
 }
 
 fn compliance_si(influence: &Influence) -> [f64; 2] {
-    let mut ends = [0.0; 2];
-    for (joint, [least_m, most_m]) in influence.yields_m.iter().enumerate() {
-        let [least, largest] = influence.limits(joint);
-        ends[0] += f64::min(least * least_m, least * most_m);
-        ends[1] += f64::max(largest * least_m, largest * most_m);
-    }
-    ends
+    let ends = (0..influence.yields_m.len()).map(|joint| influence.yield_si(joint));
+    ends.fold([0.0; 2], |[least, most], [low, high]| [least + low, most + high])
 }
 
 /// A push in words: `20 N at slider.pin along 0 deg`.
@@ -313,7 +331,11 @@ pub(crate) fn push_words(rig: &Rig<'_>, push: &Push) -> String {
 }
 
 /// A mechanism that cannot be locked or does not settle, at the reading that asks for it.
-fn locked(reading: &Measured, error: AccuracyError) -> Complaints {
-    let problem = IdentifyProblem::Locked { reading: reading.name.clone(), error };
+fn locked(reading: &Measured, failure: Failure) -> Complaints {
+    let name = reading.name.clone();
+    let problem = match failure {
+        Failure::Accuracy(error) => IdentifyProblem::Locked { reading: name, error },
+        Failure::TooLoaded { joint } => IdentifyProblem::TooLoaded { reading: name, joint },
+    };
     Complaint::error(&problem, Some(reading.place.clone())).into()
 }

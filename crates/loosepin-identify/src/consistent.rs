@@ -55,13 +55,10 @@ impl Row {
                     *factor += own * slope;
                 }
             }
-            let [yield_least_m, yield_most_m] = influence.yields_m[joint];
-            let ends_m = [
-                clearance.offset_m - clearance.spread_m + yield_least_m,
-                clearance.offset_m + clearance.spread_m + yield_most_m,
-            ];
-            constant_si[0] += f64::min(least * ends_m[0], least * ends_m[1]);
-            constant_si[1] += f64::max(largest * ends_m[0], largest * ends_m[1]);
+            let ends_m = [clearance.offset_m - clearance.spread_m, clearance.offset_m + clearance.spread_m];
+            let [yield_least_si, yield_most_si] = influence.yield_si(joint);
+            constant_si[0] += f64::min(least * ends_m[0], least * ends_m[1]) + yield_least_si;
+            constant_si[1] += f64::max(largest * ends_m[0], largest * ends_m[1]) + yield_most_si;
         }
         Self { factors, constant_si, interval_si, common_si, instrument }
     }
@@ -106,6 +103,36 @@ impl ConsistentSet {
     /// Whether no plays explain all readings.
     pub fn is_empty(&self) -> bool {
         self.program(|_| false).is_empty()
+    }
+
+    /// Whether no plays explain the readings that `counts` names.
+    pub fn is_empty_of(&self, counts: impl Fn(usize) -> bool) -> bool {
+        self.program(|reading| !counts(reading)).is_empty()
+    }
+
+    /// Whether the readings bound a play by itself, wherever the factors are between least and largest: there is no direction, with this
+    /// play up or down and the others up (no play is negative), in which all readings can stay as they are.
+    pub fn fixes(&self, play: usize) -> bool {
+        /// Share of the width of the play for that of another: round-off.
+        const STANDS: f64 = 1e-7;
+        [1.0, -1.0].into_iter().all(|sign| {
+            let mut program = LinearProgram::new(self.intervals_si.len());
+            for row in &self.rows {
+                // Least travel <= 0 and largest travel >= 0; a play that goes down has its largest factor in the least travel.
+                for (side, which) in [(1.0, 0), (-1.0, 2)] {
+                    let of = |(k, ([least, _, largest], [low, high])): (usize, (&[f64; 3], &[f64; 2]))| {
+                        let is_down = k == play && sign < 0.0;
+                        let factor = if (which == 0) == is_down { *largest } else { *least };
+                        let direction = if is_down { -1.0 } else { 1.0 };
+                        side * direction * factor * (high - low)
+                    };
+                    program.demand(row.factors.iter().zip(&self.intervals_si).enumerate().map(of).collect(), 0.0);
+                }
+            }
+            let mut objective = vec![0.0; self.intervals_si.len()];
+            objective[play] = 1.0;
+            program.largest(&objective).is_some_and(|largest| largest.value <= STANDS)
+        })
     }
 
     /// Whether no plays explain all readings where errors are `errors` times as large.
@@ -167,5 +194,35 @@ impl ConsistentSet {
             ends[1] += f64::max(factors[2] * interval[0], factors[2] * interval[1]);
         }
         ends
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ConsistentSet, Row};
+
+    fn set(rows: &[[f64; 2]], loose: f64) -> ConsistentSet {
+        let row = |factors: &[f64; 2]| Row {
+            factors: factors.iter().map(|factor| [factor - loose, *factor, factor + loose]).collect(),
+            constant_si: [0.0; 2],
+            interval_si: [1e-4, 1.1e-4],
+            common_si: 0.0,
+            instrument: 0,
+        };
+        ConsistentSet { intervals_si: vec![[1e-5, 3e-4]; 2], instruments: 1, rows: rows.iter().map(row).collect() }
+    }
+
+    #[test]
+    fn analytic_a_play_is_fixed_by_itself_only_beyond_what_the_factors_leave_open() {
+        let fixed = |rows: &[[f64; 2]], loose: f64| [0, 1].map(|play| set(rows, loose).fixes(play));
+        assert_eq!(fixed(&[[1.0, 1.0]], 0.0), [false, false]);
+        assert_eq!(fixed(&[[1.0, 0.0]], 0.0), [true, false]);
+        // The determinant of (1, 1), (1, 1.001) is 0.001: factors that are known to a percent leave it open, exact ones do not.
+        let near = [[1.0, 1.0], [1.0, 1.001]];
+        assert_eq!(fixed(&near, 0.0), [true, true]);
+        assert_eq!(fixed(&near, 0.01), [false, false]);
+        assert_eq!(fixed(&[[1.0, 1.0], [1.0, 2.0]], 0.01), [true, true]);
+        // A factor of the other play that may be nought leaves this one alone only where it is known to be nought.
+        assert_eq!(fixed(&[[0.0, 1.0]], 0.01), [false, false]);
     }
 }

@@ -6,6 +6,21 @@ use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
 
+/// Why a reading has no linear model.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The mechanism does not settle there.
+    Accuracy(AccuracyError),
+    /// A contact law does not carry the push.
+    TooLoaded { joint: String },
+}
+
+impl From<AccuracyError> for Failure {
+    fn from(error: AccuracyError) -> Self {
+        Self::Accuracy(error)
+    }
+}
+
 problems! {
     /// Why nothing can be identified.
     #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +57,9 @@ problems! {
         Locked { reading: String, error: AccuracyError } => error.code(),
             says("{reading}: {error}"),
             hint_of(error.hint());
+        TooLoaded { reading: String, joint: String } => Code::NoQuasiStaticAnswer,
+            says("{reading}: the push loads '{joint}' by more than its contact law carries"),
+            hint("push with less, or give the contact a law that reaches deeper");
         DoesNotMove { reading: String } => Code::AskNotPossible,
             says("{reading}: no play gives way to this push, so that its dead travel says nothing"),
             hint("push a point that moves with the drive locked, in a direction that it can go");

@@ -16,7 +16,7 @@ use super::locked::{UNLOADED, largest_load};
 use super::rig::Rig;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{PlayShape, Sample};
-use loosepin_mechanics::model::{BodyId, PlayId, Position, Relative};
+use loosepin_mechanics::model::{BodyId, PlayId, Position, QuantityId, Relative, Values};
 use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, play_gradients};
 use std::f64::consts::{PI, TAU};
 
@@ -30,28 +30,38 @@ pub(crate) struct Friction {
     /// Angle by which the contact of each joint may lie off the frictionless place, rad: at most π, where friction may hold it anywhere.
     pub turns_rad: Vec<f64>,
     /// Share by which friction may change the load of each joint.
-    pub load_shares: Vec<f64>,
+    load_shares: Vec<f64>,
+    /// By how much it may change that load under a unit push.
+    pub load_changes: Vec<f64>,
+    /// By how much it may change each of its two components.
+    pub component_changes: Vec<Vec2<f64>>,
     /// B_jk sin φ_k, rad: how the moment of joint k turns the force in joint j.
     across_rad: Vec<Vec<f64>>,
 }
 
 impl Friction {
-    /// The friction under a unit push that loads the joints with `loads`; `stated` is the largest coefficient, where it is not that of
-    /// the model.
+    /// The friction under a unit push that loads the joints with `loads`, where the model has the values `values`.
     pub fn new(
         rig: &Rig<'_>,
+        values: &Values,
         coordinates: &[f64],
         loads: &[Vec2<f64>],
-        stated: Option<f64>,
+        coefficients: &[f64],
     ) -> Result<Self, AccuracyError> {
-        let coefficients: Vec<f64> =
-            rig.mechanism.plays.iter().map(|play| stated.unwrap_or_else(|| coefficient(rig, *play))).collect();
+        let coefficients = coefficients.to_vec();
         if coefficients.iter().all(|coefficient| *coefficient == 0.0) {
             let nothing = vec![0.0; coefficients.len()];
-            return Ok(Self { coefficients, turns_rad: nothing.clone(), load_shares: nothing, across_rad: Vec::new() });
+            return Ok(Self {
+                component_changes: vec![Vec2::zero(); coefficients.len()],
+                coefficients,
+                turns_rad: nothing.clone(),
+                load_shares: nothing.clone(),
+                load_changes: nothing,
+                across_rad: Vec::new(),
+            });
         }
-        let sample = Sample::new(&rig.mechanism, &rig.values)?;
-        let mut loops = DisplacedLoops::new(&rig.mechanism, &rig.values);
+        let sample = Sample::new(&rig.mechanism, values)?;
+        let mut loops = DisplacedLoops::new(&rig.mechanism, values);
         loops.set_position(coordinates);
         // How a unit force in joint k, turned by its whole angle of friction, changes the force in joint j.
         let mut changes = vec![vec![Vec2::zero(); loads.len()]; loads.len()];
@@ -75,6 +85,13 @@ impl Friction {
             let next: Vec<f64> = changes.iter().map(sum).collect();
             change = next;
         }
+        let component_changes = changes
+            .iter()
+            .map(|row| {
+                let sizes = row.iter().enumerate().map(|(k, entry)| (entry, loads[k].length() + change[k]));
+                sizes.fold(Vec2::zero(), |sum, (entry, size)| sum + Vec2::new(entry.x.abs(), entry.y.abs()) * size)
+            })
+            .collect();
         let load_shares: Vec<f64> =
             change.iter().zip(loads).map(|(change, load)| change / load.length().max(least)).collect();
         let turn_rad = |j: usize| {
@@ -96,7 +113,7 @@ impl Friction {
             loads[j].cross(changes[j][k]) * loads[k].length() / (own * own)
         };
         let across_rad = (0..loads.len()).map(|j| (0..loads.len()).map(|k| across(j, k)).collect()).collect();
-        Ok(Self { coefficients, turns_rad, load_shares, across_rad })
+        Ok(Self { coefficients, turns_rad, load_shares, load_changes: change, component_changes, across_rad })
     }
 }
 
@@ -125,8 +142,21 @@ impl Friction {
     }
 }
 
-/// The largest coefficient of friction that the model and the study allow a joint; zero where its contact has no friction.
-fn coefficient(rig: &Rig<'_>, play: PlayId) -> f64 {
+/// The largest coefficient of friction that the model and the study allow each joint; zero where its contact has no friction.
+///
+/// A coefficient may follow from other inputs: it is evaluated wherever they may be.
+pub(crate) fn coefficients(rig: &Rig<'_>) -> Result<Vec<f64>, AccuracyError> {
+    let (alone, together) = rig.other_values()?;
+    let largest = |id: QuantityId| {
+        let middle = rig.values[id];
+        let added: f64 = alone.iter().map(|[low, high]| (low[id].max(high[id]) - middle).max(0.0)).sum();
+        together.iter().map(|values| values[id]).fold(middle + added, f64::max)
+    };
+    Ok(rig.mechanism.plays.iter().map(|play| coefficient(rig, *play, largest)).collect())
+}
+
+/// The largest coefficient of friction of a joint, where `largest` is that of a quantity.
+fn coefficient(rig: &Rig<'_>, play: PlayId, largest: impl Fn(QuantityId) -> f64) -> f64 {
     let model = &rig.mechanism.model;
     let Some(contact) = model.play_contact(play) else { return 0.0 };
     let table = format!("contact.{}.friction.", model.contacts[contact.0].name);
@@ -134,11 +164,7 @@ fn coefficient(rig: &Rig<'_>, play: PlayId) -> f64 {
         let key = quantity.path.strip_prefix(&table);
         key.is_some_and(|key| key == "coefficient" || key == "static_coefficient")
     });
-    let largest = of_friction.map(|(id, quantity)| {
-        let input = rig.others.iter().find(|other| other.path == quantity.path);
-        input.map_or(rig.values[id], |input| input.interval_si[1])
-    });
-    largest.fold(0.0, f64::max)
+    of_friction.map(|(id, _)| largest(id)).fold(0.0, f64::max)
 }
 
 /// The angle by which the journal of a joint turns in its bearing, as an angle of bodies and its sign.

@@ -6,12 +6,14 @@
 //! best of each place and output are then computed in full, as if the reading came out in the middle of what is possible.
 
 use super::consistent::{ConsistentSet, End, Row};
-use super::influence::{Influence, Nominal};
+use super::influence::Influence;
 use super::locked::{Test, locked_at, pushed};
+use super::nominal::Nominal;
 use super::rig::Rig;
+use super::states::States;
 use loosepin_math::solve_square;
 use loosepin_mechanics::model::{Axis, BodyId, PointId, Position, Relative};
-use loosepin_result::identification::FurtherReading;
+use loosepin_result::identification::{FurtherReading, Searched};
 use loosepin_simulate::accuracy::{PositionOutput, position_outputs};
 use loosepin_simulate::{Reading, relative_words};
 use loosepin_study::{Measured, Push};
@@ -59,23 +61,28 @@ struct Usual {
     friction: Option<f64>,
 }
 
-/// The best further reading; nothing where none narrows. Poses in which the mechanism cannot be locked are left out.
+/// The readings that were looked at, and the best; nothing where none narrows. Poses in which the mechanism cannot be locked are left out.
 pub(crate) fn further(
     rig: &Rig<'_>,
     set: &ConsistentSet,
     bounds: &[[End; 2]],
     readings: &[&Measured],
-) -> Option<FurtherReading> {
+) -> (Searched, Option<FurtherReading>) {
     let usual = Usual::of(rig, set, readings);
     let information = information(set);
     let (candidates, tried) = candidates(rig, &usual, &information);
+    let searched = Searched { candidates: tried, in_full: candidates.len() };
     let middle = middle(bounds);
     let now: Vec<f64> = bounds[..rig.plays.len()].iter().map(|[low, high]| high.value_si - low.value_si).collect();
     let mut best: Option<(f64, FurtherReading)> = None;
     let plays_si: Vec<[f64; 2]> =
         bounds[..rig.plays.len()].iter().map(|[low, high]| [low.value_si, high.value_si]).collect();
     for candidate in candidates {
-        let Ok(influence) = Influence::new(rig, &candidate.test, &plays_si) else { continue };
+        let influence = match States::new(rig, &candidate.test) {
+            Ok(states) => Influence::new(rig, &candidate.test, &states, &plays_si),
+            Err(error) => Err(error.into()),
+        };
+        let Ok(influence) = influence else { continue };
         if influence.linearisation_share > MOST_MISSED {
             continue;
         }
@@ -100,7 +107,7 @@ pub(crate) fn further(
             best = Some((score, described(rig, &candidate, error_si, left, tried)));
         }
     }
-    best.filter(|(score, _)| *score <= 1.0 - LEAST_GAIN).map(|(_, further)| further)
+    (searched, best.filter(|(score, _)| *score <= 1.0 - LEAST_GAIN).map(|(_, further)| further))
 }
 
 impl Usual {

@@ -1,13 +1,11 @@
 //! How much each play moves the dead travel of a reading, and what may add to or take from that.
 
-use super::friction::{Friction, turned_products};
-use super::locked::{Test, UNLOADED, exact_travel, gradient, largest_load, locked_at, pushed, reaches};
+use super::error::Failure;
+use super::locked::{Test, exact_travel, pushed};
 use super::rig::Rig;
+use super::states::{State, States};
 use super::yielding::yields_m;
-use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{Position, Values};
-use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, PlayReach};
+use loosepin_simulate::accuracy::AccuracyError;
 
 /// What the exact loops miss at the corners of the plays is taken twice: between the corners, and where fifth powers of
 /// clearance over length begin to count, it may be more.
@@ -22,50 +20,44 @@ pub(crate) struct Influence {
     pub factors: Vec<[f64; 3]>,
     /// How far each contact gives way under the push, m: least and largest.
     pub yields_m: Vec<[f64; 2]>,
+    /// 2 max(|g_y|, |g_θ|/a) at guides, where one corner may give way further than the other: the block then lies across and tilted. Zero
+    /// at other joints.
+    guide_factors: Vec<f64>,
     /// What the exact loops differ by from Σ |nominal| · (clearance + yield), as a share, at most.
     pub linearisation_share: f64,
 }
 
 impl Influence {
-    /// The influence of all plays on a reading, where the play inputs lie in the box `plays_si`.
+    /// The influence of all plays on a reading, where the play inputs lie in the box `plays_si` and all else in `states`.
     ///
     /// # Errors
-    /// The mechanism cannot be locked there, or a dead point lies within the play.
-    pub fn new(rig: &Rig<'_>, test: &Test, plays_si: &[[f64; 2]]) -> Result<Self, AccuracyError> {
-        let nominal = Nominal::at(&rig.mechanism, &rig.values, test)?;
-        let friction = Friction::new(rig, &nominal.coordinates, &nominal.loads, test.friction)?;
-        let mut factors = nominal.factors_with_friction(&friction);
-        for other in &rig.others {
-            let mut moved = Vec::new();
-            for end_si in other.interval_si {
-                let values = rig.values_with(&[(other.quantity, end_si)])?;
-                moved.push(Nominal::at(&rig.mechanism, &values, test)?);
-            }
-            widen(&mut factors, &nominal, &moved);
-        }
-        if test.pose_error_rad > 0.0 {
-            let mut moved = Vec::new();
-            for pose_rad in [test.pose_rad - test.pose_error_rad, test.pose_rad + test.pose_error_rad] {
-                moved.push(Nominal::at(&rig.mechanism, &rig.values, &Test { pose_rad, ..*test })?);
-            }
-            widen(&mut factors, &nominal, &moved);
-        }
-        let yields_m = yields_m(rig, &nominal.loads, &friction, test, plays_si)?;
-        let together = nominal.least_together(&friction, rig, plays_si, &yields_m);
-        let least_alone: Vec<f64> = nominal.factors_with_friction(&friction).iter().map(|factors| factors[0]).collect();
-        let mut influence = Self { coordinates: nominal.coordinates, factors, yields_m, linearisation_share: 0.0 };
-        if let Some(together) = together {
-            // Either holds; the one that says more in the middle of the box is kept.
-            let middle: Vec<f64> = plays_si.iter().map(|[low, high]| 0.5 * (low + high)).collect();
-            let middle_m = rig.clearances_m(&middle);
-            let sum = |factors: &[f64]| factors.iter().zip(&middle_m).map(|(f, c)| f * c).sum::<f64>();
-            if sum(&together) > sum(&least_alone) {
-                for (factors, (together, alone)) in influence.factors.iter_mut().zip(together.iter().zip(&least_alone))
-                {
-                    factors[0] += together - alone;
-                }
-            }
-        }
+    /// A dead point lies within the play, or a contact does not carry the push.
+    pub fn new(rig: &Rig<'_>, test: &Test, states: &States, plays_si: &[[f64; 2]]) -> Result<Self, Failure> {
+        let yields_m = yields_m(rig, states, test, plays_si)?;
+        let alone = |state: &State, which: usize| -> Vec<f64> {
+            let factors = state.nominal.factors_with_friction(&state.friction);
+            factors.iter().map(|factors| factors[which]).collect()
+        };
+        let clearances_m = rig.clearance_ends_m(plays_si);
+        let radii_m: Vec<[f64; 2]> =
+            (0..yields_m.len()).map(|k| [0, 1].map(|end| (clearances_m[k][end] + yields_m[k][end]).max(0.0))).collect();
+        let together = |state: &State| {
+            let least = state.nominal.least_together(&state.friction, &radii_m);
+            least.unwrap_or_else(|| alone(state, 0))
+        };
+        // Either holds; the one that says more in the middle of the box is kept.
+        let sum = |factors: &[f64]| -> f64 {
+            factors.iter().zip(&radii_m).map(|(factor, [low, high])| factor * 0.5 * (low + high)).sum()
+        };
+        let [least_alone, least_together] =
+            [states.furthest(-1.0, |state| alone(state, 0)), states.furthest(-1.0, together)];
+        let least = if sum(&least_together) > sum(&least_alone) { least_together } else { least_alone };
+        let largest = states.furthest(1.0, |state| alone(state, 2));
+        let nominal = &states.middle.nominal;
+        let factors = (0..least.len()).map(|k| [least[k], nominal.factors[k], largest[k]]).collect();
+        let guide_factors = states.furthest(1.0, |state| state.nominal.guide_factors());
+        let coordinates = nominal.coordinates.clone();
+        let mut influence = Self { coordinates, factors, yields_m, guide_factors, linearisation_share: 0.0 };
         for corner in Rig::corners(plays_si) {
             let missed = influence.missed_share(rig, test, &corner)?;
             influence.linearisation_share = influence.linearisation_share.max(MISSED_TIMES * missed);
@@ -100,118 +92,17 @@ impl Influence {
         let missed = self.linearisation_share * nominal.abs();
         [least - missed, largest + missed]
     }
-}
 
-/// Widens factors by the largest change among `moved`, where one input is at either end of its interval: one at a time. That two act
-/// together is of second order, and covered by a hundredth more.
-fn widen(factors: &mut [[f64; 3]], nominal: &Nominal, moved: &[Nominal]) {
-    for (joint, [least, _, largest]) in factors.iter_mut().enumerate() {
-        let changes = moved.iter().map(|moved| (moved.factors[joint] - nominal.factors[joint]).abs());
-        let spread = 1.01 * changes.fold(0.0, f64::max);
-        *least -= spread;
-        *largest += spread;
-    }
-}
-
-/// The linear model at one set of values, without friction.
-pub(crate) struct Nominal {
-    pub coordinates: Vec<f64>,
-    /// h_k: gradients of the pushed position, which are the loads of the joints under a unit push.
-    pub loads: Vec<Vec2<f64>>,
-    /// g_k: gradients of the position that is read.
-    pub travels: Vec<Vec2<f64>>,
-    pub factors: Vec<f64>,
-    reaches: Vec<PlayReach>,
-}
-
-impl Nominal {
-    pub fn at(mechanism: &Mechanism, values: &Values, test: &Test) -> Result<Self, AccuracyError> {
-        let coordinates = locked_at(mechanism, values, test.pose_rad)?;
-        Self::of_position(mechanism, values, coordinates, &pushed(&test.push), &[(test.travel, 1.0)])
-    }
-
-    /// The same where the locked position is known.
-    pub fn of_position(
-        mechanism: &Mechanism,
-        values: &Values,
-        coordinates: Vec<f64>,
-        push: &[(Position, f64)],
-        travel: &[(Position, f64)],
-    ) -> Result<Self, AccuracyError> {
-        let sample = Sample::new(mechanism, values)?;
-        let clearances_m: Vec<f64> = sample.plays.iter().map(|play| play.clearance_m).collect();
-        let reaches = reaches(mechanism, &sample, &clearances_m)?;
-        let mut loops = DisplacedLoops::new(mechanism, values);
-        loops.set_position(&coordinates);
-        let (loads, travels) = (gradient(&mut loops, push)?, gradient(&mut loops, travel)?);
-        let least = UNLOADED * largest_load(&loads);
-        let factors = (0..reaches.len())
-            .map(|k| match reaches[k].furthest(loads[k]) {
-                Some(end) if loads[k].length() > least => 2.0 * travels[k].dot(end) / clearances_m[k],
-                _ => 0.0,
-            })
-            .collect();
-        Ok(Self { coordinates, loads, travels, factors, reaches })
-    }
-
-    /// Least factors with friction where it is read where it is pushed: the same share of all nominal ones. Friction does not turn
-    /// all joints furthest at once, so that the sum falls by less than its terms may. The share is the least of
-    /// Σ A_j cos t_j r_j / Σ A_j r_j over the corners of the radii r, where a ratio of linear functions is least.
-    fn least_together(
-        &self,
-        friction: &Friction,
-        rig: &Rig<'_>,
-        plays_si: &[[f64; 2]],
-        yields_m: &[[f64; 2]],
-    ) -> Option<Vec<f64>> {
-        /// Round-off of 2 |g| beside the factor.
-        const SAME: f64 = 1e-9;
-        let is_same = |k: usize| {
-            let due = 2.0 * self.travels[k].length();
-            matches!(self.reaches[k], PlayReach::Disc { .. }) && (self.factors[k] - due).abs() <= SAME * due
-        };
-        if !Rig::takes_all_corners(plays_si) {
-            return None;
+    /// Least and largest travel by a contact that gives way.
+    pub fn yield_si(&self, joint: usize) -> [f64; 2] {
+        let [least, largest] = self.limits(joint);
+        let [least_m, most_m] = self.yields_m[joint];
+        let ends = [f64::min(least * least_m, least * most_m), f64::max(largest * least_m, largest * most_m)];
+        // The corners of a guide give way by δ_1 and δ_2 on top of the end that is pushed to: across by their mean, tilted by
+        // (δ_1 - δ_2)/2a, or the other way about, |y| + a |θ| <= max δ.
+        match self.guide_factors[joint] * most_m {
+            0.0 => ends,
+            by_corners => [ends[0].min(-by_corners), ends[1].max(by_corners)],
         }
-        let rows = friction.least_cosines().filter(|_| (0..self.factors.len()).all(is_same))?;
-        let mut share = 1.0_f64;
-        for corner in Rig::corners(plays_si) {
-            let clearances_m = rig.clearances_m(&corner);
-            for end in [0, 1] {
-                let terms: Vec<f64> =
-                    (0..self.factors.len()).map(|k| self.factors[k] * (clearances_m[k] + yields_m[k][end])).collect();
-                let sum: f64 = terms.iter().sum();
-                for row in &rows {
-                    share = share.min(row.iter().zip(&terms).map(|(cosine, term)| cosine * term).sum::<f64>() / sum);
-                }
-            }
-        }
-        Some(self.factors.iter().map(|factor| share * factor).collect())
-    }
-
-    /// Least, nominal and largest factors with the friction of the joints.
-    fn factors_with_friction(&self, friction: &Friction) -> Vec<[f64; 3]> {
-        let least_load = UNLOADED * largest_load(&self.loads);
-        let of = |k: usize| {
-            let (load, travel, nominal) = (self.loads[k], self.travels[k], self.factors[k]);
-            let is_loaded = load.length() > least_load;
-            let ends = match self.reaches[k] {
-                PlayReach::Disc { .. } if is_loaded => turned_products(load, travel, friction.turns_rad[k]),
-                PlayReach::Disc { .. } => [-travel.length(), travel.length()],
-                PlayReach::Slot { .. } if is_loaded => return [nominal; 3],
-                PlayReach::Slot { .. } => [-travel.x.abs(), travel.x.abs()],
-                PlayReach::Guide { clearance_m, largest_tilt_rad, .. } => {
-                    // With friction the block may stay at the end across or at the end of its tilt, whichever it comes to first.
-                    let across = travel.x * load.x.signum();
-                    let tilted = travel.y * load.y.signum() * largest_tilt_rad / clearance_m;
-                    if friction.coefficients[k] == 0.0 {
-                        return [nominal; 3];
-                    }
-                    [across.min(tilted), across.max(tilted)]
-                }
-            };
-            [f64::min(2.0 * ends[0], nominal), nominal, f64::max(2.0 * ends[1], nominal)]
-        };
-        (0..self.factors.len()).map(of).collect()
     }
 }

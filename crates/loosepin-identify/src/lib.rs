@@ -11,7 +11,9 @@ mod linear_program;
 mod locked;
 mod misfit;
 mod narrowed;
+mod nominal;
 mod rig;
+mod states;
 mod yielding;
 
 pub use conduct::{CONFIDENCE, Options, identify};

@@ -21,6 +21,7 @@ pub(crate) fn misfit(set: &ConsistentSet) -> Misfit {
         let among = || set.expected_si(&set.rows[reading], |index| index == reading);
         let is_alone = alone.is_some_and(|expected| apart(expected, found_si(reading)) > 0.0);
         let expected = if is_alone { alone } else { among() };
+        // Nothing where the others contradict one another already: then none of them is told.
         let Some(expected_si) = expected else { continue };
         let apart_si = apart(expected_si, found_si(reading));
         if apart_si > 0.0 {
@@ -29,6 +30,13 @@ pub(crate) fn misfit(set: &ConsistentSet) -> Misfit {
     }
     if culprits.iter().any(|culprit| culprit.is_alone) {
         culprits.retain(|culprit| culprit.is_alone);
+    }
+    let mut pairs = Vec::new();
+    if culprits.is_empty() {
+        for second in 0..set.rows.len() {
+            let contradicts = |first: &usize| set.is_empty_of(|reading| reading == *first || reading == second);
+            pairs.extend((0..second).filter(contradicts).map(|first| [first, second]));
+        }
     }
     let error_factor = error_factor(set);
     let is_strained = |reading: usize, factor: f64| {
@@ -39,7 +47,7 @@ pub(crate) fn misfit(set: &ConsistentSet) -> Misfit {
     };
     let strained = error_factor
         .map_or_else(Vec::new, |factor| (0..set.rows.len()).filter(|reading| is_strained(*reading, factor)).collect());
-    Misfit { culprits, error_factor, strained }
+    Misfit { culprits, pairs, error_factor, strained }
 }
 
 /// How far two intervals are apart; zero where they meet.

@@ -13,6 +13,9 @@ use loosepin_uncertainty::EpistemicVariable;
 /// Share by which clearances may miss a straight line: round-off of their expressions.
 const STRAIGHT: f64 = 1e-9;
 
+/// Inputs that are no play of which all corners are looked at, at most.
+pub(crate) const ALL_CORNERS: usize = 6;
+
 /// An input that clearances follow from.
 #[derive(Debug, Clone)]
 pub(crate) struct PlayInput {
@@ -50,7 +53,7 @@ pub(crate) struct Rig<'s> {
     /// Clearance of each joint with play where all play inputs are zero, m, and its slopes over them.
     pub clearances: Vec<Clearance>,
     /// The same mechanism with the other contact laws that are possible.
-    pub other_laws: Vec<(Mechanism, Values)>,
+    pub other_laws: Vec<Mechanism>,
 }
 
 /// The clearance of a joint with play: offset + Σ slope · play input, and what other inputs may add or take.
@@ -111,6 +114,24 @@ impl<'s> Rig<'s> {
         Ok(self.mechanism.model.quantities.evaluate(&set)?)
     }
 
+    /// Where a quantity that does not depend on the pose is evaluated: each input that is no play alone at both ends, then all corners of
+    /// up to six of them.
+    pub fn other_values(&self) -> Result<(Vec<[Values; 2]>, Vec<Values>), AccuracyError> {
+        let end = |other: &OtherInput, which: usize| (other.quantity, other.interval_si[which]);
+        let mut alone = Vec::new();
+        for other in &self.others {
+            alone.push([self.values_with(&[end(other, 0)])?, self.values_with(&[end(other, 1)])?]);
+        }
+        let mut together = Vec::new();
+        if self.others.len() <= ALL_CORNERS {
+            for bits in 0..1_usize << self.others.len() {
+                let changes = self.others.iter().enumerate().map(|(input, other)| end(other, (bits >> input) & 1));
+                together.push(self.values_with(&changes.collect::<Vec<_>>())?);
+            }
+        }
+        Ok((alone, together))
+    }
+
     /// Clearances of the joints with play at values of the play inputs, m.
     pub fn clearances_m(&self, plays_si: &[f64]) -> Vec<f64> {
         let of = |clearance: &Clearance| {
@@ -124,15 +145,23 @@ impl<'s> Rig<'s> {
         self.plays.iter().map(|play| play.interval_si).collect()
     }
 
-    /// Whether [`Self::corners`] are all corners of a box: up to 32 of them.
-    pub fn takes_all_corners(ends: &[[f64; 2]]) -> bool {
-        ends.len() <= 5
+    /// Least and largest clearance of each joint with play in a box of the play inputs, m.
+    pub fn clearance_ends_m(&self, plays_si: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let of = |clearance: &Clearance| {
+            let products = || clearance.slopes.iter().zip(plays_si).map(|(slope, ends)| ends.map(|end| slope * end));
+            [
+                clearance.offset_m - clearance.spread_m + products().map(|[a, b]| a.min(b)).sum::<f64>(),
+                clearance.offset_m + clearance.spread_m + products().map(|[a, b]| a.max(b)).sum::<f64>(),
+            ]
+        };
+        self.clearances.iter().map(of).collect()
     }
 
     /// All corners of a box of the play inputs; of many inputs those in which all but one are at the same end.
     pub fn corners(ends: &[[f64; 2]]) -> Vec<Vec<f64>> {
         let at = |pick: &dyn Fn(usize) -> usize| (0..ends.len()).map(|input| ends[input][pick(input)]).collect();
-        if Self::takes_all_corners(ends) {
+        const ALL: usize = 5;
+        if ends.len() <= ALL {
             return (0..1_usize << ends.len()).map(|bits| at(&|input| (bits >> input) & 1)).collect();
         }
         let mut corners: Vec<Vec<f64>> = vec![at(&|_| 0), at(&|_| 1)];
@@ -218,7 +247,7 @@ impl<'s> Rig<'s> {
     }
 
     /// The mechanism with each other law that the study lists for a contact.
-    fn other_laws(&self) -> Result<Vec<(Mechanism, Values)>, Complaints> {
+    fn other_laws(&self) -> Result<Vec<Mechanism>, Complaints> {
         let model = &self.study.model;
         let mut all = Vec::new();
         for input in &self.study.epistemic {
@@ -230,7 +259,7 @@ impl<'s> Rig<'s> {
                     .evaluate(&self.middle)
                     .map_err(|error| Complaints::one(&IdentifyProblem::Values { error }, None))?;
                 let mechanism = Mechanism::new(&changed, &values).map_err(|error| error.complaint(model))?;
-                all.push((mechanism, values));
+                all.push(mechanism);
             }
         }
         Ok(all)

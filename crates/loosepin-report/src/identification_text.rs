@@ -3,7 +3,7 @@
 use super::number::{NumberWriter, Rounding};
 use super::terminal_table::{push_table, table, wrapped};
 use loosepin_result::identification::{
-    Combination, Consistent, Culprit, FurtherReading, Identification, Misfit, Outcome, PlayBounds, Specimen,
+    Combination, Consistent, Culprit, FurtherReading, Identification, Misfit, Outcome, PlayBounds, Searched, Specimen,
     TestReading,
 };
 use loosepin_text::units::{SiUnit, counted, listed};
@@ -228,11 +228,17 @@ fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
 }
 
 fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
-    let Some(further) = &known.further else {
-        return vec![
-            "no further reading of this kind with these errors would narrow the plays by more than 5 %".to_owned(),
-        ];
+    let of_searched = |searched: Searched| {
+        format!("of the {} that looked best among {}", searched.in_full, counted(searched.candidates, "reading"))
     };
+    let Some(further) = &known.further else {
+        let none = |searched| {
+            let among = of_searched(searched);
+            format!("none {among} would narrow the plays by more than 5 %, with the errors of these readings")
+        };
+        return known.searched.map(none).into_iter().collect();
+    };
+    let among = known.searched.map_or_else(|| format!("of {}", counted(further.candidates, "reading")), of_searched);
     let widths: Vec<String> = known
         .plays
         .iter()
@@ -248,11 +254,7 @@ fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
         })
         .collect();
     let mut words = vec![
-        format!(
-            "of {} that were compared this would narrow most: {}",
-            counted(further.candidates, "reading"),
-            test_words(further, writer)
-        ),
+        format!("{among} this would narrow most: {}", test_words(further, writer)),
         format!(
             "with an error of ± {} and a result in the middle of what is possible it would leave {}",
             writer.rounded(further.error_si, &further.unit, ERROR_DIGITS, Rounding::Up),
@@ -291,9 +293,13 @@ fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter
     };
     let mut words: Vec<String> = misfit.culprits.iter().map(of_culprit).collect();
     if misfit.culprits.is_empty() {
-        words.push(
-            "no single reading is at odds with all the others: three or more of them contradict one another".to_owned(),
-        );
+        let name = |reading: usize| format!("'{}'", readings[reading].name);
+        let of_pair = |[first, second]: &[usize; 2]| {
+            format!("{} and {} contradict each other, whatever the others say", name(*first), name(*second))
+        };
+        words.extend(misfit.pairs.iter().map(of_pair));
+        let others = if misfit.pairs.is_empty() { ", and no two of them do so by themselves" } else { "" };
+        words.push(format!("whichever single reading is left out, the others still contradict one another{others}"));
     }
     if let Some(error_factor) = misfit.error_factor {
         let strained: Vec<String> =

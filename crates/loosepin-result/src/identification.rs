@@ -97,6 +97,18 @@ pub struct Consistent {
     pub alike: Vec<Vec<usize>>,
     /// The reading that would narrow most; nothing where none would.
     pub further: Option<FurtherReading>,
+    /// The readings that were looked at for it; nothing where it was not looked for.
+    #[serde(default)]
+    pub searched: Option<Searched>,
+}
+
+/// Readings among which the best further one was looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Searched {
+    /// Number that was ranked by nominal factors.
+    pub candidates: usize,
+    /// Number that looked best there and was computed in full.
+    pub in_full: usize,
 }
 
 /// A play, before and after.
@@ -166,8 +178,12 @@ pub struct FurtherReading {
 /// Readings that no value of the plays explains.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Misfit {
-    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent.
+    /// Readings that are at odds with all the others, by their places: without one of them the others are consistent. None where the
+    /// others contradict one another whichever is left out.
     pub culprits: Vec<Culprit>,
+    /// Pairs that contradict each other without any other reading, by their places; looked for where there are no culprits.
+    #[serde(default)]
+    pub pairs: Vec<[usize; 2]>,
     /// Factor by which the errors of all readings had to be larger for the readings to be consistent; nothing where none is enough.
     pub error_factor: Option<f64>,
     /// Readings that would then lie at the end of their error, by their places.

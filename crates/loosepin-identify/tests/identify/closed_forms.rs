@@ -237,3 +237,38 @@ fn analytic_common_errors_do_not_shrink_with_repeats_and_independent_ones_do() {
     let both = width(25, &format!("{common}\n{scatter}"));
     assert!((both / (width(1, common) + width(25, scatter)) - 1.0).abs() < 1e-3, "{both}");
 }
+
+#[test]
+fn analytic_a_guide_whose_corners_give_way_unevenly_tilts() {
+    let (half_length_m, lever_m, far_m, play_m, error_m) = (0.05, 0.045, 0.07, 1.4e-4, 1e-6);
+    let model = model(&[])
+        .replace("points = { pin = [\"0 mm\", \"0 mm\"] }\n\n[body.second_rod]", &format!(
+            "points = {{ pin = [\"0 mm\", \"0 mm\"], side = [\"{} mm\", \"0 mm\"], far = [\"{} mm\", \"0 mm\"] }}\n\n[body.second_rod]",
+            lever_m * 1e3,
+            far_m * 1e3
+        ))
+        .replace(
+            "slider = \"slider.pin\"\n",
+            "slider = \"slider.pin\"\nhalf_length = \"50 mm\"\nhalf_height = \"20 mm\"\nclearance = \"0.1 mm\"\n\
+             contact = \"pin\"\n",
+        );
+    let model = format!("{model}\n[output.far]\nposition_of = \"slider.far\"\nalong = \"y\"\n");
+    // Pushed across at the lever p: N_1 + N_2 = F and a (N_1 - N_2) = F p at the corners of one face.
+    let corner_m = [1.0, -1.0].map(|sign| yield_m(0.5 * FORCE_N * (1.0 + sign * lever_m / half_length_m)));
+    let gives_m = (corner_m[0] + corner_m[1]) + far_m / half_length_m * (corner_m[0] - corner_m[1]);
+    assert!(
+        gives_m > 2.2 * yield_m(FORCE_N),
+        "further than if one corner carried all of it and the block stayed upright"
+    );
+    let text = reading("far", 25.0, 2.0 * play_m + gives_m, error_m)
+        .replace("force =", "at = \"slider.side\"\ndirection = \"90 deg\"\nforce =");
+    let text = study_text(&["guide"], &text).replace("guide.radial_clearance", "guide.clearance");
+    let specimen = answer(&study(&model, &text));
+    let [least, most] = specimen.readings[0].compliance_si;
+    assert!(least <= gives_m && gives_m <= most, "{gives_m} {least} {most}");
+    // Not beyond one corner that carries all of it, over the longer lever.
+    let widest = 2.0 * far_m / half_length_m * yield_m(FORCE_N);
+    assert!(most <= 1.001 * widest, "{most} {widest}");
+    let [low, high] = known(&specimen).plays[0].after_si;
+    assert!(low <= play_m && play_m <= high, "{low} {high}");
+}

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod misfits;
 mod repetitions;
+mod uncertain;
 mod written;
 
 use loosepin_identify::record::{Consistent, Misfit, Outcome, Specimen};

@@ -78,3 +78,32 @@ fn refusals_say_what_is_missing() {
         .replace("moment = \"1.5 N m\"", "force = \"15 N\"");
     assert!(refused(&locked).contains("no play gives way to this push"), "{}", refused(&locked));
 }
+
+#[test]
+fn analytic_two_contradicting_pairs_are_told_as_pairs() {
+    // The ear said twice and the tool said twice, each time with two travels that exclude each other: whichever reading is left out,
+    // one pair is left.
+    let text = text_of("first.toml");
+    let head = &text[..text.find("# A reading of readings.py.").expect("the reading")];
+    let reading = |name: &str, output: &str, travel: &str| {
+        format!(
+            "[[measured]]\nname = \"{name}\"\noutput = \"{output}\"\npose = {{ crank = \"60 deg\" }}\nforce = \"15 N\"\n\
+             dead_travel = \"{travel}\"\nerror = \"0.003 mm\"\n\n"
+        )
+    };
+    let tool = |name: &str, travel: &str| reading(name, "tool", travel).replace("pose =", "component = \"x\"\npose =");
+    let all = [
+        reading("ear small", "ear", "0.14 mm"),
+        reading("ear large", "ear", "0.17 mm"),
+        tool("tool small", "0.30 mm"),
+        tool("tool large", "0.34 mm"),
+    ];
+    let specimen = answer(&study(&text_of("model.toml"), &format!("{head}{}", all.concat())));
+    let found = misfit(&specimen);
+    assert!(found.culprits.is_empty(), "{found:?}");
+    assert_eq!(found.pairs, [[0, 1], [2, 3]]);
+    // One of the pairs alone has culprits, and no pair is looked for.
+    let specimen = answer(&study(&text_of("model.toml"), &format!("{head}{}", all[..3].concat())));
+    let found = misfit(&specimen);
+    assert!(found.culprits.iter().any(|culprit| culprit.reading < 2) && found.pairs.is_empty(), "{found:?}");
+}
