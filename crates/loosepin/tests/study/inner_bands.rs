@@ -34,7 +34,8 @@ fn conducted(name: &str, model: &str, text: &str, is_short: bool) -> StudyResult
     let study = Study::from_text("study.toml", text, model);
     let mut study = study.unwrap_or_else(|complaints| panic!("{name}: {complaints}"));
     if is_short {
-        study.sampling.outer = 6;
+        // A box needs its corners and its centre.
+        study.sampling.outer = 6.max((1 << study.epistemic.len()) + 1);
         study.sampling.inner = 64;
         study.cycle.transient_turns = 0.0;
         study.cycle.samples_per_turn = 12;
