@@ -71,6 +71,8 @@ def main(folder):
                 studio.click(".outline button", "rocker_pin")
                 for _ in range(PRESSES):
                     studio.click("button", "+1°")
+                # What was clicked was scrolled to; the tools stand above.
+                browser.evaluate("(document.querySelector('.stage').scrollTop = 0, true)")
                 time.sleep(0.5)
                 browser.screenshot(folder / f"studio_editor_{scheme}.png", whole=False)
             # Last, so that the gallery is that of a new folder.
