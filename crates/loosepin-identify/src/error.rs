@@ -31,6 +31,9 @@ problems! {
         NoPlay => Code::NothingUncertain,
             says("no input of the study is the play of a joint: there is nothing to identify"),
             hint("name one under [epistemic], for example \"joint.pin.radial_clearance\" = {{ interval = [\"0.01 mm\", \"0.5 mm\"] }}");
+        Flexible { body: String } => Code::NoQuasiStaticAnswer,
+            says("body '{body}' bends under a push, which is not computed yet"),
+            hint("give it a mass and an inertia in place of its beam, and take off the readings what it bends");
         PlayMovesGeometry { path: String } => Code::AskNotPossible,
             says("'{path}' is a play and a dimension at once: it moves the mechanism, and not only its journals"),
             hint("give the clearance a parameter of its own");

@@ -91,6 +91,11 @@ impl<'s> Rig<'s> {
         let at = |error| Complaints::one(&IdentifyProblem::Values { error }, None);
         let values = model.quantities.evaluate(&middle).map_err(at)?;
         let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+        if let Some(beam) = mechanism.real.beams.first() {
+            let body = model.bodies[beam.body.0].name.clone();
+            let place = model.place(&format!("body.{body}"));
+            return Err(Complaint::error(&IdentifyProblem::Flexible { body }, place).into());
+        }
         if !mechanism.is_driven() {
             return Err(AccuracyError::NotDriven.complaint(model).into());
         }

@@ -5,7 +5,7 @@ use super::measurement::{Measured, Push, ReadingScatter};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use crate::outputs::Seen;
-use loosepin_mechanics::model::{Axis, BodyId, PointId, Position};
+use loosepin_mechanics::model::{Axis, BodyId, CycleSpan, PointId, Position};
 use loosepin_simulate::Reading;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, listed};
@@ -13,6 +13,8 @@ use loosepin_text::units::{Dimension, Rule};
 
 /// Readings of a study, at most: each is two rows of every linear programme.
 const MOST_READINGS: usize = 200;
+/// Largest error of a locked angle, deg: only its ends and its middle are looked at.
+const MOST_POSE_ERROR_DEG: f64 = 5.0;
 /// Repeats from which their scatter is estimated, at least: Student's factor for 99.9 % is 32 with three, and 637 with two.
 const LEAST_ESTIMATED: usize = 3;
 
@@ -61,6 +63,16 @@ problems! {
         NoPose { entry: String } => Code::AskNotPossible,
             says("{entry} names no angle; must name one"),
             hint("write pose = {{ crank = \"60 deg\" }}, with the drive that the cycle counts");
+        AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
+            says("{entry} is another common error than that of an earlier reading of the instrument '{instrument}'; an instrument \
+                  has one"),
+            hint("write the same error, or instrument = \"another gauge\" beside it: two different errors of one gauge would cancel out");
+        PoseErrorTooLarge { entry: String, found_deg: f64 } => Code::AskNotPossible,
+            says("{entry} is {found_deg} deg; must be at most {MOST_POSE_ERROR_DEG} deg: between its ends nothing is looked at"),
+            hint("measure the angle of the locked drive, or take the nearest pose and a smaller error");
+        NoDriveAngle { entry: String } => Code::AskNotPossible,
+            says("{entry}: the cycle of the model counts time, so that no angle of a drive says where it is locked"),
+            hint("write drive = \"crank\" in place of duration under [cycle] of the model");
         TooManyReadings { found: usize } => Code::TooMany,
             says("[[measured]] has {found} readings; must be at most {MOST_READINGS}"),
             hint("write repeats of a reading as one list");
@@ -76,18 +88,38 @@ impl StudyReader {
             self.reader.complain(&problem, surplus.span);
             return Vec::new();
         }
-        let read = entries.iter().enumerate().filter_map(|(index, entry)| {
-            let table = self.reader.table(entry, &MEASURED_KEYS)?;
-            self.reading_of_test(&table, index)
-        });
-        read.collect()
+        let mut read: Vec<Measured> = Vec::new();
+        for (index, entry) in entries.iter().enumerate() {
+            let reading = self.reader.table(entry, &MEASURED_KEYS).and_then(|table| {
+                let reading = self.reading_of_test(&table, index)?;
+                self.refuse_another_error(&table, &reading, &read);
+                Some(reading)
+            });
+            read.extend(reading);
+        }
+        read
+    }
+
+    /// That all readings of a specimen by one instrument have its error: of two errors that differ the common part would be known to be zero.
+    fn refuse_another_error(&mut self, table: &Table<'_>, reading: &Measured, before: &[Measured]) {
+        let is_of_same =
+            |known: &&Measured| (&known.instrument, &known.specimen) == (&reading.instrument, &reading.specimen);
+        let known = before.iter().find(is_of_same);
+        if known.is_some_and(|known| known.error_si != reading.error_si) {
+            let (words, span) = match table.get("error") {
+                Some(entry) => (entry.path.describe(), entry.span),
+                None => (table.path.describe(), table.span),
+            };
+            let problem = MeasuredProblem::AnotherError { entry: words, instrument: reading.instrument.clone() };
+            self.reader.complain(&problem, span);
+        }
     }
 
     fn reading_of_test(&mut self, table: &Table<'_>, index: usize) -> Option<Measured> {
         let output = self.output(table);
         let pose_rad = self.locked_angle(table);
         let pose_error_rad = match table.get("pose_error") {
-            Some(entry) => self.reader.measured(&entry, Dimension::ANGLE, Rule::NonNegative),
+            Some(entry) => self.pose_error(&entry),
             None => Some(0.0),
         };
         let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
@@ -131,11 +163,25 @@ impl StudyReader {
         })
     }
 
+    /// Largest error of the locked angle, rad.
+    fn pose_error(&mut self, entry: &Entry<'_>) -> Option<f64> {
+        let error_rad = self.reader.measured(entry, Dimension::ANGLE, Rule::NonNegative)?;
+        if error_rad > MOST_POSE_ERROR_DEG.to_radians() {
+            let problem =
+                MeasuredProblem::PoseErrorTooLarge { entry: entry.path.describe(), found_deg: error_rad.to_degrees() };
+            return self.refused(&problem, entry.span);
+        }
+        Some(error_rad)
+    }
+
     /// The angle at which the drive is locked, rad.
     fn locked_angle(&mut self, table: &Table<'_>) -> Option<f64> {
         let entry = table.get("pose")?;
         if !entry.is_table() {
             return self.reader.wrong_type(&entry, "a table such as { crank = \"60 deg\" }");
+        }
+        if !matches!(self.model.cycle.span, CycleSpan::Turns(_)) {
+            return self.refused(&MeasuredProblem::NoDriveAngle { entry: entry.path.describe() }, entry.span);
         }
         let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
         let mut angle_rad = None;
@@ -284,6 +330,10 @@ impl StudyReader {
         }
         if values_si.len() < LEAST_ESTIMATED {
             return Some((repeats, None));
+        }
+        // The mean of equal numbers is off by round-off, which is no scatter.
+        if values_si.iter().all(|value_si| *value_si == values_si[0]) {
+            return Some((repeats, Some(ReadingScatter::Estimated(0.0))));
         }
         let mean_si = values_si.iter().sum::<f64>() / values_si.len() as f64;
         let squares: f64 = values_si.iter().map(|value_si| (value_si - mean_si) * (value_si - mean_si)).sum();
