@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use loosepin::diagnostics::Complaints;
 use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text};
+use loosepin::result::json::Stored;
 use loosepin::results::write_whole;
-use loosepin::study::files::{bounds_csv, surrogates_json, to_json};
+use loosepin::study::files::{FilesError, bounds_csv, surrogates_json};
 use loosepin::study::{self, Conducted, SavedSurrogates};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -49,7 +50,7 @@ impl StudyResult {
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        to_json(&self.result).map_err(|error| raise_problem(&error))
+        self.result.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
     }
 
     /// The bytes of `bounds.csv`.

@@ -2,9 +2,10 @@
 
 use loosepin::diagnostics::{self, Complaints};
 use loosepin::report::{mechanism_picture, simulation_page, simulation_text};
+use loosepin::result::json::Stored;
 use loosepin::simulate::record::OutputHistory;
 use loosepin::simulate::{self, history_columns, history_csv, impacts_csv};
-use loosepin::study::files::to_json;
+use loosepin::study::files::FilesError;
 use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 
@@ -72,7 +73,7 @@ impl Simulation {
 
     /// The text of `summary.json`.
     fn summary_json(&self) -> PyResult<String> {
-        to_json(&self.0.record).map_err(|error| raise_problem(&error))
+        self.0.record.to_json().map_err(|source| raise_problem(&FilesError::Json { source }))
     }
 
     /// The text of `history.csv`.

@@ -3,6 +3,7 @@
 
 pub mod cases;
 pub mod identification;
+pub mod json;
 pub mod motion;
 pub mod repeat;
 pub mod simulation;

@@ -1,11 +1,11 @@
 //! Finished studies of the served folder, read again.
 
 use loosepin::report::{KnownValue, known_values, witness_words};
+use loosepin::result::json::Stored;
 use loosepin::results::{MARKER_FILE, Marker, ResultKind, SUMMARY_FILE};
 use loosepin::study::Study;
 use loosepin::study::result::{FORMAT, StudyResult};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use crate::folder::Folder;
 use crate::listing::listing;
@@ -31,7 +31,7 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
         return Err(Refusal::bad(format!("the study in '{path}' is not finished")).with_hint("run it to its end first"));
     }
     let file = format!("{path}/{SUMMARY_FILE}");
-    let result: StudyResult = read(folder, &file, LARGEST_SUMMARY)?;
+    let result = read(folder, &file, LARGEST_SUMMARY, StudyResult::from_json)?;
     if result.format != FORMAT {
         let message = format!("'{file}' has format {}; this version reads format {FORMAT}", result.format);
         return Err(Refusal::bad(message).with_hint("run the study again, or use the version that wrote it"));
@@ -40,15 +40,23 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
 }
 
 fn marker(folder: &Folder, path: &str) -> Result<Marker, Refusal> {
-    read(folder, &format!("{}/{MARKER_FILE}", path.trim_end_matches('/')), LARGEST_MARKER)
+    let file = format!("{}/{MARKER_FILE}", path.trim_end_matches('/'));
+    read(folder, &file, LARGEST_MARKER, |text| serde_json::from_str(text))
 }
 
-fn read<T: DeserializeOwned>(folder: &Folder, path: &str, most: usize) -> Result<T, Refusal> {
-    let bytes = folder.bytes(path, most)?;
-    serde_json::from_slice(&bytes).map_err(|error| {
-        Refusal::bad(format!("'{path}' is not what this version writes: {error}"))
+fn read<T>(
+    folder: &Folder,
+    path: &str,
+    most: usize,
+    parse: fn(&str) -> Result<T, serde_json::Error>,
+) -> Result<T, Refusal> {
+    let foreign = |reason: String| {
+        Refusal::bad(format!("'{path}' is not what this version writes: {reason}"))
             .with_hint("run the study again, or use the version that wrote it")
-    })
+    };
+    let bytes = folder.bytes(path, most)?;
+    let text = std::str::from_utf8(&bytes).map_err(|error| foreign(error.to_string()))?;
+    parse(text).map_err(|error| foreign(error.to_string()))
 }
 
 /// The study that a result was made of, from the texts that the result holds.

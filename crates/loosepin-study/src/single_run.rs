@@ -3,11 +3,12 @@
 use std::sync::atomic::AtomicBool;
 
 use super::file::Study;
-use super::files::{SUMMARY_FILE, to_json};
+use super::files::{FilesError, SUMMARY_FILE};
 use super::inputs::add_model;
 use super::simulate_command::witness_settings;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Cycle, Model, SetValues};
+use loosepin_result::json::Stored;
 use loosepin_result::simulation::{Override, SimulationRecord};
 use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
@@ -99,7 +100,8 @@ pub fn run_into(
         write(WEAR_FILE, &wear)?;
     }
     // The last files of a result.
-    write(SUMMARY_FILE, &to_json(&simulation.record).map_err(complain)?)?;
+    let summary = simulation.record.to_json().map_err(|source| complain(FilesError::Json { source }))?;
+    write(SUMMARY_FILE, &summary)?;
     write(REPORT_FILE, &page(&simulation.record))?;
     folder.finish().map_err(complain)?;
     let failure = simulation.failure.map(|failure| failure.complaint(model));

@@ -4,7 +4,8 @@ use loosepin::diagnostics::Complaints;
 use loosepin::identify::record::{Consistent, Identification, Outcome};
 use loosepin::identify::{IdentifyProblem, Options, identify, narrowed, write_narrowed};
 use loosepin::report::identification_text;
-use loosepin::study::{Study, files};
+use loosepin::result::json::to_json;
+use loosepin::study::Study;
 
 use super::inputs::read_study;
 use crate::arguments::IdentifyArguments;
@@ -18,7 +19,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
         Options { confidence: arguments.confidence, specimen: arguments.specimen.clone(), ..Options::default() };
     let answer = identify(&study, &options)?;
     let text = if arguments.json {
-        files::to_json(&answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))?
+        to_json(&answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))?
     } else {
         identification_text(&answer)
     };

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use loosepin::result::json::to_json;
 use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord, write_whole};
 use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
 use loosepin::study::{
@@ -11,7 +12,7 @@ use loosepin::study::{
 use loosepin::units::counted;
 
 use super::signals::stop_on_signals;
-use super::stored::{tell_going_on, to_json};
+use super::stored::tell_going_on;
 use super::threads::threads;
 use crate::arguments::StudyArguments;
 use crate::console;
@@ -48,7 +49,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         console::message(&format!("{} already holds this study", claim.path().display()));
         return Ok(Done::Well);
     };
-    let text = to_json(&record, &folder, SHARD_FILE)?;
+    let text = to_json(&record).map_err(|error| folder.foreign_file(SHARD_FILE, error))?;
     // Not among the files of the result, which go when it is begun again.
     write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
     tell_going_on(&store);

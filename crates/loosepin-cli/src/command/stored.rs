@@ -2,11 +2,9 @@
 
 use std::path::PathBuf;
 
+use loosepin::result::json::Stored;
 use loosepin::results::{Claim, InputsHash, Place, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::store::RunStore;
-use loosepin::study::files;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use crate::arguments::OutputArguments;
 use crate::console;
@@ -42,16 +40,8 @@ pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsF
     ending
 }
 
-/// A record as JSON.
-///
-/// # Errors
-/// A value that has no form in JSON.
-pub fn to_json<T: Serialize>(record: &T, folder: &ResultsFolder, file_name: &str) -> Result<String, Failure> {
-    files::to_json(record).map_err(|error| folder.foreign_file(file_name, error).into())
-}
-
 /// A result that is stored as `summary.json` and shown from it.
-pub trait StoredResult: DeserializeOwned {
+pub trait StoredResult: Stored {
     /// Its page.
     const PAGE: fn(&Self) -> String;
 
@@ -64,7 +54,7 @@ pub trait StoredResult: DeserializeOwned {
     /// A file that is not there, or that another version wrote.
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
         let text = folder.read_text(SUMMARY_FILE)?;
-        serde_json::from_str(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
+        Self::from_json(&text).map_err(|error| folder.foreign_file(SUMMARY_FILE, error).into())
     }
 
     /// How a command that shows it ends.
@@ -77,8 +67,9 @@ pub trait StoredResult: DeserializeOwned {
 ///
 /// # Errors
 /// A value that has no form in JSON; what the file system refuses.
-pub fn write_and_tell<R: StoredResult + Serialize>(record: &R, folder: &mut ResultsFolder) -> Ending {
-    folder.write(SUMMARY_FILE, to_json(record, folder, SUMMARY_FILE)?.as_bytes())?;
+pub fn write_and_tell<R: StoredResult>(record: &R, folder: &mut ResultsFolder) -> Ending {
+    let text = record.to_json().map_err(|error| folder.foreign_file(SUMMARY_FILE, error))?;
+    folder.write(SUMMARY_FILE, text.as_bytes())?;
     folder.write(REPORT_FILE, R::PAGE(record).as_bytes())?;
     folder.finish()?;
     tell(record, folder)

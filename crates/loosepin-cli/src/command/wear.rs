@@ -3,8 +3,8 @@
 use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::ModelProblem;
 use loosepin::report::{simulation_page, wear_text};
+use loosepin::result::json::Stored;
 use loosepin::simulate::record::SimulationRecord;
-use serde::{Deserialize, Serialize};
 
 use super::inputs::read_model;
 use super::simulate::run_shown;
@@ -38,13 +38,21 @@ pub fn run(arguments: &WearArguments) -> Ending {
 }
 
 /// A simulation of which the wear is shown.
-#[derive(Serialize, Deserialize)]
-#[serde(transparent)]
 struct ShownWear(SimulationRecord);
 
 impl From<SimulationRecord> for ShownWear {
     fn from(record: SimulationRecord) -> Self {
         Self(record)
+    }
+}
+
+impl Stored for ShownWear {
+    fn to_json(&self) -> Result<String, serde_json::Error> {
+        self.0.to_json()
+    }
+
+    fn from_json(text: &str) -> Result<Self, serde_json::Error> {
+        SimulationRecord::from_json(text).map(Self)
     }
 }
 

@@ -3,20 +3,19 @@
 
 mod arrow_schema;
 mod bounds_table;
-mod json;
 mod runs_table;
 mod timing;
 
 use std::path::PathBuf;
 
 pub use bounds_table::{BOUNDS_COLUMNS, bounds_csv};
-pub use json::{read_json, to_json};
 pub use runs_table::{read_runs_parquet, runs_parquet};
 use serde::Deserialize;
 pub use timing::Timing;
 
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
+use loosepin_result::json::{Stored, to_json};
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;
 use loosepin_store::results::{ResultsError, ResultsFolder};
@@ -79,10 +78,11 @@ pub fn write_study(
     runs: &RunsTable,
     timing: &Timing,
 ) -> Result<(), FilesError> {
-    let summary = to_json(result)?;
+    let written = |source| FilesError::Json { source };
+    let summary = result.to_json().map_err(written)?;
     folder.write(BOUNDS_FILE, &bounds_csv(result)?)?;
     folder.write(RUNS_FILE, &runs_parquet(runs)?)?;
-    folder.write_without_hash(TIMING_FILE, to_json(timing)?.as_bytes())?;
+    folder.write_without_hash(TIMING_FILE, to_json(timing).map_err(written)?.as_bytes())?;
     Ok(folder.write(SUMMARY_FILE, summary.as_bytes())?)
 }
 
@@ -107,10 +107,11 @@ struct Header {
 pub fn read_summary(folder: &ResultsFolder) -> Result<StudyResult, FilesError> {
     let text = folder.read_text(SUMMARY_FILE)?;
     // Looked at before the rest, which another format may not have.
-    let Header { format } = read_json(&text, SUMMARY_FILE)?;
+    let foreign = |source| FilesError::Layout { what: SUMMARY_FILE.to_owned(), source };
+    let Header { format } = serde_json::from_str(&text).map_err(foreign)?;
     if format != FORMAT {
         let path = folder.path().join(SUMMARY_FILE);
         return Err(FilesError::OtherFormat { path, found: format, known: FORMAT });
     }
-    read_json(&text, SUMMARY_FILE)
+    StudyResult::from_json(&text).map_err(foreign)
 }

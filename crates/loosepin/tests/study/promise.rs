@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use loosepin::study::files::to_json;
+use loosepin::result::json::to_json;
 use loosepin::study::result::{PromiseRecord, Purpose, Side, Statistic, StudyResult, Verdict};
 use loosepin::study::{Means, Progress, Study, conduct, foresee};
 

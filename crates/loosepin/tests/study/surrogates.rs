@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicBool;
 use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
-use loosepin::study::files::{read_json, surrogates_json, to_json};
+use loosepin::result::json::Stored;
+use loosepin::study::files::surrogates_json;
 use loosepin::study::result::{
     AccuracyStop, BoundRecord, Guarantee, ResponsePoint, Statistic, StudyResult, SurrogateVerdict, TreatmentComparison,
     Verdict,
@@ -138,7 +139,7 @@ fn identity_learned_bounds_agree_with_direct_ones_from_few_runs() {
     let is_head = |line: &&str| line.starts_with("statistic") && line.contains("by surrogate");
     let head = lines.iter().position(is_head).expect("a table");
     assert!(lines[head - 2].starts_with("slider (") && lines[head - 2].ends_with("at 60°"), "{text}");
-    let again: StudyResult = read_json(&to_json(&result).expect("json"), "summary.json").expect("summary");
+    let again = StudyResult::from_json(&result.to_json().expect("json")).expect("summary");
     assert_eq!(again.surrogate, result.surrogate);
 }
 

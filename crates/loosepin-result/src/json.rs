@@ -3,31 +3,57 @@
 use std::io;
 
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 use serde_json::ser::{Formatter, Serializer};
 
-use super::FilesError;
+use crate::motion::MotionRecord;
+use crate::simulation::SimulationRecord;
+use crate::study::StudyResult;
+use crate::sweep::SweepRecord;
+
+/// A record with a file of its own. Its JSON is written and read here: the code of a format is long, and each crate that asked serde for
+/// it would compile a copy.
+pub trait Stored: Sized {
+    /// The text of its file.
+    ///
+    /// # Errors
+    /// A value without a form in JSON.
+    fn to_json(&self) -> Result<String, serde_json::Error>;
+
+    /// A record from the text of its file.
+    ///
+    /// # Errors
+    /// A text that does not fit, with line and column.
+    fn from_json(text: &str) -> Result<Self, serde_json::Error>;
+}
+
+macro_rules! stored {
+    ($($record:ty),*) => {$(
+        impl Stored for $record {
+            fn to_json(&self) -> Result<String, serde_json::Error> {
+                to_json(self)
+            }
+
+            fn from_json(text: &str) -> Result<Self, serde_json::Error> {
+                serde_json::from_str(text)
+            }
+        }
+    )*};
+}
+
+stored!(MotionRecord, SimulationRecord, StudyResult, SweepRecord);
 
 /// Any record as JSON: keys in the order of the type, floats in the shortest form that reads back to the same bits,
-/// lists of plain values on one line, a newline at the end.
+/// lists of plain values on one line, a newline at the end. For records of a file of their own: [`Stored`].
 ///
 /// # Errors
 /// A value without a form in JSON.
-pub fn to_json<T: Serialize>(record: &T) -> Result<String, FilesError> {
+pub fn to_json<T: Serialize>(record: &T) -> Result<String, serde_json::Error> {
     let mut bytes = Vec::new();
     let mut serializer = Serializer::with_formatter(&mut bytes, ReadableLayout::default());
-    record.serialize(&mut serializer).map_err(|source| FilesError::Json { source })?;
+    record.serialize(&mut serializer)?;
     bytes.push(b'\n');
     // The serializer writes only UTF-8, so nothing is ever replaced here.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
-/// Reads a record that [`to_json`] wrote; `what` names it in the message.
-///
-/// # Errors
-/// A text that does not fit, with line and column.
-pub fn read_json<T: DeserializeOwned>(text: &str, what: &str) -> Result<T, FilesError> {
-    serde_json::from_str(text).map_err(|source| FilesError::Layout { what: what.to_owned(), source })
 }
 
 /// Puts objects on lines of their own and keeps lists of numbers and words together.
