@@ -9,7 +9,7 @@ use loosepin::report::draft_text;
 use loosepin::study::Progress;
 use loosepin::study::result::Draft;
 
-use crate::console::duration;
+use crate::console::{duration, message};
 
 /// How often the remaining time is shown anew.
 const TICK: Duration = Duration::from_millis(500);
@@ -95,6 +95,10 @@ impl Progress for Bar {
         if !text.is_empty() {
             self.bar.set_message(format!("\n{text}"));
         }
+    }
+
+    fn note(&self, text: &str) {
+        self.bar.suspend(|| message(&format!("note: {text}")));
     }
 }
 

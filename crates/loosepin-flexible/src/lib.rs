@@ -6,7 +6,6 @@
 
 mod beam;
 mod functions;
-mod legendre;
 mod shapes;
 mod spectrum;
 

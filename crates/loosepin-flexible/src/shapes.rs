@@ -1,8 +1,8 @@
 //! The shapes of a beam: what of it does not depend on its length, section and material.
 
 use super::functions::{Frame, axial, lateral};
-use super::legendre::gauss_points;
 use super::spectrum::{eigenvalues, root_damping};
+use loosepin_math::legendre_rule;
 
 /// Numbers that are round-off of a zero at an end of the beam.
 const ROUND_OFF: f64 = 1e-12;
@@ -78,7 +78,8 @@ impl Shapes {
         (lateral_count, lateral): (usize, LateralFunction<'_>),
         points: usize,
     ) -> Self {
-        let gauss = gauss_points(points);
+        let rule = legendre_rule(points);
+        let gauss: Vec<[f64; 2]> = rule.into_iter().map(|(t, weight)| [0.5 * (1.0 + t), weight]).collect();
         let station = |share: f64| station(share, (axial_count, axial), (lateral_count, lateral), &gauss);
         let mass_points: Vec<MassPoint> =
             gauss.iter().map(|&[share, weight]| MassPoint { station: station(share), weight }).collect();

@@ -3,7 +3,7 @@
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
 //! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
 
-use crate::four_rows::FourTriangleRows;
+use crate::four_rows::{FourNumbers, FourTriangleRows};
 use crate::fused::on_vectors;
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
@@ -101,6 +101,16 @@ impl LowerTriangle {
     /// Tᵀ x
     pub fn multiply_transposed(&self, vector: &[f64]) -> Vec<f64> {
         self.0.multiply_transposed(vector)
+    }
+
+    /// T x of four vectors.
+    pub fn multiply_four(&self, vectors: &[FourNumbers]) -> Vec<FourNumbers> {
+        self.0.multiply_four(vectors)
+    }
+
+    /// Tᵀ x of four vectors.
+    pub fn multiply_transposed_four(&self, vectors: &[FourNumbers]) -> Vec<FourNumbers> {
+        self.0.multiply_transposed_four(vectors)
     }
 
     /// TᵀT, row by row, its lower triangle; the rest is zero.

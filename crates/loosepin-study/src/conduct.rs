@@ -96,7 +96,10 @@ fn conduct_with(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let (before, keeping) = (AtomicUsize::new(0), Keeping::new(store));
     let runner = Runner { pool: &pool, progress, stop, before, keeping, part, maker };
-    let table = plans.table(store.and_then(|store| store.path().parent()));
+    let (table, note) = plans.table(store.and_then(|store| store.path().parent()));
+    if let Some(note) = &note {
+        progress.note(note);
+    }
     let mut sheet = Sheet::new(&runner, study, &response, table, plans.limits.most_runs());
     // A surrogate that stands alone has rounds of its own.
     let is_told = progress.wants_drafts() && !plans.is_surrogate_alone;

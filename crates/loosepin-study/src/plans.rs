@@ -82,13 +82,27 @@ impl Plans {
     }
 
     /// An empty table with room for the runs of the first question. Where they are many their numbers are in a file in `folder`, which
-    /// has no name there; in memory where there is no folder.
-    pub fn table(&self, folder: Option<&Path>) -> SampleTable {
+    /// has no name there; in memory where there is no folder. What has to be said of that comes with it.
+    pub fn table(&self, folder: Option<&Path>) -> (SampleTable, Option<String>) {
         let runs = self.limits.stated_runs - self.limits.reserved;
-        let scratch =
-            folder.filter(|_| is_large(runs, self.row_length)).and_then(|folder| Scratch::in_folder(folder).ok());
-        SampleTable::with_capacity(self.row_length, runs, scratch)
+        let (scratch, note) =
+            scratch(folder.filter(|_| is_large(runs, self.row_length)), runs.saturating_mul(self.row_length));
+        (SampleTable::with_capacity(self.row_length, runs, scratch), note)
     }
+}
+
+/// A file in `folder`, where there is one, for so many numbers; where it cannot be made, what is to be said.
+fn scratch(folder: Option<&Path>, numbers: usize) -> (Option<Scratch>, Option<String>) {
+    let Some(folder) = folder else { return (None, None) };
+    let error = match Scratch::in_folder(folder) {
+        Ok(scratch) => return (Some(scratch), None),
+        Err(error) => error,
+    };
+    let gib = numbers.saturating_mul(BYTES_PER_NUMBER) as f64 / BYTES_PER_GIB;
+    let folder = folder.display();
+    let note =
+        format!("no file for the numbers of the runs in {folder}: {error}; they take up to {gib:.2} GiB of memory");
+    (None, Some(note))
 }
 
 /// What a study has to have room for.
@@ -177,7 +191,8 @@ pub(super) fn refuse_time(study: &Study) -> Result<(), StudyError> {
 
 #[cfg(test)]
 mod tests {
-    use super::Size;
+    use super::{Size, scratch};
+    use std::path::Path;
 
     /// A million runs of 15 numbers.
     const MILLION: Size = Size { runs: 1_000_000, numbers: 15, points: None };
@@ -209,5 +224,18 @@ mod tests {
         assert!(of(1 << 30).check(u64::MAX).is_ok());
         let said = of((1 << 30) + 1).check(u64::MAX).expect_err("one too many").to_string();
         assert_eq!(said, "1073741825 runs; must be at most 1073741824");
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_made_is_said() {
+        let (file, note) = scratch(Some(Path::new("/nowhere/at/all")), 1 << 30);
+        assert!(file.is_none());
+        let note = note.expect("a note");
+        let begin = "no file for the numbers of the runs in /nowhere/at/all: ";
+        // 2^30 numbers of 24 bytes.
+        assert!(note.starts_with(begin) && note.ends_with("; they take up to 24.00 GiB of memory"), "{note}");
+        let (file, note) = scratch(Some(&std::env::temp_dir()), 1 << 30);
+        assert!(file.is_some() && note.is_none());
+        assert!(matches!(scratch(None, 1 << 30), (None, None)));
     }
 }

@@ -36,6 +36,11 @@ pub trait Progress: Sync {
     fn draft(&self, draft: &Draft) {
         let _ = draft;
     }
+
+    /// Hears what is otherwise than whoever waits expects, and changes no result.
+    fn note(&self, text: &str) {
+        let _ = text;
+    }
 }
 
 /// Tells what runs say before all are made.

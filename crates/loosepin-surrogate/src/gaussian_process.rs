@@ -3,8 +3,8 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
-use loosepin_math::FourRows;
 use loosepin_math::dense::{Cholesky, LowerTriangle};
+use loosepin_math::{FourNumbers, FourRows};
 
 /// Matérn's correlation with ν = 5/2 (two derivatives) by s = √5 r: (1 + s + s²/3) exp(-s), and its factor exp(-s).
 pub fn matern_five_halves(s: f64) -> (f64, f64) {
@@ -56,6 +56,16 @@ impl Whitened {
         self.by_column.multiply(white)
     }
 
+    /// Bᵀ w of four whitened vectors.
+    pub fn products_of_four(&self, white: &[FourNumbers]) -> Vec<FourNumbers> {
+        self.by_column.multiply_four(white)
+    }
+
+    /// Takes B b out of four whitened vectors.
+    pub fn take_out_of_four(&self, white: &mut [FourNumbers], coefficients: &[FourNumbers]) {
+        self.by_point.take_out_four(white, coefficients);
+    }
+
     /// Takes B b out of a whitened vector.
     pub fn take_out(&self, white: &mut [f64], coefficients: &[f64]) {
         self.by_point.take_out(white, coefficients);
@@ -70,6 +80,22 @@ impl Whitened {
     pub fn at_place(&self, covariances: &[f64], terms: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let white = self.whitening.multiply(covariances);
         let rest = terms.iter().zip(self.products(&white)).map(|(term, known)| term - known).collect();
+        (white, rest)
+    }
+
+    /// c = W k and r = f - Bᵀc at four places with the covariances k and the terms f of the trend.
+    pub fn at_four_places(
+        &self,
+        covariances: &[FourNumbers],
+        terms: &[FourNumbers],
+    ) -> (Vec<FourNumbers>, Vec<FourNumbers>) {
+        let white = self.whitening.multiply_four(covariances);
+        let mut rest = self.products_of_four(&white);
+        for (known, terms) in rest.iter_mut().zip(terms) {
+            for (known, term) in known.iter_mut().zip(terms) {
+                *known = term - *known;
+            }
+        }
         (white, rest)
     }
 }

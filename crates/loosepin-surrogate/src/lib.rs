@@ -59,7 +59,7 @@ pub use network::Network;
 pub use onnx::OnnxMetadata;
 pub use options::{Choice, Options};
 pub use output::OutputSurrogate;
-pub use polynomial::{Family, orthonormal_values};
+pub use polynomial::Family;
 pub use quality::Quality;
 pub use residual::{Residual, SHARES};
 pub use spread::Spread;

@@ -1,20 +1,7 @@
 //! Polynomials that are orthonormal under a distribution.
 
+use loosepin_math::orthonormal_values;
 use serde::{Deserialize, Serialize};
-
-/// p_0 to p_degree at ξ by the recurrence √b_(n+1) p_(n+1) = (ξ - a_n) p_n - √b_n p_(n-1); `coefficients` gives a_n and √b_(n+1).
-pub fn orthonormal_values(standard: f64, degree: usize, coefficients: impl Fn(usize) -> (f64, f64)) -> Vec<f64> {
-    let mut values = Vec::with_capacity(degree + 1);
-    values.push(1.0);
-    let (mut before, mut weight_before) = (0.0, 0.0);
-    for n in 0..degree {
-        let (shift, weight) = coefficients(n);
-        let last = values[n];
-        values.push(((standard - shift) * last - weight_before * before) / weight);
-        (before, weight_before) = (last, weight);
-    }
-    values
-}
 
 /// A family of orthonormal polynomials p_0 = 1, p_1, ... of a standard variable ξ: E\[p_m(ξ) p_n(ξ)\] is 1 for m = n and 0
 /// otherwise.
@@ -42,7 +29,7 @@ impl Family {
 
     /// p_0 to p_degree at ξ.
     pub fn values(self, standard: f64, degree: usize) -> Vec<f64> {
-        orthonormal_values(standard, degree, |n| {
+        orthonormal_values(standard, degree, &|n| {
             let (shift, square) = self.recurrence(n);
             (shift, square.sqrt())
         })

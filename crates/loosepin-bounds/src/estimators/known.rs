@@ -38,6 +38,12 @@ impl Known {
         found
     }
 
+    /// Whether all that is asked has been found before.
+    pub fn has(&self, mut asked: impl Iterator<Item = Asked>, confidence: &Confidence) -> bool {
+        let list = self.list();
+        asked.all(|asked| list.iter().any(|(own, at, _)| *own == asked && at == confidence))
+    }
+
     /// What has been found before.
     pub fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
         let list = self.list();

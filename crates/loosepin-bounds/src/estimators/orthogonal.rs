@@ -12,11 +12,8 @@
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use loosepin_surrogate::orthonormal_values;
+use loosepin_math::{legendre_coefficient, orthonormal_values, symmetric_gauss_rule};
 use loosepin_uncertainty::{normal_cdf, normal_quantile};
-
-/// Distance of the values among which the roots of a polynomial are sought; the closest ones of order 32 lie 0.1 apart.
-const ROOT_STEP: f64 = 0.005;
 
 /// Beyond this a standard normal variable is not looked at; Φ(-5) = 2.9e-7.
 const NORMAL_END: f64 = 5.0;
@@ -30,10 +27,9 @@ type Recurrence = [(f64, f64); MOST_ORDER + 1];
 /// Of both axes: a root and a quotient cost more than all else of a polynomial.
 static RECURRENCES: LazyLock<[Recurrence; 2]> = LazyLock::new(|| {
     let normal = |k: f64| k.sqrt();
-    let uniform = |k: f64| k / (4.0 * k * k - 1.0).max(1.0).sqrt();
     [
         std::array::from_fn(|k| with_reciprocal(normal(k as f64))),
-        std::array::from_fn(|k| with_reciprocal(uniform(k as f64))),
+        std::array::from_fn(|k| with_reciprocal(legendre_coefficient(k))),
     ]
 });
 
@@ -99,7 +95,7 @@ impl Axis {
     /// p_0 ... p_degree at `t`.
     pub fn values(self, t: f64, degree: usize) -> Vec<f64> {
         let recurrence = self.recurrence();
-        orthonormal_values(t, degree, |n| (0.0, recurrence[n + 1].0))
+        orthonormal_values(t, degree, &|n| (0.0, recurrence[n + 1].0))
     }
 
     /// p_0' ... p_degree' at `t`.
@@ -113,33 +109,12 @@ impl Axis {
 
     /// The n-point Gauss rule: nodes, and weights that add up to 1.
     pub fn gauss_rule(self, n: usize) -> Vec<(f64, f64)> {
-        let last = |t: f64| self.values(t, n)[n];
         let end = match self {
             Self::Hermite => 2.0 * (n as f64).sqrt() + 1.0,
             Self::Legendre => 1.0,
         };
-        // An even number of steps would put one of them on the root 0 of odd orders.
-        let steps = 2 * (end / ROOT_STEP) as usize + 1;
-        let at = |step: usize| end * (2.0 * step as f64 / steps as f64 - 1.0);
-        let mut nodes = Vec::with_capacity(n);
-        for step in 0..steps {
-            let (mut low, mut high) = (at(step), at(step + 1));
-            let sign = last(low).signum();
-            if sign == last(high).signum() {
-                continue;
-            }
-            while high - low > f64::EPSILON * end {
-                let middle = 0.5 * (low + high);
-                if middle <= low || middle >= high {
-                    break;
-                }
-                if last(middle).signum() == sign { low = middle } else { high = middle }
-            }
-            let node = 0.5 * (low + high);
-            let weight = 1.0 / self.values(node, n - 1).iter().map(|value| value * value).sum::<f64>();
-            nodes.push((node, weight));
-        }
-        nodes
+        let recurrence = self.recurrence();
+        symmetric_gauss_rule(n, end, &|k| recurrence[k].0)
     }
 }
 

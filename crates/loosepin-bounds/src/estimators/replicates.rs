@@ -14,9 +14,11 @@ pub(crate) fn differences(samples: &[&Sample], of: impl Fn(&[f64], usize) -> f64
     if count < 2 || !samples.iter().all(is_known) {
         return Vec::new();
     }
-    let mut differences = vec![Vec::with_capacity(samples.len()); count];
+    let mut differences: Vec<Vec<f64>> = (0..count).map(|_| Vec::with_capacity(samples.len())).collect();
+    let mut own = Vec::with_capacity(count);
     for (point, sample) in samples.iter().enumerate() {
-        let own: Vec<f64> = sample.replicates().map(|values| of(values, point)).collect();
+        own.clear();
+        own.extend(sample.replicates().map(|values| of(values, point)));
         let mean = mean_of(&own);
         for (replicate, value) in differences.iter_mut().zip(&own) {
             replicate.push(value - mean);

@@ -11,6 +11,7 @@ use crate::estimators::sample::Sample;
 use crate::search::measure::{Measure, MeasureKind};
 use crate::search::models::{Branch, Search, smoothed};
 use crate::search::search_box::Region;
+use crate::search::target::Target;
 
 /// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
 const LEAST_SHARE_BETWEEN: f64 = 0.5;
@@ -79,8 +80,28 @@ impl Experiment<'_> {
 
 impl<'a> Modelled<'a> {
     pub fn new(search: &'a Search<'a>, measure: &'a Measure, samples: &'a [&'a Sample]) -> Self {
+        Self::with(search, measure, samples, search.branches(&measure.target))
+    }
+
+    /// [`Self::new`] of several measures, whose models are made together; nothing in the place of nothing.
+    pub fn all(
+        search: &'a Search<'a>,
+        measures: &'a [Option<Measure>],
+        samples: &'a [Vec<&'a Sample>],
+    ) -> Vec<Option<Self>> {
+        let targets: Vec<&Target> = measures.iter().flatten().map(|measure| &measure.target).collect();
+        let mut branches = search.branches_of_all(&targets).into_iter();
+        let own = measures.iter().zip(samples);
+        own.map(|(measure, samples)| Some(Self::with(search, measure.as_ref()?, samples, branches.next()?))).collect()
+    }
+
+    fn with(
+        search: &'a Search<'a>,
+        measure: &'a Measure,
+        samples: &'a [&'a Sample],
+        branches: Vec<Branch<'a>>,
+    ) -> Self {
         let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
-        let branches = search.branches(&measure.target);
         let lowest = smoothed(&measure.target, &branches, |point| measure.target_errors[point]);
         // Failed runs move the two estimates apart; the target is the low one.
         let gaps = measure.low.iter().zip(&measure.high).map(|(low, high)| high.value - low.value);

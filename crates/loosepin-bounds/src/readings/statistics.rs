@@ -8,8 +8,9 @@ use crate::data::bound::{BoundPair, CutBounds};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::estimators::estimate::Estimate;
+use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
-use crate::search::models::Search;
+use crate::search::models::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
 impl Experiment<'_> {
@@ -52,15 +53,21 @@ impl Experiment<'_> {
         whole: &Focal<'_>,
     ) -> Vec<BoundPair> {
         let centre = self.centre(std::slice::from_ref(whole));
-        let pair = |(&Request { column, statistic }, measure): (&Request, &Option<Measure>)| {
-            let samples = self.pool.samples(column);
-            let modelled = Modelled::new(search, measure.as_ref()?, &samples);
-            let ends = Direction::BOTH.map(|direction| self.bound(&modelled, direction, whole));
+        let pair = |(&Request { column, statistic }, modelled): (&Request, &Modelled<'_>)| {
+            let ends = Direction::BOTH.map(|direction| self.bound(modelled, direction, whole));
             let seen = modelled.measure.low.iter().map(Estimate::lower_limit).collect();
             let central = centre.map(|point| modelled.at(point));
-            Some(BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) })
+            BoundPair { seen, central, ..BoundPair::new(column, statistic, ends, self.failed_runs(column)) }
         };
-        requests.par_iter().zip(measures).filter_map(pair).collect()
+        let chunks = requests.par_chunks(TARGETS_AT_ONCE).zip(measures.par_chunks(TARGETS_AT_ONCE));
+        let pairs = chunks.flat_map_iter(|(requests, measures)| {
+            let samples: Vec<Vec<&Sample>> = requests.iter().map(|request| self.pool.samples(request.column)).collect();
+            let modelled = Modelled::all(search, measures, &samples);
+            let pairs =
+                requests.iter().zip(&modelled).filter_map(|(request, own)| Some(pair((request, own.as_ref()?))));
+            pairs.collect::<Vec<BoundPair>>()
+        });
+        pairs.collect()
     }
 }
 

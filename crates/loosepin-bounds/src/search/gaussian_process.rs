@@ -13,7 +13,7 @@ use std::sync::OnceLock;
 
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::{FourRows, exponentials};
+use loosepin_math::{FourNumbers, FourRows, dots_of_four, exponentials};
 use loosepin_surrogate::{Whitened, matern_five_halves_of};
 
 /// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
@@ -208,6 +208,13 @@ impl Model {
         self.noise_ratio * dot(&projected, &projected) / trace
     }
 
+    /// [`Self::nugget`] of four lists of values.
+    pub fn nuggets_of_four(&self, values: &[FourNumbers]) -> FourNumbers {
+        let projected = self.whitened.whitening.multiply_transposed_four(&self.whitened_rest_of_four(values));
+        let trace: f64 = self.projection_diagonal.iter().sum();
+        dots_of_four(&projected, &projected).map(|square| self.noise_ratio * square / trace)
+    }
+
     /// tr τP: how many degrees of freedom [`Self::nugget`] has.
     pub fn nugget_freedom(&self) -> f64 {
         self.noise_ratio * self.projection_diagonal.iter().sum::<f64>()
@@ -229,6 +236,14 @@ impl Model {
         rest
     }
 
+    /// [`Self::whitened_rest`] of four lists of values.
+    pub fn whitened_rest_of_four(&self, values: &[FourNumbers]) -> Vec<FourNumbers> {
+        let mut rest = self.whitened.whitening.multiply_four(values);
+        let shares = self.trend_covariance.multiply_four(&self.whitened.products_of_four(&rest));
+        self.whitened.take_out_of_four(&mut rest, &shares);
+        rest
+    }
+
     /// W y, and G Bᵀ W y: what the mean at any place takes of `values`.
     pub fn whitened(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         if is_zero(values) {
@@ -247,12 +262,8 @@ impl Model {
 
     fn predict(&self, place: &[f64]) -> Prediction {
         let distances: Vec<f64> = self.points.iter().map(|point| distance(point, place)).collect();
-        self.predict_from(&self.kernel.at_distances(&distances), &self.trend.terms(place))
-    }
-
-    /// From the correlations of a place with the points, and the terms of the polynomial there.
-    fn predict_from(&self, correlations: &[f64], terms: &[f64]) -> Prediction {
-        let (correlations, rest) = self.whitened.at_place(correlations, terms);
+        let known = self.kernel.at_distances(&distances);
+        let (correlations, rest) = self.whitened.at_place(&known, &self.trend.terms(place));
         let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &self.trend_covariance.multiply(&rest));
         Prediction { correlations, rest, variance: variance.max(0.0) }
     }
@@ -260,19 +271,40 @@ impl Model {
     /// What the estimates have no part in is worked out once, so `seen` must not change.
     fn at_places(&self, seen: &SeenPlaces) -> &AtPlaces {
         self.at_places.get_or_init(|| {
-            let (count, size) = (self.points.len(), self.whitened.trend.len());
-            let mut correlations = Vec::with_capacity(seen.places.len() * count);
-            let mut rest = Vec::with_capacity(seen.places.len() * size);
-            let mut deviations = Vec::with_capacity(seen.places.len());
-            for (distances, terms) in seen.distances.chunks_exact(count).zip(seen.terms.chunks_exact(size)) {
-                let own = self.predict_from(&self.kernel.at_distances(distances), terms);
-                correlations.extend_from_slice(&own.correlations);
-                rest.extend_from_slice(&own.rest);
-                deviations.push(own.variance.sqrt());
+            let (places, count, size) = (seen.places.len(), self.points.len(), self.whitened.trend.len());
+            let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
+            let mut rest = Vec::with_capacity(places.div_ceil(4) * size);
+            let mut deviations = Vec::with_capacity(places);
+            for (distances, terms) in seen.distances.chunks(4 * count).zip(seen.terms.chunks(4 * size)) {
+                let known = fours(&self.kernel.at_distances(distances), count);
+                let (own, own_rest) = self.whitened.at_four_places(&known, &fours(terms, size));
+                let of_rest = dots_of_four(&own_rest, &self.trend_covariance.multiply_four(&own_rest));
+                let of_own = dots_of_four(&own, &own);
+                let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
+                deviations.extend(variances.take(distances.len() / count).map(|variance| variance.max(0.0).sqrt()));
+                correlations.extend(own);
+                rest.extend(own_rest);
             }
-            let (correlations, rest) = (FourRows::new(&correlations, count), FourRows::new(&rest, size));
-            AtPlaces { correlations, rest, deviations }
+            let correlations = FourRows::of_fours(places, count, correlations);
+            AtPlaces { correlations, rest: FourRows::of_fours(places, size, rest), deviations }
         })
+    }
+
+    /// [`Self::means`] of four lists of estimates.
+    pub fn means_of_four(
+        &self,
+        seen: &SeenPlaces,
+        white: &[FourNumbers],
+        of_trend: &[FourNumbers],
+    ) -> Vec<FourNumbers> {
+        let at = self.at_places(seen);
+        let mut means = at.correlations.multiply_four(white);
+        for (means, of_polynomial) in means.iter_mut().zip(at.rest.multiply_four(of_trend)) {
+            for (mean, of_polynomial) in means.iter_mut().zip(of_polynomial) {
+                *mean += of_polynomial;
+            }
+        }
+        means
     }
 
     /// Means at all `seen` places in their order, from [`Self::whitened`] estimates; the places must be the same at every call.
@@ -292,6 +324,17 @@ impl Model {
     pub fn deviations(&self, seen: &SeenPlaces) -> &[f64] {
         &self.at_places(seen).deviations
     }
+}
+
+/// At most four `rows` of `length` numbers beside one another.
+fn fours(rows: &[f64], length: usize) -> Vec<FourNumbers> {
+    let mut fours = vec![[0.0; 4]; length];
+    for (place, row) in rows.chunks_exact(length).enumerate() {
+        for (four, entry) in fours.iter_mut().zip(row) {
+            four[place] = *entry;
+        }
+    }
+    fours
 }
 
 /// Whether there is nothing to be whitened, as of a quantity that is the same everywhere.

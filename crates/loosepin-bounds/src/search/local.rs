@@ -44,6 +44,15 @@ impl Part {
         let seen: Vec<f64> = self.seen.iter().map(|&point| values[point]).collect();
         self.smoother.fit(&seen, &noise.among(&self.seen))
     }
+
+    /// [`Self::fit`] of each of several lists of values.
+    fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<Fit<'_>> {
+        let among = |&(values, noise): &(&[f64], &Noise)| -> (Vec<f64>, Noise) {
+            (self.seen.iter().map(|&point| values[point]).collect(), noise.among(&self.seen))
+        };
+        let seen: Vec<(Vec<f64>, Noise)> = all.iter().map(among).collect();
+        self.smoother.fit_all(&seen.iter().map(|(values, noise)| (&values[..], noise)).collect::<Vec<_>>())
+    }
 }
 
 /// By which part a place is predicted, and which of the places of its smoother it is.
@@ -107,6 +116,22 @@ impl LocalSmoothers {
             parts => parts.iter().map(|part| part.fit(values, noise)).collect(),
         };
         LocalFits { smoothers: self, fits }
+    }
+
+    /// [`Self::fit`] of each of several lists of values, as [`Smoother::fit_all`].
+    pub fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<LocalFits<'_>> {
+        let mut fits: Vec<LocalFits<'_>> =
+            all.iter().map(|_| LocalFits { smoothers: self, fits: Vec::with_capacity(self.parts.len()) }).collect();
+        for part in &self.parts {
+            let own: Vec<Fit<'_>> = match &self.parts[..] {
+                [_] => part.smoother.fit_all(all),
+                _ => part.fit_all(all),
+            };
+            for (fits, own) in fits.iter_mut().zip(own) {
+                fits.fits.push(own);
+            }
+        }
+        fits
     }
 }
 

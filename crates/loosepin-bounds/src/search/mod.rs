@@ -1,5 +1,6 @@
 //! The search for extremes over the box of the epistemic inputs: models of statistics, what they leave open, and the next points.
 
+mod assessment;
 mod broken_reach;
 pub(crate) mod design;
 mod extremes;

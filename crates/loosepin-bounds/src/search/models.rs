@@ -9,6 +9,9 @@ use super::target::Target;
 use super::target_model::{Forecast, TargetModel};
 use crate::data::direction::{Direction, extreme_among};
 
+/// So many targets are modelled together.
+pub(crate) const TARGETS_AT_ONCE: usize = 16;
+
 /// Two new points of one round keep this distance, in units of the box.
 pub(super) const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
 
@@ -134,6 +137,29 @@ impl<'a> Search<'a> {
         self.groups.iter().map(branch).collect()
     }
 
+    /// [`Self::branches`] of each of several targets, whose models are made together: [`TARGETS_AT_ONCE`] of them are enough.
+    pub fn branches_of_all(&self, targets: &[&Target]) -> Vec<Vec<Branch<'_>>> {
+        let mut branches: Vec<Vec<Branch<'_>>> = targets.iter().map(|_| Vec::new()).collect();
+        for points in &self.groups {
+            // Nearly always all targets are defined at the same points.
+            let mut sets: BTreeMap<Vec<usize>, Vec<usize>> = BTreeMap::new();
+            for (index, target) in targets.iter().enumerate() {
+                sets.entry(defined(target, points)).or_default().push(index);
+            }
+            for (defined, own) in sets {
+                let among: Vec<&Target> = own.iter().map(|&index| targets[index]).collect();
+                let smoother = self.smoothers.get(&defined).and_then(Option::as_ref);
+                let mut models =
+                    smoother.map_or_else(Vec::new, |own| TargetModel::all(own, &among, &defined)).into_iter();
+                for index in own {
+                    let (points, defined) = (points.clone(), defined.clone());
+                    branches[index].push(Branch { points, defined, model: models.next() });
+                }
+            }
+        }
+        branches
+    }
+
     /// The model of `target` on the points at which it is `defined`; nothing where these are too few.
     pub(super) fn model(&self, target: &Target, defined: &[usize]) -> Option<TargetModel<'_>> {
         Some(TargetModel::new(self.smoothers.get(defined)?.as_ref()?, target, defined))
@@ -184,5 +210,7 @@ fn neighbours<'p>(axes: &'p Axes, point: &'p [f64]) -> impl Iterator<Item = Vec<
 
 /// The points of `group` at which `target` is defined.
 pub(super) fn defined(target: &Target, group: &[usize]) -> Vec<usize> {
-    group.iter().copied().filter(|&i| target.values[i].is_finite()).collect()
+    let mut defined = Vec::with_capacity(group.len());
+    defined.extend(group.iter().copied().filter(|&i| target.values[i].is_finite()));
+    defined
 }

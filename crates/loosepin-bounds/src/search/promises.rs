@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::models::{LEAST_DISTANCE_IN_ROUND, Search, defined};
+use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Search, TARGETS_AT_ONCE, defined};
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::reach::{locate, reach};
@@ -25,10 +25,15 @@ impl Search<'_> {
     ) -> Vec<Place> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let mut promises: Vec<Promise> = targets
-            .par_iter()
+            .par_chunks(TARGETS_AT_ONCE)
             .enumerate()
-            .flat_map_iter(|(index, (target, directions))| {
-                self.promises(index, target, directions, (elements, &members), allowance)
+            .flat_map_iter(|(chunk, targets)| {
+                let branches = self.branches_of_all(&targets.iter().map(|(target, _)| target).collect::<Vec<_>>());
+                let own = (TARGETS_AT_ONCE * chunk..).zip(targets).zip(branches);
+                let promises = own.flat_map(|((index, (target, directions)), branches)| {
+                    self.promises((index, target), directions, &branches, (elements, &members), allowance)
+                });
+                promises.collect::<Vec<Promise>>()
             })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
@@ -59,14 +64,14 @@ impl Search<'_> {
     /// Where the models of a target promise more than has been attained in any combination, element by element.
     fn promises(
         &self,
-        index: usize,
-        target: &Target,
+        (index, target): (usize, &Target),
         directions: &[Direction],
+        branches: &[Branch<'_>],
         (elements, members): (&[Element], &[Vec<usize>]),
         allowed: Allowance,
     ) -> Vec<Promise> {
         let mut promises = Vec::new();
-        for (combination, branch) in self.branches(target).iter().enumerate() {
+        for (combination, branch) in branches.iter().enumerate() {
             let Some(model) = &branch.model else { continue };
             for (element, (part, members)) in elements.iter().zip(members).enumerate() {
                 for &direction in directions {

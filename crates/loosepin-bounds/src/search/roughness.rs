@@ -15,7 +15,7 @@
 use super::gaussian_process::Model;
 use super::prediction::Roughness;
 use loosepin_math::dense::{Cholesky, gram, multiply};
-use loosepin_math::{FourRows, exponentials};
+use loosepin_math::{FourRows, beside_one_another, exponentials};
 
 /// What a further parameter gains by chance in -2 ln likelihood (H. Akaike, "A new look at the statistical model identification", IEEE
 /// Transactions on Automatic Control 19 (1974) 716-723).
@@ -203,7 +203,11 @@ impl RoughPart {
         let of_noise = if count < 2.0 {
             0.0
         } else {
-            replicates.iter().map(|own| model.nugget(own)).sum::<f64>() / (count * (count - 1.0))
+            let of_four = |own: &[Vec<f64>]| {
+                let own: Vec<&[f64]> = own.iter().map(Vec::as_slice).collect();
+                model.nuggets_of_four(&beside_one_another(&own)).into_iter().take(own.len())
+            };
+            replicates.chunks(4).flat_map(of_four).sum::<f64>() / (count * (count - 1.0))
         };
         let freedom_of_noise = freedom * (count - 1.0).max(1.0);
         let points = residual.len() as f64;

@@ -23,6 +23,7 @@ use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
+use super::assessment::{Assessed, Assessment, Honest, NOISE_RATIOS, cautious, least_honest};
 use super::gaussian_process::{Kernel, Model, SeenPlaces, Smoothness};
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
@@ -30,23 +31,16 @@ use super::roughness::{GAIN_OF_A_PARAMETER, Regressors, RoughPart, Scatter};
 use super::search_box::{Axes, Region};
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot};
+use loosepin_math::{beside_one_another, dots_of_four};
 
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
-/// Noise ratios τ of the grid. The first stands for none, and keeps the matrices positive definite.
-const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.0, 100.0];
-
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
 
-/// Of the models whose misfit, -2 ln likelihood, exceeds the least one by no more than this, those with the most noise are
-/// preferred; of them the likeliest, or without noise the least differentiable one with the shortest ℓ. What cannot be told apart is
-/// taken the cautious way: rather noise than an extreme, rather few derivatives than many.
-const TOLERATED_MISFIT: f64 = 4.0;
-
-/// Where every model with some noise is worse than one with less by this, those with more noise are not tried.
-const HOPELESS_MISFIT: f64 = 50.0;
+/// Round-off of a misfit, of the order of 1e-13, is far below this.
+const ROUND_OFF_OF_MISFIT: f64 = 1e-6;
 
 /// The models of one set of points, shared by all statistics that are known there.
 pub(crate) struct Smoother {
@@ -152,38 +146,78 @@ impl Smoother {
 
     /// Fits `values` (one for each point) with their sampling noise.
     pub fn fit(&self, values: &[f64], noise: &Noise) -> Fit<'_> {
-        let count = values.len();
-        // What is the same everywhere is met without round-off, and takes no time.
-        let is_constant = values.iter().all(|value| *value == values[0]);
-        let centre = if is_constant { values[0] } else { values.iter().sum::<f64>() / count as f64 };
-        let values: Vec<f64> = values.iter().map(|value| value - centre).collect();
-        let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
-        let residual = self.residual(&values);
-        let freedom = (count - self.terms.len() / count) as f64;
-        let floor = (LEAST_DEVIATION * range).powi(2);
-        let of_noise = if noise.variance > floor { noise.variance } else { 0.0 };
-        // What polynomials in the random inputs give exactly is smooth in u as well.
+        let own = Prepared::new(self, values, noise);
+        let assessment = self.assess(&own);
+        self.fitted(own, assessment)
+    }
+
+    /// [`Self::fit`] of each of several lists of values; with [`Fit::at_places`] in mind. What is done for four of them at once takes half the
+    /// time.
+    pub fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<Fit<'_>> {
+        let prepared: Vec<Prepared<'_>> =
+            all.iter().map(|(values, noise)| Prepared::new(self, values, noise)).collect();
+        let together: Vec<usize> = (0..all.len()).filter(|&index| !prepared[index].is_constant).collect();
+        let mut assessments: Vec<Option<Assessment<'_>>> = all.iter().map(|_| None).collect();
+        for four in together.chunks(4) {
+            let found = self.assess_four(&four.iter().map(|&index| &prepared[index]).collect::<Vec<_>>());
+            for (&index, found) in four.iter().zip(found) {
+                assessments[index] = Some(found);
+            }
+        }
+        let mut fits = Vec::with_capacity(all.len());
+        for (own, assessment) in prepared.into_iter().zip(assessments) {
+            let assessment = assessment.unwrap_or_else(|| self.assess(&own));
+            fits.push(self.fitted(own, assessment));
+        }
+        self.find_means(&fits);
+        fits
+    }
+
+    /// Means of `fits` at all places, four of the same model at once.
+    fn find_means(&self, fits: &[Fit<'_>]) {
+        let mut groups: Vec<(&Model, Vec<&Fit<'_>>)> = Vec::new();
+        for fit in fits {
+            match groups.iter_mut().find(|(model, _)| core::ptr::eq(*model, fit.model)) {
+                Some((_, own)) => own.push(fit),
+                None => groups.push((fit.model, vec![fit])),
+            }
+        }
+        for four in groups.iter().flat_map(|(_, own)| own.chunks(4)).filter(|four| four.len() > 1) {
+            let of = |part: fn(&(Vec<f64>, Vec<f64>)) -> &[f64]| {
+                beside_one_another(&four.iter().map(|fit| part(&fit.whitened)).collect::<Vec<_>>())
+            };
+            let means = four[0].model.means_of_four(&self.seen_places, &of(|own| &own.0), &of(|own| &own.1));
+            for (place, fit) in four.iter().enumerate() {
+                fit.means.get_or_init(|| means.iter().map(|four| four[place]).collect());
+            }
+        }
+    }
+
+    /// The fit of the model that is taken.
+    fn fitted<'m>(&'m self, own: Prepared<'_>, assessment: Assessment<'m>) -> Fit<'m> {
+        let Prepared { values, centre, residual, freedom, of_noise, noise, .. } = own;
         let may_be_rough = !noise.replicates.is_empty();
-        let levels = if may_be_rough || of_noise > 0.0 { self.levels.len() } else { 1 };
-        let assessed = self.assess(levels, &residual, freedom, floor);
-        let (smooth, mut rough): (Vec<Assessed<'_, '_>>, Vec<Assessed<'_, '_>>) =
-            assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
-        let honest = if may_be_rough { least_honest(&rough, freedom) } else { None };
+        let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
+            assessment.assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
+        let honest = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
         let rough = honest.and_then(|Honest { index, errors, .. }| {
-            let least = least_honest(&smooth, freedom).map_or(f64::INFINITY, |own| own.misfit);
             let scatter = Scatter::new(&self.seen, &self.regressors, &errors, freedom);
             let own = rough.swap_remove(index);
-            (own.misfit + scatter.price + GAIN_OF_A_PARAMETER < least).then_some((own, scatter))
+            let stated = own.misfit + scatter.price + GAIN_OF_A_PARAMETER;
+            // What must be stated of a smooth model is never likelier than what is likeliest: mostly that tells already.
+            let likeliest = smooth.iter().fold(f64::INFINITY, |least, own| least.min(own.misfit));
+            let least = || least_honest(&smooth, &residual, freedom).map_or(f64::INFINITY, |own| own.misfit);
+            (stated < likeliest - ROUND_OFF_OF_MISFIT || stated < least()).then_some((own, scatter))
         });
         let is_rough = rough.is_some();
         let (own, scatter) = rough.unwrap_or_else(|| {
             // Models without noise are always allowed: where none is chosen, no misfit is a number.
             let unknown = || {
                 let model = &self.level(0)[0];
-                Assessed { model, residual: &residual, variance: f64::INFINITY, misfit: f64::INFINITY }
+                Assessed { model, variance: f64::INFINITY, misfit: f64::INFINITY }
             };
             let own = cautious(smooth).unwrap_or_else(unknown);
-            let scatter = Scatter::even(&own.errors(), freedom);
+            let scatter = Scatter::even(&own.errors(&residual), freedom);
             (own, scatter)
         });
         Fit {
@@ -205,26 +239,38 @@ impl Smoother {
         }
     }
 
-    /// All models that are worth it, held against `residual`.
-    fn assess<'m, 'v>(&'m self, levels: usize, residual: &'v [f64], freedom: f64, floor: f64) -> Vec<Assessed<'m, 'v>> {
-        let mut assessed = Vec::new();
-        let mut least = f64::INFINITY;
-        for level in 0..levels {
-            let mut least_of_level = f64::INFINITY;
+    /// All models that are worth it, held against the values of `own`.
+    fn assess(&self, own: &Prepared<'_>) -> Assessment<'_> {
+        let mut assessment = own.assessment();
+        while let Some(level) = assessment.next_level() {
             for model in self.level(level) {
-                let rest = model.whitened_rest(residual);
-                let variance = (dot(&rest, &rest) / freedom).max(floor);
-                let ln_variance = if variance > 0.0 { libm::log(variance) } else { 0.0 };
-                let misfit = freedom * ln_variance + model.ln_determinants();
-                least_of_level = least_of_level.min(misfit);
-                assessed.push(Assessed { model, residual, variance, misfit });
+                let rest = model.whitened_rest(&own.residual);
+                assessment.take(model, dot(&rest, &rest));
             }
-            least = least.min(least_of_level);
-            if least_of_level > least + HOPELESS_MISFIT {
+            assessment.end_level();
+        }
+        assessment
+    }
+
+    /// [`Self::assess`] of at most four lists of values.
+    fn assess_four(&self, four: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
+        let residuals = beside_one_another(&four.iter().map(|own| &own.residual[..]).collect::<Vec<_>>());
+        let mut assessments: Vec<Assessment<'_>> = four.iter().map(|own| own.assessment()).collect();
+        for level in 0..self.levels.len() {
+            let is_open = |own: &Assessment<'_>| own.next_level() == Some(level);
+            if !assessments.iter().any(is_open) {
                 break;
             }
+            for model in self.level(level) {
+                let rest = model.whitened_rest_of_four(&residuals);
+                let squares = dots_of_four(&rest, &rest);
+                for (own, square) in assessments.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
+                    own.take(model, square);
+                }
+            }
+            assessments.iter_mut().filter(|own| is_open(own)).for_each(Assessment::end_level);
         }
-        assessed
+        assessments
     }
 
     /// Residuals of the polynomial alone, by ordinary least squares: the models see the same misfit with less round-off.
@@ -238,6 +284,47 @@ impl Smoother {
         }
         self.normal_equations.solve(&mut coefficients);
         self.terms.chunks(size).zip(values).map(|(row, value)| value - dot(row, &coefficients)).collect()
+    }
+}
+
+/// Values to be fitted.
+struct Prepared<'v> {
+    /// Less `centre`, and less the polynomial as well.
+    values: Vec<f64>,
+    residual: Vec<f64>,
+    centre: f64,
+    /// Whether they are the same everywhere.
+    is_constant: bool,
+    freedom: f64,
+    /// Least variance that is no round-off.
+    floor: f64,
+    noise: &'v Noise,
+    /// Its variance where it is no round-off.
+    of_noise: f64,
+    /// Noise ratios that are tried.
+    levels: usize,
+}
+
+impl<'v> Prepared<'v> {
+    fn new(smoother: &Smoother, values: &[f64], noise: &'v Noise) -> Self {
+        let count = values.len();
+        // What is the same everywhere is met without round-off, and takes no time.
+        let is_constant = values.iter().all(|value| *value == values[0]);
+        let centre = if is_constant { values[0] } else { values.iter().sum::<f64>() / count as f64 };
+        let values: Vec<f64> = values.iter().map(|value| value - centre).collect();
+        let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
+        let residual = smoother.residual(&values);
+        let freedom = (count - smoother.terms.len() / count) as f64;
+        let floor = (LEAST_DEVIATION * range).powi(2);
+        let of_noise = if noise.variance > floor { noise.variance } else { 0.0 };
+        // What polynomials in the random inputs give exactly is smooth in u as well.
+        let has_noise = !noise.replicates.is_empty() || of_noise > 0.0;
+        let levels = if has_noise { smoother.levels.len() } else { 1 };
+        Self { values, residual, centre, is_constant, freedom, floor, noise, of_noise, levels }
+    }
+
+    fn assessment<'m>(&self) -> Assessment<'m> {
+        Assessment::new(self.levels, self.freedom, self.floor)
     }
 }
 
@@ -255,77 +342,6 @@ impl Rough {
             let replicates: Vec<Vec<f64>> = self.replicates.iter().map(|own| fit.smoother.residual(own)).collect();
             RoughPart::new(fit.model, &self.residual, &replicates, self.scatter.clone())
         })
-    }
-}
-
-/// A model held against values.
-struct Assessed<'m, 'v> {
-    model: &'m Model,
-    /// The values, less the polynomial. What the model leaves of them is worked out again for the few that are asked for it: to keep
-    /// it for all takes longer.
-    residual: &'v [f64],
-    /// σ²
-    variance: f64,
-    /// -2 ln likelihood
-    misfit: f64,
-}
-
-impl Assessed<'_, '_> {
-    fn is_noisy(&self) -> bool {
-        self.model.noise_ratio() > NOISE_RATIOS[0]
-    }
-
-    /// τσ²
-    fn nugget(&self) -> f64 {
-        self.model.noise_ratio() * self.variance
-    }
-
-    /// The errors of predicting each estimate from the others, in standard deviations.
-    fn errors(&self) -> Vec<f64> {
-        let of = |error: f64| if self.variance > 0.0 { error / self.variance.sqrt() } else { 0.0 };
-        self.model.errors(&self.model.whitened_rest(self.residual)).into_iter().map(of).collect()
-    }
-}
-
-/// A model with the variance that must be stated for it.
-struct Honest {
-    /// Its place among those that were assessed.
-    index: usize,
-    errors: Vec<f64>,
-    /// -2 ln likelihood with that variance.
-    misfit: f64,
-}
-
-/// The model that is likeliest with the variance that must be stated for it.
-fn least_honest(assessed: &[Assessed<'_, '_>], freedom: f64) -> Option<Honest> {
-    let misfit = |index: usize| assessed[index].misfit;
-    let mut by_misfit: Vec<usize> = (0..assessed.len()).filter(|&index| !misfit(index).is_nan()).collect();
-    by_misfit.sort_by(|&a, &b| misfit(a).total_cmp(&misfit(b)));
-    let mut least: Option<Honest> = None;
-    for index in by_misfit {
-        // What must be stated is never likelier than what is likeliest.
-        if least.as_ref().is_some_and(|least| misfit(index) >= least.misfit) {
-            break;
-        }
-        let errors = assessed[index].errors();
-        let misfit = misfit(index) + Scatter::even(&errors, freedom).price;
-        if least.as_ref().is_none_or(|least| misfit < least.misfit) {
-            least = Some(Honest { index, errors, misfit });
-        }
-    }
-    least
-}
-
-/// Of the models that cannot be told apart the one to be taken.
-fn cautious<'m, 'v>(mut assessed: Vec<Assessed<'m, 'v>>) -> Option<Assessed<'m, 'v>> {
-    let least = assessed.iter().fold(f64::INFINITY, |least, own| least.min(own.misfit));
-    assessed.retain(|own| own.misfit <= least + TOLERATED_MISFIT);
-    let noisiest = assessed.iter().fold(0.0_f64, |most, own| most.max(own.model.noise_ratio()));
-    assessed.retain(|own| own.model.noise_ratio() == noisiest);
-    if noisiest > NOISE_RATIOS[0] {
-        assessed.into_iter().min_by(|a, b| a.misfit.total_cmp(&b.misfit))
-    } else {
-        assessed.into_iter().next()
     }
 }
 

@@ -1,7 +1,10 @@
 //! Models of a target over the box.
 
+use std::borrow::Cow;
+
 use super::index_model::{IndexForecast, IndexModel};
 use super::local::{LocalFits, LocalSmoothers};
+use super::noise::Noise;
 use super::prediction::{Allowance, Prediction};
 use super::target::{Target, TargetKind};
 use crate::estimators::index::index_of_either;
@@ -62,6 +65,27 @@ impl<'a> TargetModel<'a> {
                 Self::Either(Box::new([a, b].map(|own| IndexModel::new(smoother, &among(own)))))
             }
         }
+    }
+
+    /// The models of `targets`, all of them defined at the same points: [`LocalSmoothers::fit_all`].
+    pub fn all<'t>(smoother: &'a LocalSmoothers, targets: &[&'t Target], defined: &[usize]) -> Vec<Self> {
+        let plain = targets.iter().filter(|target| matches!(target.kind, TargetKind::Plain));
+        let among = |target: &&'t Target| -> (Cow<'t, [f64]>, Cow<'t, Noise>) {
+            // Nearly always a target is defined at every point.
+            if defined.len() == target.values.len() {
+                return (Cow::Borrowed(&target.values), Cow::Borrowed(&target.noise));
+            }
+            let values = defined.iter().map(|&point| target.values[point]).collect();
+            (Cow::Owned(values), Cow::Owned(target.noise.among(defined)))
+        };
+        let seen: Vec<(Cow<'_, [f64]>, Cow<'_, Noise>)> = plain.map(among).collect();
+        let seen: Vec<(&[f64], &Noise)> = seen.iter().map(|(values, noise)| (&**values, &**noise)).collect();
+        let mut fits = smoother.fit_all(&seen).into_iter();
+        let model = |target: &&Target| match target.kind {
+            TargetKind::Plain => fits.next().map_or_else(|| Self::new(smoother, target, defined), Self::Plain),
+            TargetKind::Index | TargetKind::Either(_) => Self::new(smoother, target, defined),
+        };
+        targets.iter().map(model).collect()
     }
 
     /// Prediction at `place`, with what an allowance asks for.

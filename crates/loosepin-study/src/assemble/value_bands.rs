@@ -8,6 +8,7 @@ use crate::file::EpistemicInput;
 use loosepin_bounds::{Purpose, between_order_statistics};
 use loosepin_result::study::{CurveRange, ValueBand};
 use loosepin_uncertainty::EpistemicVariable;
+use rayon::prelude::*;
 
 /// Values for which a result has bands, at most: the first ones of the plan.
 const MOST_VALUES: usize = 64;
@@ -39,31 +40,38 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
         }
         own.push(run);
     }
-    let of_value = |epistemic: &&[f64]| {
+    let mut meant: Vec<(&[f64], &Vec<usize>)> = Vec::new();
+    for epistemic in order {
         let key: Vec<u64> = epistemic.iter().map(|value| value.to_bits()).collect();
-        let own = runs.get(&key).filter(|own| own.len() >= FEWEST_RUNS)?;
+        meant.extend(runs.get(&key).filter(|own| own.len() >= FEWEST_RUNS).map(|own| (epistemic, own)));
+    }
+    meant.truncate(MOST_VALUES);
+    let of_value = |&(epistemic, own): &(&[f64], &Vec<usize>)| {
         let mut band = CurveRange::default();
+        let mut values = Vec::with_capacity(own.len());
         for (pose, &column) in planned.columns.iter().enumerate() {
-            let mut values: Vec<f64> = own.iter().map(|&run| material.table.values(run)[column]).collect();
-            values.retain(|value| value.is_finite());
-            values.sort_by(f64::total_cmp);
+            values.clear();
+            values.extend(own.iter().map(|&run| material.table.values(run)[column]).filter(|value| value.is_finite()));
             // What is counted at one value cannot leave what holds for all of them but by chance.
             let [low, high] = [&mixed.lower_si, &mixed.upper_si].map(|end| end.get(pose).copied().unwrap_or(f64::NAN));
-            let [lower, upper] = BAND.map(|probability| quantile(&values, probability)).map(|value| {
+            let [lower, upper] = BAND.map(|probability| quantile(&mut values, probability)).map(|value| {
                 // What is not a number stays none: `max` would make it a limit.
                 if value.is_nan() { value } else { rounded(value).max(low).min(high) }
             });
             band.lower_si.push(lower);
             band.upper_si.push(upper);
         }
-        Some(ValueBand { at: material.witness(epistemic), runs: own.len() as u64, band })
+        ValueBand { at: material.witness(epistemic), runs: own.len() as u64, band }
     };
-    order.iter().filter_map(of_value).take(MOST_VALUES).collect()
+    meant.par_iter().map(of_value).collect()
 }
 
-/// The quantile of sorted values, as bounds have it; not a number where there are too few for it.
-fn quantile(sorted: &[f64], probability: f64) -> f64 {
-    let value = between_order_statistics(sorted.len(), probability * sorted.len() as f64, |place| sorted[place]);
+/// The quantile of `values`, as bounds have it, which puts them into another order; not a number where there are too few for it. All but
+/// two of them need no order.
+fn quantile(values: &mut [f64], probability: f64) -> f64 {
+    let count = values.len();
+    let at = |place: usize| *values.select_nth_unstable_by(place, f64::total_cmp).1;
+    let value = between_order_statistics(count, probability * count as f64, at);
     if value.is_finite() { value } else { f64::NAN }
 }
 
@@ -78,11 +86,12 @@ mod tests {
     #[test]
     fn analytic_quantiles_between_neighbours() {
         // The k-th of 40 stands at (k - 1/2)/40: the share 0.025 between the first, at 0.0125, and the second, at 0.0375.
-        let values: Vec<f64> = (1..=40).map(f64::from).collect();
-        let found = [0.025, 0.5, 0.975].map(|probability| quantile(&values, probability));
+        // In another order than theirs.
+        let mut values: Vec<f64> = (1..=40).map(|k| f64::from(1 + 7 * k % 40)).collect();
+        let found = [0.025, 0.5, 0.975].map(|probability| quantile(&mut values, probability));
         for (found, due) in found.into_iter().zip([1.5, 20.5, 39.5]) {
             assert!((found - due).abs() < 1e-12, "{found} {due}");
         }
-        assert!(quantile(&[], 0.5).is_nan());
+        assert!(quantile(&mut [], 0.5).is_nan());
     }
 }
