@@ -15,6 +15,7 @@ use crate::readings::random_set::{run_target, values_by_run};
 use crate::search::measure::Measure;
 use crate::search::models::{MOST_LOCATED_TARGETS, Search};
 use crate::search::search_box::Place;
+use crate::search::shared_grids::SharedGrids;
 use crate::search::target::Target;
 
 /// After the first round, the remaining points are spent in this many rounds.
@@ -137,13 +138,15 @@ impl DoubleLoop {
         if readings.any(|reading| reading == Reading::RandomSet) {
             targets.extend(self.single_runs(table));
         }
-        let search = Search::new(
+        let grids = SharedGrids::default();
+        let search = Search::sharing(
+            &grids,
             self.setup.epistemic_box.axes(),
             &points,
             &self.setup.candidates,
             targets.iter().map(|(target, _)| target),
         );
-        let called = self.called_places(table, pool, &search, count / CALLED_SHARE);
+        let called = self.called_places(table, pool, (&search, &grids), count / CALLED_SHARE);
         let next = search.next_places(&targets, &self.searched_elements, count);
         search.new_places(called.into_iter().chain(next), count)
     }

@@ -14,6 +14,7 @@ use crate::search::models::Search;
 use crate::search::prediction::Allowance;
 use crate::search::scouts::Observed;
 use crate::search::search_box::Place;
+use crate::search::shared_grids::SharedGrids;
 use crate::search::target::Target;
 
 /// Of more columns than this, which are the poses of curves, so many are read, evenly among them.
@@ -26,7 +27,7 @@ impl DoubleLoop {
         &self,
         table: &SampleTable,
         pool: &Pool,
-        search: &Search<'_>,
+        (search, grids): (&Search<'_>, &SharedGrids),
         count: usize,
     ) -> Vec<Place> {
         let inputs = table.inputs().iter().enumerate();
@@ -44,7 +45,7 @@ impl DoubleLoop {
         let means: Vec<Target> = columns.iter().map(mean).collect();
         let points = self.setup.outer_places(pool);
         let at: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();
-        let models = Search::new(self.setup.epistemic_box.axes(), &points, &at, &means);
+        let models = Search::sharing(grids, self.setup.epistemic_box.axes(), &points, &at, &means);
         let scouts = search.scouts(&places);
         let calls = |(column, mean): (&usize, &Target)| {
             let values: Vec<f64> = runs.iter().map(|&run| table.values(run)[*column]).collect();

@@ -9,6 +9,7 @@ use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::parts::{Cut, Element};
 use crate::search::search_box::{Place, Region};
+use crate::search::shared_grids::SharedGrids;
 use loosepin_uncertainty::EpistemicVariable;
 
 /// A value of the plan that differs from the middle by less than this share of it differs by round-off.
@@ -21,6 +22,8 @@ pub(crate) struct Experiment<'a> {
     pub table: &'a SampleTable,
     /// One for each outer point.
     pub places: Vec<Place>,
+    /// Models of the outer points, which all answers share.
+    grids: SharedGrids,
 }
 
 /// A focal element, or the whole box with all of the mass, and the outer points in it.
@@ -33,7 +36,7 @@ pub(crate) struct Focal<'a> {
 impl<'a> Experiment<'a> {
     /// The runs of `pool`, gathered from `table`.
     pub fn new(setup: &'a Setup, pool: &'a Pool, table: &'a SampleTable) -> Self {
-        Self { setup, pool, table, places: setup.outer_places(pool) }
+        Self { setup, pool, table, places: setup.outer_places(pool), grids: SharedGrids::default() }
     }
 
     /// The focal elements of `cut`.
@@ -66,7 +69,8 @@ impl<'a> Experiment<'a> {
         &'s self,
         targets: impl IntoIterator<Item = &'s crate::search::target::Target>,
     ) -> Search<'s> {
-        Search::new(self.setup.epistemic_box.axes(), &self.places, &self.setup.candidates, targets)
+        let axes = self.setup.epistemic_box.axes();
+        Search::sharing(&self.grids, axes, &self.places, &self.setup.candidates, targets)
     }
 
     /// Runs of `column` that failed.

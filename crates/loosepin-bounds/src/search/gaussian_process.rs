@@ -9,8 +9,6 @@
 //!
 //! V itself is never inverted: its condition number is up to 1e13, that of L the square root of it.
 
-use std::sync::OnceLock;
-
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot, gram};
 use loosepin_math::{FourNumbers, FourRows, dots_of_four, exponentials};
@@ -92,6 +90,7 @@ impl Kernel {
 
 /// A Gaussian process for one choice of points, correlation and noise; estimates come later.
 pub(crate) struct Model {
+    place: usize,
     points: Vec<Vec<f64>>,
     trend: Trend,
     kernel: Kernel,
@@ -104,11 +103,10 @@ pub(crate) struct Model {
     projection_diagonal: Vec<f64>,
     /// ln det V + ln det FᵀV⁻¹F
     ln_determinants: f64,
-    at_places: OnceLock<AtPlaces>,
 }
 
 /// Predictions at many places, as far as the estimates have no part in them.
-struct AtPlaces {
+pub(crate) struct AtPlaces {
     /// c and r of each place, a row each.
     correlations: FourRows,
     rest: FourRows,
@@ -127,13 +125,13 @@ struct Prediction {
 }
 
 impl Model {
-    /// A model on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row); nothing where V is
-    /// singular to round-off.
+    /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row);
+    /// nothing where V is singular to round-off.
     pub fn try_new(
+        place: usize,
         points: &[Vec<f64>],
         mut covariance: Vec<f64>,
-        trend: Trend,
-        terms: &[f64],
+        (trend, terms): (Trend, &[f64]),
         kernel: Kernel,
         noise_ratio: f64,
     ) -> Option<Self> {
@@ -156,6 +154,7 @@ impl Model {
             *entry -= dot(&row, &trend_covariance.multiply(&row));
         }
         Some(Self {
+            place,
             points: points.to_vec(),
             trend,
             kernel,
@@ -164,8 +163,12 @@ impl Model {
             projection_diagonal,
             ln_determinants: whitened.ln_determinant + information.ln_determinant(),
             whitened,
-            at_places: OnceLock::new(),
         })
+    }
+
+    /// Its place in its grid.
+    pub fn place(&self) -> usize {
+        self.place
     }
 
     /// How often the process can be differentiated.
@@ -268,38 +271,44 @@ impl Model {
         Prediction { correlations, rest, variance: variance.max(0.0) }
     }
 
-    /// What the estimates have no part in is worked out once, so `seen` must not change.
-    fn at_places(&self, seen: &SeenPlaces) -> &AtPlaces {
-        self.at_places.get_or_init(|| {
-            let (places, count, size) = (seen.places.len(), self.points.len(), self.whitened.trend.len());
-            let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
-            let mut rest = Vec::with_capacity(places.div_ceil(4) * size);
-            let mut deviations = Vec::with_capacity(places);
-            for (distances, terms) in seen.distances.chunks(4 * count).zip(seen.terms.chunks(4 * size)) {
-                let known = fours(&self.kernel.at_distances(distances), count);
-                let (own, own_rest) = self.whitened.at_four_places(&known, &fours(terms, size));
-                let of_rest = dots_of_four(&own_rest, &self.trend_covariance.multiply_four(&own_rest));
-                let of_own = dots_of_four(&own, &own);
-                let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
-                deviations.extend(variances.take(distances.len() / count).map(|variance| variance.max(0.0).sqrt()));
-                correlations.extend(own);
-                rest.extend(own_rest);
-            }
-            let correlations = FourRows::of_fours(places, count, correlations);
-            AtPlaces { correlations, rest: FourRows::of_fours(places, size, rest), deviations }
-        })
+    /// Predictions at all `seen` places, as far as the estimates have no part in them.
+    pub fn at_places(&self, seen: &SeenPlaces) -> AtPlaces {
+        let (places, count, size) = (seen.places.len(), self.points.len(), self.whitened.trend.len());
+        let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
+        let mut rest = Vec::with_capacity(places.div_ceil(4) * size);
+        let mut deviations = Vec::with_capacity(places);
+        for (distances, terms) in seen.distances.chunks(4 * count).zip(seen.terms.chunks(4 * size)) {
+            let known = fours(&self.kernel.at_distances(distances), count);
+            let (own, own_rest) = self.whitened.at_four_places(&known, &fours(terms, size));
+            let of_rest = dots_of_four(&own_rest, &self.trend_covariance.multiply_four(&own_rest));
+            let of_own = dots_of_four(&own, &own);
+            let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
+            deviations.extend(variances.take(distances.len() / count).map(|variance| variance.max(0.0).sqrt()));
+            correlations.extend(own);
+            rest.extend(own_rest);
+        }
+        let correlations = FourRows::of_fours(places, count, correlations);
+        AtPlaces { correlations, rest: FourRows::of_fours(places, size, rest), deviations }
+    }
+}
+
+impl AtPlaces {
+    /// Means at the places in their order, from [`Model::whitened`] estimates.
+    pub fn means(&self, (white, of_trend): (&[f64], &[f64])) -> Vec<f64> {
+        if is_zero(white) {
+            return vec![0.0; self.deviations.len()];
+        }
+        let mut means = self.correlations.multiply(white);
+        for (mean, of_polynomial) in means.iter_mut().zip(self.rest.multiply(of_trend)) {
+            *mean += of_polynomial;
+        }
+        means
     }
 
     /// [`Self::means`] of four lists of estimates.
-    pub fn means_of_four(
-        &self,
-        seen: &SeenPlaces,
-        white: &[FourNumbers],
-        of_trend: &[FourNumbers],
-    ) -> Vec<FourNumbers> {
-        let at = self.at_places(seen);
-        let mut means = at.correlations.multiply_four(white);
-        for (means, of_polynomial) in means.iter_mut().zip(at.rest.multiply_four(of_trend)) {
+    pub fn means_of_four(&self, white: &[FourNumbers], of_trend: &[FourNumbers]) -> Vec<FourNumbers> {
+        let mut means = self.correlations.multiply_four(white);
+        for (means, of_polynomial) in means.iter_mut().zip(self.rest.multiply_four(of_trend)) {
             for (mean, of_polynomial) in means.iter_mut().zip(of_polynomial) {
                 *mean += of_polynomial;
             }
@@ -307,22 +316,9 @@ impl Model {
         means
     }
 
-    /// Means at all `seen` places in their order, from [`Self::whitened`] estimates; the places must be the same at every call.
-    pub fn means(&self, seen: &SeenPlaces, (white, of_trend): (&[f64], &[f64])) -> Vec<f64> {
-        if is_zero(white) {
-            return vec![0.0; seen.places.len()];
-        }
-        let at = self.at_places(seen);
-        let mut means = at.correlations.multiply(white);
-        for (mean, of_polynomial) in means.iter_mut().zip(at.rest.multiply(of_trend)) {
-            *mean += of_polynomial;
-        }
-        means
-    }
-
-    /// Deviations for σ = 1 at all `seen` places in their order; the places must be the same at every call.
-    pub fn deviations(&self, seen: &SeenPlaces) -> &[f64] {
-        &self.at_places(seen).deviations
+    /// Deviations for σ = 1 at the places in their order.
+    pub fn deviations(&self) -> &[f64] {
+        &self.deviations
     }
 }
 

@@ -7,6 +7,9 @@
 //! smooth in another. Local processes: R. B. Gramacy and D. W. Apley, "Local Gaussian process approximation for large computer
 //! experiments", Journal of Computational and Graphical Statistics 24 (2015) 561-578; there each place has its own.
 
+use std::sync::Arc;
+
+use super::grid::Grid;
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
@@ -70,11 +73,23 @@ pub(crate) struct LocalFits<'a> {
 }
 
 impl LocalSmoothers {
-    /// As [`Smoother::try_new`], for any number of `points`.
+    /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// too few `points` for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
+        Self::with(points, candidates, axes, |_, points| Grid::try_new(points, may_pass_beside, axes).map(Arc::new))
+    }
+
+    /// Smoothers for any number of `points`; `grid` gives that of the points of each part.
+    pub fn with(
+        points: Vec<Vec<f64>>,
+        candidates: &[Vec<f64>],
+        axes: &Axes,
+        grid: impl Fn(usize, &[Vec<f64>]) -> Option<Arc<Grid>>,
+    ) -> Option<Self> {
         if points.len() <= MOST_TOGETHER {
             let (region, seen) = (Region::whole(points.first()?.len()), (0..points.len()).collect());
-            let smoother = Smoother::try_new(points, candidates, may_pass_beside, axes)?;
+            let grid = grid(0, &points)?;
+            let smoother = Smoother::new(grid, points, candidates, axes);
             let parts = vec![Part { region, seen, smoother }];
             return Some(Self { axes: axes.clone(), parts, places: Vec::new(), owners: Vec::new() });
         }
@@ -102,8 +117,9 @@ impl LocalSmoothers {
         let places = candidates.iter().cloned().chain(points.iter().cloned()).collect();
         let mut parts = Vec::with_capacity(divided.len());
         for (part, ((region, _), seen)) in divided.into_iter().zip(seen).enumerate() {
-            let known = seen.iter().map(|&point| points[point].clone()).collect();
-            let smoother = Smoother::try_new(known, &own_candidates[part], may_pass_beside, axes)?;
+            let known: Vec<Vec<f64>> = seen.iter().map(|&point| points[point].clone()).collect();
+            let grid = grid(part, &known)?;
+            let smoother = Smoother::new(grid, known, &own_candidates[part], axes);
             parts.push(Part { region, seen, smoother });
         }
         Some(Self { axes: axes.clone(), parts, places, owners })

@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::grid::Grid;
 use super::local::LocalSmoothers;
 use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
+use super::shared_grids::SharedGrids;
 use super::target::Target;
 use super::target_model::{Forecast, TargetModel};
 use crate::data::direction::{Direction, extreme_among};
@@ -89,6 +91,17 @@ impl<'a> Search<'a> {
         candidates: &[Vec<f64>],
         targets: impl IntoIterator<Item = &'t Target>,
     ) -> Self {
+        Self::sharing(&SharedGrids::default(), axes, points, candidates, targets)
+    }
+
+    /// [`Self::new`] with the `grids` of other searches over the same points.
+    pub fn sharing<'t>(
+        grids: &SharedGrids,
+        axes: &'a Axes,
+        points: &'a [Place],
+        candidates: &[Vec<f64>],
+        targets: impl IntoIterator<Item = &'t Target>,
+    ) -> Self {
         let combinations = points.iter().map(|point| point.combination + 1).max().unwrap_or(1);
         let mut groups = vec![Vec::new(); combinations];
         for (index, point) in points.iter().enumerate() {
@@ -117,7 +130,9 @@ impl<'a> Search<'a> {
                 .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
-            let smoother = LocalSmoothers::try_new(known, &places, true, axes);
+            let grid =
+                |part: usize, points: &[Vec<f64>]| grids.of(&defined, part, || Grid::try_new(points, true, axes));
+            let smoother = LocalSmoothers::with(known, &places, axes, grid);
             (defined, smoother)
         };
         Self { axes, points, groups, smoothers: sets.into_iter().map(prepare).collect(), targets: target_count }

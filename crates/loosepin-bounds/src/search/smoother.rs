@@ -19,22 +19,17 @@
 //! Everything is linear in the estimates once (ℓ, τ) is fixed, so that hundreds of statistics share the matrices. Source:
 //! C. E. Rasmussen and C. K. I. Williams, "Gaussian processes for machine learning" (2006), sections 2.2, 2.7, 4.2.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use rayon::prelude::*;
-
-use super::assessment::{Assessed, Assessment, Honest, NOISE_RATIOS, cautious, least_honest};
-use super::gaussian_process::{Kernel, Model, SeenPlaces, Smoothness};
+use super::assessment::{Assessed, Assessment, Honest, cautious, least_honest};
+use super::gaussian_process::{AtPlaces, Model, SeenPlaces, Smoothness};
+use super::grid::Grid;
 use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
-use super::roughness::{GAIN_OF_A_PARAMETER, Regressors, RoughPart, Scatter};
+use super::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use super::search_box::{Axes, Region};
-use super::trend::Trend;
-use loosepin_math::dense::{Cholesky, dot};
+use loosepin_math::dense::dot;
 use loosepin_math::{beside_one_another, dots_of_four};
-
-/// Length scales ℓ of the grid, in units of the diagonal of the box.
-const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
@@ -42,8 +37,9 @@ const LEAST_DEVIATION: f64 = 1e-12;
 /// Round-off of a misfit, of the order of 1e-13, is far below this.
 const ROUND_OFF_OF_MISFIT: f64 = 1e-6;
 
-/// The models of one set of points, shared by all statistics that are known there.
+/// The models of one set of points, shared by all statistics that are known there, with places at which predictions are wanted.
 pub(crate) struct Smoother {
+    grid: Arc<Grid>,
     /// Where predictions are wanted: candidates, then the points themselves.
     places: Vec<Vec<f64>>,
     /// The places in the coordinates of the models, and how the axes close.
@@ -51,18 +47,8 @@ pub(crate) struct Smoother {
     /// Whether every place lies in the unit box.
     are_inside: bool,
     axes: Axes,
-    /// Terms of the polynomial at the points, row by row, and the factor of its normal equations.
-    terms: Vec<f64>,
-    normal_equations: Cholesky,
-    /// The points in the coordinates of the models, by which a variance may differ, and their polynomial.
-    seen: Vec<Vec<f64>>,
-    regressors: Regressors,
-    trend: Trend,
-    /// Correlations of the points by length scale, of the kernels that every noise ratio has.
-    covariances: [OnceLock<Vec<f64>>; LENGTH_SCALES.len()],
-    /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
-    /// others are prepared when they are asked for.
-    levels: Vec<OnceLock<Vec<Model>>>,
+    /// Predictions of each model, worked out when they are first asked for.
+    at_places: Vec<OnceLock<AtPlaces>>,
 }
 
 /// A statistic fitted on a smoother's points.
@@ -83,65 +69,28 @@ pub(crate) struct Fit<'a> {
 }
 
 impl Smoother {
-    /// Prepares the grid for `points` of the unit box; predictions are wanted at `candidates` and at the points themselves. Models that
-    /// pass beside the values take part where it `may_pass_beside`. Nothing where there are too few points for any model.
-    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
-        let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
-        let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
+    /// The models of `grid`, which is that of `points` of the unit box; predictions are wanted at `candidates` and at the points themselves.
+    pub fn new(grid: Arc<Grid>, points: Vec<Vec<f64>>, candidates: &[Vec<f64>], axes: &Axes) -> Self {
         let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(points).collect();
-        let seen_places = SeenPlaces::new(places.iter().map(|place| axes.seen(place)).collect(), &seen, trend);
+        let seen = places.iter().map(|place| axes.seen(place)).collect();
+        let seen_places = SeenPlaces::new(seen, &grid.seen, grid.trend);
         let whole = Region::whole(places[0].len());
         let are_inside = places.iter().all(|place| whole.holds(place));
-        let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
-        let levels = ratios.iter().map(|_| OnceLock::new()).collect();
-        let regressors = Regressors::new(&seen);
-        let axes = axes.clone();
-        let smoother = Self {
-            places,
-            seen_places,
-            are_inside,
-            axes,
-            terms,
-            normal_equations,
-            seen,
-            regressors,
-            trend,
-            covariances: Default::default(),
-            levels,
-        };
-        let without_noise: Vec<Model> =
-            smoother.kernels(0).into_par_iter().filter_map(|kernel| smoother.model(kernel, 0)).collect();
-        let is_empty = without_noise.is_empty();
-        let _ = smoother.levels[0].set(without_noise);
-        (!is_empty).then_some(smoother)
+        let at_places = (0..grid.most_models()).map(|_| OnceLock::new()).collect();
+        Self { grid, places, seen_places, are_inside, axes: axes.clone(), at_places }
     }
 
-    /// The models of one noise ratio. One thread prepares them while others may wait: were it to share the work, it could come to wait
-    /// for itself.
-    fn level(&self, level: usize) -> &[Model] {
-        let prepare = || self.kernels(level).into_iter().filter_map(|kernel| self.model(kernel, level)).collect();
-        self.levels[level].get_or_init(prepare)
+    /// [`Self::new`] with a grid of its own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
+    /// too few points for any model.
+    #[cfg(test)]
+    pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
+        let grid = Grid::try_new(&points, may_pass_beside, axes)?;
+        Some(Self::new(Arc::new(grid), points, candidates, axes))
     }
 
-    fn kernels(&self, level: usize) -> Vec<Kernel> {
-        let diagonal = (self.places[0].len() as f64).sqrt();
-        // Noise hides how smooth a function is.
-        let smoothnesses = match level {
-            0 => &[Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes][..],
-            _ => &[Smoothness::Twice],
-        };
-        let scales =
-            |&smoothness| LENGTH_SCALES.iter().map(move |scale| Kernel { smoothness, length_scale: scale * diagonal });
-        smoothnesses.iter().flat_map(scales).collect()
-    }
-
-    fn model(&self, kernel: Kernel, level: usize) -> Option<Model> {
-        let diagonal = (self.places[0].len() as f64).sqrt();
-        let scale = LENGTH_SCALES.iter().position(|scale| scale * diagonal == kernel.length_scale);
-        let shared = scale.filter(|_| kernel.smoothness == Smoothness::Twice).map(|scale| &self.covariances[scale]);
-        let find = || kernel.covariance(&self.seen);
-        let covariance = shared.map_or_else(find, |shared| shared.get_or_init(find).clone());
-        Model::try_new(&self.seen, covariance, self.trend, &self.terms, kernel, NOISE_RATIOS[level])
+    /// What is the same for all values of a model at the places.
+    fn at_places(&self, model: &Model) -> &AtPlaces {
+        self.at_places[model.place()].get_or_init(|| model.at_places(&self.seen_places))
     }
 
     /// Fits `values` (one for each point) with their sampling noise.
@@ -186,7 +135,7 @@ impl Smoother {
             let of = |part: fn(&(Vec<f64>, Vec<f64>)) -> &[f64]| {
                 beside_one_another(&four.iter().map(|fit| part(&fit.whitened)).collect::<Vec<_>>())
             };
-            let means = four[0].model.means_of_four(&self.seen_places, &of(|own| &own.0), &of(|own| &own.1));
+            let means = self.at_places(four[0].model).means_of_four(&of(|own| &own.0), &of(|own| &own.1));
             for (place, fit) in four.iter().enumerate() {
                 fit.means.get_or_init(|| means.iter().map(|four| four[place]).collect());
             }
@@ -201,7 +150,7 @@ impl Smoother {
             assessment.assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let honest = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
         let rough = honest.and_then(|Honest { index, errors, .. }| {
-            let scatter = Scatter::new(&self.seen, &self.regressors, &errors, freedom);
+            let scatter = Scatter::new(&self.grid.seen, &self.grid.regressors, &errors, freedom);
             let own = rough.swap_remove(index);
             let stated = own.misfit + scatter.price + GAIN_OF_A_PARAMETER;
             // What must be stated of a smooth model is never likelier than what is likeliest: mostly that tells already.
@@ -213,7 +162,7 @@ impl Smoother {
         let (own, scatter) = rough.unwrap_or_else(|| {
             // Models without noise are always allowed: where none is chosen, no misfit is a number.
             let unknown = || {
-                let model = &self.level(0)[0];
+                let model = &self.grid.level(0)[0];
                 Assessed { model, variance: f64::INFINITY, misfit: f64::INFINITY }
             };
             let own = cautious(smooth).unwrap_or_else(unknown);
@@ -243,7 +192,7 @@ impl Smoother {
     fn assess(&self, own: &Prepared<'_>) -> Assessment<'_> {
         let mut assessment = own.assessment();
         while let Some(level) = assessment.next_level() {
-            for model in self.level(level) {
+            for model in self.grid.level(level) {
                 let rest = model.whitened_rest(&own.residual);
                 assessment.take(model, dot(&rest, &rest));
             }
@@ -256,12 +205,12 @@ impl Smoother {
     fn assess_four(&self, four: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
         let residuals = beside_one_another(&four.iter().map(|own| &own.residual[..]).collect::<Vec<_>>());
         let mut assessments: Vec<Assessment<'_>> = four.iter().map(|own| own.assessment()).collect();
-        for level in 0..self.levels.len() {
+        for level in 0..self.grid.levels() {
             let is_open = |own: &Assessment<'_>| own.next_level() == Some(level);
             if !assessments.iter().any(is_open) {
                 break;
             }
-            for model in self.level(level) {
+            for model in self.grid.level(level) {
                 let rest = model.whitened_rest_of_four(&residuals);
                 let squares = dots_of_four(&rest, &rest);
                 for (own, square) in assessments.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
@@ -271,19 +220,6 @@ impl Smoother {
             assessments.iter_mut().filter(|own| is_open(own)).for_each(Assessment::end_level);
         }
         assessments
-    }
-
-    /// Residuals of the polynomial alone, by ordinary least squares: the models see the same misfit with less round-off.
-    fn residual(&self, values: &[f64]) -> Vec<f64> {
-        let size = self.terms.len() / values.len();
-        let mut coefficients = vec![0.0; size];
-        for (row, value) in self.terms.chunks(size).zip(values) {
-            for (coefficient, entry) in coefficients.iter_mut().zip(row) {
-                *coefficient += entry * value;
-            }
-        }
-        self.normal_equations.solve(&mut coefficients);
-        self.terms.chunks(size).zip(values).map(|(row, value)| value - dot(row, &coefficients)).collect()
     }
 }
 
@@ -313,13 +249,13 @@ impl<'v> Prepared<'v> {
         let centre = if is_constant { values[0] } else { values.iter().sum::<f64>() / count as f64 };
         let values: Vec<f64> = values.iter().map(|value| value - centre).collect();
         let range = values.iter().fold(0.0_f64, |range, value| range.max(value.abs()));
-        let residual = smoother.residual(&values);
-        let freedom = (count - smoother.terms.len() / count) as f64;
+        let residual = smoother.grid.residual(&values);
+        let freedom = (count - smoother.grid.terms.len() / count) as f64;
         let floor = (LEAST_DEVIATION * range).powi(2);
         let of_noise = if noise.variance > floor { noise.variance } else { 0.0 };
         // What polynomials in the random inputs give exactly is smooth in u as well.
         let has_noise = !noise.replicates.is_empty() || of_noise > 0.0;
-        let levels = if has_noise { smoother.levels.len() } else { 1 };
+        let levels = if has_noise { smoother.grid.levels() } else { 1 };
         Self { values, residual, centre, is_constant, freedom, floor, noise, of_noise, levels }
     }
 
@@ -339,7 +275,7 @@ struct Rough {
 impl Rough {
     fn part(&self, fit: &Fit<'_>) -> &RoughPart {
         self.part.get_or_init(|| {
-            let replicates: Vec<Vec<f64>> = self.replicates.iter().map(|own| fit.smoother.residual(own)).collect();
+            let replicates: Vec<Vec<f64>> = self.replicates.iter().map(|own| fit.smoother.grid.residual(own)).collect();
             RoughPart::new(fit.model, &self.residual, &replicates, self.scatter.clone())
         })
     }
@@ -397,15 +333,15 @@ impl Fit<'_> {
 
     /// The same without what is rough.
     pub fn smooth_at_places(&self) -> impl Iterator<Item = Prediction> {
-        let seen = &self.smoother.seen_places;
-        let means = self.means.get_or_init(|| self.model.means(seen, (&self.whitened.0, &self.whitened.1)));
+        let at = self.smoother.at_places(self.model);
+        let means = self.means.get_or_init(|| at.means((&self.whitened.0, &self.whitened.1)));
         let (centre, own) = (self.centre, self.deviation);
         let of = move |(mean, deviation): (&f64, &f64)| Prediction {
             mean: centre + mean,
             deviation: own * deviation,
             roughness: Roughness::default(),
         };
-        means.iter().zip(self.model.deviations(seen)).map(of)
+        means.iter().zip(at.deviations()).map(of)
     }
 
     /// Prediction of S at `place`, with what an allowance asks for.
