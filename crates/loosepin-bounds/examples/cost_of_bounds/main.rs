@@ -36,7 +36,7 @@ impl Response for Curves {
     }
 }
 
-/// Nanoseconds for which the threads of this process have had a processor.
+/// Nanoseconds for which the threads of this process have had a processor, as Linux tells them; 0 elsewhere.
 fn processor_ns() -> u64 {
     let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
     let of_task = |task: std::fs::DirEntry| {
@@ -48,9 +48,8 @@ fn processor_ns() -> u64 {
 
 fn main() {
     let words: Vec<usize> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
-    let [outer, inner, poses] = [64, 256, 180].map(|usual| usual);
     let [outer, inner, poses] =
-        [(0, outer), (1, inner), (2, poses)].map(|(place, usual)| words.get(place).copied().unwrap_or(usual));
+        [(0, 64), (1, 256), (2, 180)].map(|(place, usual)| words.get(place).copied().unwrap_or(usual));
     let normal = |standard_deviation| {
         RandomVariable::try_new(Distribution::Normal { mean: 0.0, standard_deviation }).expect("a distribution")
     };

@@ -26,7 +26,7 @@ pub(crate) struct Grid {
     normal_equations: Cholesky,
     /// The points in the coordinates of the models, by which a variance may differ, and their polynomial.
     pub seen: Vec<Vec<f64>>,
-    pub regressors: Regressors,
+    pub(super) regressors: Regressors,
     pub trend: Trend,
     /// Correlations of the points by length scale, of the kernels that every noise ratio has.
     covariances: [OnceLock<Vec<f64>>; LENGTH_SCALES.len()],
