@@ -5,9 +5,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::grid::Grid;
 
+/// Numbers of points, and a part of them.
+type Key = (Vec<usize>, usize);
+
 /// The grids of some of the same points, part by part.
 #[derive(Default)]
-pub(crate) struct SharedGrids(Mutex<BTreeMap<(Vec<usize>, usize), Option<Arc<Grid>>>>);
+pub(crate) struct SharedGrids(Mutex<BTreeMap<Key, Option<Arc<Grid>>>>);
 
 impl SharedGrids {
     /// The grid of a part of those `points` (their numbers), or what `make` gives, which is then kept. Nobody waits for another who makes it:

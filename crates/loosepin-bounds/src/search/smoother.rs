@@ -132,10 +132,10 @@ impl Smoother {
             }
         }
         for four in groups.iter().flat_map(|(_, own)| own.chunks(4)).filter(|four| four.len() > 1) {
-            let of = |part: fn(&(Vec<f64>, Vec<f64>)) -> &[f64]| {
-                beside_one_another(&four.iter().map(|fit| part(&fit.whitened)).collect::<Vec<_>>())
-            };
-            let means = self.at_places(four[0].model).means_of_four(&of(|own| &own.0), &of(|own| &own.1));
+            let white: Vec<&[f64]> = four.iter().map(|fit| &fit.whitened.0[..]).collect();
+            let of_trend: Vec<&[f64]> = four.iter().map(|fit| &fit.whitened.1[..]).collect();
+            let at = self.at_places(four[0].model);
+            let means = at.means_of_four(&beside_one_another(&white), &beside_one_another(&of_trend));
             for (place, fit) in four.iter().enumerate() {
                 fit.means.get_or_init(|| means.iter().map(|four| four[place]).collect());
             }
