@@ -246,12 +246,11 @@ impl Memory {
 
     /// Takes numbers of a block in `lane` of `other`, which has as many lanes, to `place`.
     pub fn take(&mut self, other: &Self, block: Block, numbers: std::ops::Range<usize>, lane: usize, place: usize) {
+        let lanes = self.lanes;
         let (own, other) = (&mut self.blocks[block as usize], &other.blocks[block as usize]);
-        let rows = numbers.start * self.lanes..numbers.end * self.lanes;
-        let own = own.all()[rows.clone()].chunks_exact_mut(self.lanes);
-        let other = other.numbers[other.first..][rows].chunks_exact(self.lanes);
-        for (own, other) in own.zip(other) {
-            own[place] = other[lane];
+        let (own, other) = (own.all(), &other.numbers[other.first..]);
+        for index in numbers {
+            own[index * lanes + place] = other[index * lanes + lane];
         }
     }
 
