@@ -1,39 +1,22 @@
 //! Eigenvalues of a small stiffness matrix with its mass matrix, and the damping that goes with them.
 
+use loosepin_math::dense::{Cholesky, LowerTriangle, multiply};
+
 /// Sweeps of Jacobi's rotations; four are enough for twenty rows.
 const SWEEPS: usize = 30;
 
-/// Lower triangle L with L Lᵀ = `matrix`, row by row.
-pub(crate) fn cholesky(matrix: &[f64], n: usize) -> Vec<f64> {
-    let mut lower = vec![0.0; n * n];
-    for row in 0..n {
-        for column in 0..=row {
-            let known: f64 = (0..column).map(|k| lower[row * n + k] * lower[column * n + k]).sum();
-            let rest = matrix[row * n + column] - known;
-            lower[row * n + column] = if row == column { rest.sqrt() } else { rest / lower[column * n + column] };
-        }
-    }
-    lower
-}
-
-/// L⁻¹ K L⁻ᵀ.
-fn reduced(lower: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
+/// L⁻¹ K L⁻ᵀ with L Lᵀ = M, and L⁻¹; nothing where M is not positive definite.
+fn reduced(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, LowerTriangle)> {
+    let inverse = Cholesky::new(mass.to_vec(), n)?.inverse_factor();
     let mut matrix = stiffness.to_vec();
-    // Rows, then columns, by forward substitution.
+    // Columns of a symmetric matrix are its rows: L⁻¹ from one side, then from the other.
     for _ in 0..2 {
-        for column in 0..n {
-            for row in 0..n {
-                let known: f64 = (0..row).map(|k| lower[row * n + k] * matrix[k * n + column]).sum();
-                matrix[row * n + column] = (matrix[row * n + column] - known) / lower[row * n + row];
-            }
-        }
-        for row in 0..n {
-            for column in 0..row {
-                matrix.swap(row * n + column, column * n + row);
-            }
+        let rows: Vec<Vec<f64>> = matrix.chunks_exact(n).map(|row| inverse.multiply(row)).collect();
+        for (row, values) in rows.iter().enumerate() {
+            values.iter().enumerate().for_each(|(column, value)| matrix[column * n + row] = *value);
         }
     }
-    matrix
+    Some((matrix, inverse))
 }
 
 /// Eigenvalues, and eigenvectors in columns, of a symmetric matrix: Jacobi's rotations.
@@ -66,22 +49,36 @@ fn jacobi(mut a: Vec<f64>, n: usize) -> (Vec<f64>, Vec<f64>) {
     ((0..n).map(|k| a[k * n + k]).collect(), vectors)
 }
 
-/// λ of K v = λ M v, ascending.
+/// λ of K v = λ M v, ascending; not numbers where M is not positive definite.
 pub(crate) fn eigenvalues(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
-    let (mut values, _) = jacobi(reduced(&cholesky(mass, n), stiffness, n), n);
+    if n == 0 {
+        return Vec::new();
+    }
+    let Some((matrix, _)) = reduced(mass, stiffness, n) else { return vec![f64::NAN; n] };
+    let (mut values, _) = jacobi(matrix, n);
     values.sort_by(f64::total_cmp);
     values
 }
 
 /// M V diag(√λ) Vᵀ M with K V = M V diag(λ) and Vᵀ M V = 1: times 2ζ the damping of all shapes with the ratio ζ.
 pub(crate) fn root_damping(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64> {
-    let lower = cholesky(mass, n);
-    let (values, vectors) = jacobi(reduced(&lower, stiffness, n), n);
-    // M V = L W with the eigenvectors W of the reduced matrix.
-    let column = |row: usize, k: usize| -> f64 { (0..n).map(|j| lower[row * n + j] * vectors[j * n + k]).sum() };
-    (0..n * n)
-        .map(|place| (0..n).map(|k| values[k].max(0.0).sqrt() * column(place / n, k) * column(place % n, k)).sum())
-        .collect()
+    if n == 0 {
+        return Vec::new();
+    }
+    let Some((matrix, inverse)) = reduced(mass, stiffness, n) else { return vec![f64::NAN; n * n] };
+    let (values, vectors) = jacobi(matrix, n);
+    // V = L⁻ᵀ W with the eigenvectors W of the reduced matrix.
+    let columns: Vec<Vec<f64>> = (0..n)
+        .map(|k| {
+            let vector: Vec<f64> = (0..n).map(|row| vectors[row * n + k]).collect();
+            multiply(mass, &inverse.multiply_transposed(&vector))
+        })
+        .collect();
+    let entry = |row: usize, column: usize| {
+        let term = |(value, of_mode): (&f64, &Vec<f64>)| value.max(0.0).sqrt() * of_mode[row] * of_mode[column];
+        values.iter().zip(&columns).map(term).sum()
+    };
+    (0..n * n).map(|place| entry(place / n, place % n)).collect()
 }
 
 #[cfg(test)]
