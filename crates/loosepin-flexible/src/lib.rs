@@ -5,11 +5,13 @@
 //! and gets points, mass matrix, bias forces and elastic forces.
 
 mod beam;
+mod cuts;
 mod functions;
 mod shapes;
 mod spectrum;
 
 pub use beam::{Beam, Inertia};
+pub use cuts::Cuts;
 pub use functions::Frame;
 pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station};
 

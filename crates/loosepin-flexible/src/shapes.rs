@@ -67,7 +67,7 @@ impl Shapes {
     /// Points: 8 and four for each further shape of the kind that has more of them, which leaves 1e-10 of the integrals for one shape
     /// and round-off from two on.
     pub fn new(frame: Frame, axial_count: usize, lateral_count: usize) -> Self {
-        let points = 8 + 4 * axial_count.max(lateral_count);
+        let points = point_count(axial_count, lateral_count);
         let lateral = |index, s| lateral(frame, index, s);
         Self::from_functions((axial_count, &axial), (lateral_count, &lateral), points)
     }
@@ -142,6 +142,18 @@ impl Shapes {
             eigenvalues(&lateral, &self.bending_stiffness, self.lateral),
         ]
     }
+}
+
+/// The shapes of a frame at places along the beam.
+pub(crate) fn stations(frame: Frame, axial_count: usize, lateral_count: usize, shares: &[f64]) -> Vec<Station> {
+    let gauss = gauss_points(point_count(axial_count, lateral_count));
+    let lateral = |index, s| lateral(frame, index, s);
+    shares.iter().map(|share| station(*share, (axial_count, &axial), (lateral_count, &lateral), &gauss)).collect()
+}
+
+/// Points of Gauss for the shapes of a frame.
+fn point_count(axial_count: usize, lateral_count: usize) -> usize {
+    8 + 4 * axial_count.max(lateral_count)
 }
 
 fn station(

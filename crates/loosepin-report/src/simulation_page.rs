@@ -172,6 +172,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         "The energy balance has an error of {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
+    sentences.extend(record.bending.iter().map(start_sentence));
     sentences.extend(record.bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
@@ -180,6 +181,14 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
     sentences.extend(quasi_static_sentence(&checks, writer));
     sentences
+}
+
+/// How a flexible body starts.
+fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) -> String {
+    match starts_settled {
+        true => format!("The {body} starts settled: bent and stretched as inertia, weight and loads hold it."),
+        false => format!("The {body} starts undeformed, and rings from there."),
+    }
 }
 
 /// That a body bends further than its floating frame is meant for.

@@ -97,6 +97,9 @@ pub struct BendingRecord {
     /// Largest angle of the section at either end from the frame of the body.
     #[serde(with = "extended")]
     pub largest_angle_rad: f64,
+    /// Whether it starts bent and stretched as inertia and loads hold it; else undeformed.
+    #[serde(default)]
+    pub starts_settled: bool,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot

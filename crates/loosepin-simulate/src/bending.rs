@@ -1,7 +1,8 @@
 //! How far flexible bodies bend over a run.
 
 use super::observer::Step;
-use loosepin_mechanics::mechanism::{BeamEnd, Mechanism};
+use loosepin_mechanics::mechanism::{BeamEnd, Mechanism, TreeBeam};
+use loosepin_mechanics::model::Body;
 use loosepin_result::simulation::BendingRecord;
 
 /// Largest angles of the sections at both ends of each flexible body from its frame, |φ'·b|, at the ends of the steps, rad.
@@ -35,8 +36,11 @@ impl BendingRecorder {
 
     /// What was seen, body by body.
     pub fn records(&self, mechanism: &Mechanism) -> Vec<BendingRecord> {
-        let name = |body: usize| mechanism.model.bodies[body].name.clone();
-        let beams = mechanism.real.beams.iter().zip(&self.largest_rad);
-        beams.map(|(beam, &largest_angle_rad)| BendingRecord { body: name(beam.body.0), largest_angle_rad }).collect()
+        let record = |(place, &largest_angle_rad): (&TreeBeam, &f64)| {
+            let Body { name, beam, .. } = &mechanism.model.bodies[place.body.0];
+            let starts_settled = beam.as_ref().is_some_and(|beam| beam.starts_settled);
+            BendingRecord { body: name.clone(), largest_angle_rad, starts_settled }
+        };
+        mechanism.real.beams.iter().zip(&self.largest_rad).map(record).collect()
     }
 }

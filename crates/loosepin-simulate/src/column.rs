@@ -34,6 +34,8 @@ pub enum Reading {
     Acceleration(Position),
     /// Force of a joint on its second body, N.
     Force(JointId, Component),
+    /// Largest stress along a flexible body, Pa.
+    Stress(BodyId),
     /// Torque, N m, force, N, or power, W, of a drive or control.
     Effort(Actuator, Effort),
 }
@@ -57,6 +59,7 @@ pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
         OutputKind::Motion { of, derivative: Derivative::Velocity } => Reading::Velocity(of),
         OutputKind::Motion { of, derivative: Derivative::Acceleration } => Reading::Acceleration(of),
         OutputKind::Force { joint, component } => Reading::Force(joint, component),
+        OutputKind::Stress(body) => Reading::Stress(body),
         OutputKind::Effort { actuator, effort } => Reading::Effort(actuator, effort),
         // No number of an instant.
         OutputKind::Wear { .. } => return Vec::new(),
@@ -83,6 +86,7 @@ impl Reading {
                 };
                 format!("{part} in {}", model.joints[joint.0].name)
             }
+            Self::Stress(body) => format!("largest stress in {}", model.bodies[body.0].name),
             Self::Effort(actuator, effort) => {
                 let part = match effort {
                     Effort::Torque => "torque",
@@ -99,7 +103,7 @@ impl Reading {
 
     /// Whether accelerations or forces are needed, not only positions and velocities.
     pub fn needs_forces(&self) -> bool {
-        matches!(self, Self::Acceleration(_) | Self::Force(..) | Self::Effort(..))
+        matches!(self, Self::Acceleration(_) | Self::Force(..) | Self::Stress(_) | Self::Effort(..))
     }
 
     /// Whether it is a position or an angle, so that its first two time derivatives are velocities and accelerations.
@@ -126,6 +130,7 @@ impl Reading {
                     Component::Magnitude => force_n.length(),
                 }
             }
+            Self::Stress(body) => dynamics.largest_stress_pa(body),
             Self::Effort(actuator, effort) => {
                 let [along, rate] = dynamics.effort_and_rate(actuator);
                 match effort {

@@ -146,6 +146,10 @@ problems! {
         /// Whoever looked at the run has stopped it.
         Stopped { time_s: f64 } => Code::Interrupted,
             says("stopped at {} of its time", time(*time_s));
+        /// Flexible bodies that are to start settled have no stable static shape.
+        NotSettled => Code::StartNotPossible,
+            says("a flexible body with start = \"settled\" has no stable static shape under the forces at the start"),
+            hint("it buckles or bends too far there: look at its section, or leave start out");
         /// The drives leave nothing free that a neighbouring motion could differ in.
         NothingIsFree => Code::NothingIsFree,
             says("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent"),
@@ -162,7 +166,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 23] = [
+const CODES: [&str; 24] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -186,6 +190,7 @@ const CODES: [&str; 23] = [
     "law_gains_energy",
     "too_many_turns",
     "too_many_numbers",
+    "not_settled",
 ];
 
 impl RunFailure {
@@ -222,6 +227,7 @@ impl RunFailure {
             Self::LawGainsEnergy { .. } => 20,
             Self::TooManyTurns { .. } => 21,
             Self::TooManyNumbers { .. } => 22,
+            Self::NotSettled => 23,
         }
     }
 
@@ -256,7 +262,7 @@ impl RunFailure {
             Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
                 Complaint::error(self, model.place("cycle"))
             }
-            Self::NothingIsFree => Complaint::error(self, None),
+            Self::NothingIsFree | Self::NotSettled => Complaint::error(self, None),
         }
     }
 }

@@ -45,6 +45,7 @@ mod resume;
 mod search;
 mod sections;
 mod settings;
+mod settle;
 mod swing;
 mod tables;
 mod turns;

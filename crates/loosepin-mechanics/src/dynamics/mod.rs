@@ -25,6 +25,7 @@ mod play;
 mod reactions;
 mod slot;
 mod spring;
+mod stress;
 mod torsional_spring;
 mod without_value;
 

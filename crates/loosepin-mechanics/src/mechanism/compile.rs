@@ -7,6 +7,7 @@ use super::geometry::Geometry;
 use super::initial::{StartEquations, initial_numbers};
 use super::kinematics::Kinematics;
 use super::mobility::{self, Mobility};
+use super::stressed::StressedBody;
 use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
 use super::{assembly, constraints::RowOwner};
@@ -38,6 +39,8 @@ pub struct Mechanism {
     pub other_assemblies_rad: Vec<Vec<f64>>,
     /// Along what its controls feed inverse dynamics forward.
     pub known_chain: Option<KnownChain>,
+    /// Links whose stress is an output.
+    pub stressed: Vec<StressedBody>,
     /// Coordinates of the ideal tree at the start of the nominal mechanism.
     pub(super) ideal_start: Vec<f64>,
     /// Independent constraint rows of the ideal tree.
@@ -76,6 +79,7 @@ impl Mechanism {
             redundant,
             other_assemblies_rad: assembly.alternatives_rad.iter().map(by_body).collect(),
             known_chain: KnownChain::new(model, values)?,
+            stressed: StressedBody::all(model, &real),
             ideal_start: assembly.coordinates,
             ideal_rows: independent_rows,
             ideal,

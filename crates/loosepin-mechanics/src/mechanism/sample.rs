@@ -13,6 +13,7 @@ use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
+use super::stressed::SectionNumbers;
 use crate::contact::{
     Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
     compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
@@ -101,6 +102,8 @@ pub struct Sample<T> {
     pub references: Drives<T>,
     /// The given numbers of the initial state, in the order of the model.
     pub initial: Vec<f64>,
+    /// Links whose stress is an output, in the order of [`Mechanism::stressed`].
+    pub sections: Vec<SectionNumbers>,
 }
 
 impl<T: Real> Sample<T> {
@@ -168,6 +171,7 @@ impl<T: Real> Sample<T> {
             controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
             references: Drives::broadcast(&Drives::of_controls(model, values)),
             initial: initial_numbers(model, values),
+            sections: mechanism.stressed.iter().map(|stressed| SectionNumbers::new(model, stressed, values)).collect(),
         })
     }
 }

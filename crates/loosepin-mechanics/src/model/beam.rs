@@ -10,6 +10,12 @@ pub struct Beam {
     pub ends: [usize; 2],
     /// Length L between them, m, > 0.
     pub length_m: QuantityId,
+    /// Area A of the section, m², > 0.
+    pub area_m2: QuantityId,
+    /// Second moment I of the section, m⁴, > 0.
+    pub second_moment_m4: QuantityId,
+    /// Height of the section in the plane of motion, m, > 0; absent where it is given by its area and second moment.
+    pub height_m: Option<QuantityId>,
     /// EA/L, N/m, > 0.
     pub axial_stiffness_n_m: QuantityId,
     /// EI/L, N m/rad, > 0.
@@ -24,4 +30,6 @@ pub struct Beam {
     pub lateral_shapes: usize,
     /// Whether it becomes shorter where it bends.
     pub foreshortening: bool,
+    /// Whether it starts bent and stretched as inertia and loads ask for at the start, without ringing; else undeformed.
+    pub starts_settled: bool,
 }

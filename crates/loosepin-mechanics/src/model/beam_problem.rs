@@ -37,6 +37,12 @@ problems! {
         TurnOf { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: body '{body}' is flexible; each of its sections has an angle of its own"),
             hint("let it act on a rigid body, or take a force or a spring between points");
+        NoHeight { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: the section of body '{body}' is given by area and second moment, and the stress needs its height"),
+            hint("give the section of [body.{body}.beam] by width and height, by diameter, or by outer and inner diameter");
+        IsRigid { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' is rigid; stress is computed along flexible bodies"),
+            hint("give it [body.{body}.beam] in place of mass, inertia and centre_of_mass");
         Beside { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: this is not computed yet in a mechanism with a flexible body, here '{body}'"),
             hint("give body '{body}' its mass, inertia and centre_of_mass in place of beam, or leave this out");

@@ -41,6 +41,8 @@ pub enum OutputKind {
     },
     /// Path of a point: two columns, x and y, m.
     Path(Relative<PointId>),
+    /// Largest stress along a flexible body, Pa: bending and axial force at the outer fibre.
+    Stress(BodyId),
     /// Wear of a joint after all cycles: one number of a run, without a history.
     Wear {
         /// The joint.
@@ -125,6 +127,7 @@ impl OutputKind {
             Self::Path(_) => Dimension::LENGTH,
             Self::Force { .. } => Dimension::FORCE,
             Self::Effort { effort, .. } => effort.dimension(),
+            Self::Stress(_) => Dimension::PRESSURE,
             Self::Wear { measure, .. } => measure.dimension(),
         }
     }

@@ -52,7 +52,7 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
 fn readings(kind: &OutputKind) -> impl Iterator<Item = (Position, &'static str)> {
     column::readings(kind).into_iter().filter_map(move |(reading, suffix)| match reading {
         Reading::Position(of) | Reading::Velocity(of) | Reading::Acceleration(of) => Some((of, suffix)),
-        Reading::Force(..) | Reading::Effort(..) => None,
+        Reading::Force(..) | Reading::Stress(_) | Reading::Effort(..) => None,
     })
 }
 

@@ -29,6 +29,7 @@ use crate::projection::Projection;
 use crate::reads::ReadLayout;
 use crate::report::{Counters, FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
 use crate::settings::{Settings, Window};
+use crate::settle::settle;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
 
@@ -155,6 +156,11 @@ impl<'a> Batch<'a> {
         self.started += 1;
         self.viewed = self.started;
         self.view.dynamics.sample_mut().clone_from(&sample);
+        if resume.is_none()
+            && let Err(failure) = settle(&mut self.view, state)
+        {
+            return queue.finished(observer, Err(failure));
+        }
         self.view.set_state(start_s, state);
         if !self.mechanism.is_driven() {
             self.view.states.fill(PlayState::flight());

@@ -77,5 +77,12 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
             "second-order, if left out: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the \
              linear form",
         ),
+        optional(
+            "start",
+            Kind::Choice(&["undeformed", "settled"]),
+            "\"undeformed\"",
+            "undeformed, if left out: straight and at rest in its frame, so that it rings; settled: bent and stretched as inertia, weight \
+             and loads hold it at the start",
+        ),
     ],
 );

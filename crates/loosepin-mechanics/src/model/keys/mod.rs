@@ -524,7 +524,7 @@ pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
 );
 
 /// Quantities that an output may measure.
-pub(in crate::model) const MEASURES: [&str; 12] = [
+pub(in crate::model) const MEASURES: [&str; 13] = [
     "position_of",
     "velocity_of",
     "acceleration_of",
@@ -537,6 +537,7 @@ pub(in crate::model) const MEASURES: [&str; 12] = [
     "power_of",
     "path_of",
     "wear_of",
+    "stress_in",
 ];
 
 /// Components of forces, then measures of wear.
@@ -584,6 +585,12 @@ pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
             Kind::Reference("joint"),
             "\"joint.gudgeon\"",
             "the wear of a joint after all cycles: one number of a run",
+        ),
+        optional(
+            MEASURES[12],
+            Kind::Reference("body"),
+            "\"rod\"",
+            "the largest stress along a flexible body: bending and axial force at its outer fibre",
         ),
         optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground, or of the body of relative_to"),
         optional(

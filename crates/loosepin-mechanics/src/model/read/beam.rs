@@ -21,6 +21,13 @@ const DEFAULT_SHAPES: u64 = 2;
 /// A number that follows from others: its operations, and the quantities that they read.
 type Derived = (Vec<Op>, Vec<QuantityId>);
 
+/// The section of a beam.
+struct Section {
+    area_m2: QuantityId,
+    second_moment_m4: QuantityId,
+    height_m: Option<QuantityId>,
+}
+
 impl ModelReader {
     /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a complaint.
     pub(super) fn beam(&mut self, entry: &Entry<'_>, body: &mut Body) {
@@ -39,12 +46,14 @@ impl ModelReader {
         });
         let forms = [("second-order", true), ("none", false)];
         let foreshortening = self.choice_or(&table, "foreshortening", &forms, true);
-        let ([Some(from), Some(to)], Some([area_m2, second_moment_m4])) = (ends, section) else { return };
-        let (Some(modulus_pa), Some(density_kg_m3)) = (modulus_pa, density_kg_m3) else { return };
-        let (Some(frame), Some(lateral), Some(axial), Some(foreshortening)) = (frame, lateral, axial, foreshortening)
-        else {
+        let starts = [("undeformed", false), ("settled", true)];
+        let starts_settled = self.choice_or(&table, "start", &starts, false);
+        let ([Some(from), Some(to)], Some(Section { area_m2, second_moment_m4, height_m })) = (ends, section) else {
             return;
         };
+        let (Some(modulus_pa), Some(density_kg_m3)) = (modulus_pa, density_kg_m3) else { return };
+        let (Some(frame), Some(lateral), Some(axial)) = (frame, lateral, axial) else { return };
+        let (Some(foreshortening), Some(starts_settled)) = (foreshortening, starts_settled) else { return };
         let words = table.path.describe();
         if from == to {
             let span = table.get("to").map_or(entry.span, |entry| entry.span);
@@ -105,6 +114,9 @@ impl ModelReader {
         body.beam = Some(Beam {
             ends: [from, to],
             length_m,
+            area_m2,
+            second_moment_m4,
+            height_m,
             axial_stiffness_n_m,
             bending_stiffness_n_m,
             damping_ratio,
@@ -112,6 +124,7 @@ impl ModelReader {
             axial_shapes: axial as usize,
             lateral_shapes: lateral as usize,
             foreshortening,
+            starts_settled,
         });
     }
 
@@ -130,8 +143,8 @@ impl ModelReader {
         self.reader.refuse(&problem, entry.span)
     }
 
-    /// Area and second moment of the section.
-    fn section(&mut self, entry: &Entry<'_>, beam: &Table<'_>) -> Option<[QuantityId; 2]> {
+    /// Area, second moment and height of the section.
+    fn section(&mut self, entry: &Entry<'_>, beam: &Table<'_>) -> Option<Section> {
         let table = self.reader.table(entry, &SECTION_KEYS)?;
         let pairs = [("width", "height"), ("outer_diameter", "inner_diameter"), ("area", "second_moment")];
         for (first, second) in pairs {
@@ -156,14 +169,14 @@ impl ModelReader {
             ops.extend([Op::Number(factor), Op::Multiply]);
             ops
         };
-        let [area, second_moment]: [Derived; 2] = if table.has("width") {
+        let ([area, second_moment], height_m): ([Derived; 2], QuantityId) = if table.has("width") {
             let [width, height] = numbers("width", "height")?;
             let on = |exponent: usize| [vec![Op::Load(width.0)], power(height, exponent), vec![Op::Multiply]].concat();
-            [(on(1), vec![width, height]), (times(on(3), 1.0 / 12.0), vec![width, height])]
+            ([(on(1), vec![width, height]), (times(on(3), 1.0 / 12.0), vec![width, height])], height)
         } else if table.has("diameter") {
             let diameter = self.quantity(&table, "diameter")?;
             let of = |exponent: usize, factor: f64| (times(power(diameter, exponent), factor), vec![diameter]);
-            [of(2, PI / 4.0), of(4, PI / 64.0)]
+            ([of(2, PI / 4.0), of(4, PI / 64.0)], diameter)
         } else if table.has("outer_diameter") {
             let [outer, inner] = numbers("outer_diameter", "inner_diameter")?;
             let span = table.get("inner_diameter").map_or(table.span, |entry| entry.span);
@@ -174,17 +187,19 @@ impl ModelReader {
                 let difference = [power(outer, exponent), power(inner, exponent), vec![Op::Subtract]].concat();
                 (times(difference, factor), vec![outer, inner])
             };
-            [of(2, PI / 4.0), of(4, PI / 64.0)]
+            ([of(2, PI / 4.0), of(4, PI / 64.0)], outer)
         } else {
-            return numbers("area", "second_moment");
+            let [area_m2, second_moment_m4] = numbers("area", "second_moment")?;
+            return Some(Section { area_m2, second_moment_m4, height_m: None });
         };
         let mut derived = |key: &str, dimension: Dimension, (ops, reads): Derived| {
             self.derived(beam.path.join(key).dotted(), dimension, Rule::Positive, ops, &reads)
         };
-        Some([
-            derived("area", Dimension::AREA, area),
-            derived("second_moment", Dimension::SECOND_MOMENT, second_moment),
-        ])
+        Some(Section {
+            area_m2: derived("area", Dimension::AREA, area),
+            second_moment_m4: derived("second_moment", Dimension::SECOND_MOMENT, second_moment),
+            height_m: Some(height_m),
+        })
     }
 
     /// Complains about what a mechanism with flexible bodies cannot have.

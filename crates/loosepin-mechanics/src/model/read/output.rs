@@ -1,10 +1,13 @@
 //! Outputs.
 
 use super::reader::ModelReader;
+use crate::model::beam::Beam;
+use crate::model::beam_problem::BeamProblem;
 use crate::model::ids::{Actuator, Axis, BodyId, PointId};
 use crate::model::keys::{MEASURES, OUTPUT_KEYS};
 use crate::model::output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
 use crate::model::problem::ModelProblem;
+use crate::model::topology::Body;
 use crate::model::wear::WearMeasure;
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
@@ -75,11 +78,27 @@ impl ModelReader {
                 }
                 Some(OutputKind::Wear { joint, measure: component? })
             }
+            "stress_in" => self.stress(&entry),
             "torque_of" => self.effort(&entry, Effort::Torque),
             "force_of" => self.effort(&entry, Effort::Force),
             "power_of" => self.effort(&entry, Effort::Power),
             _ => self.relative_point(table, &entry).map(OutputKind::Path),
         }
+    }
+
+    /// The stress of the flexible body that an entry names.
+    fn stress(&mut self, entry: &Entry<'_>) -> Option<OutputKind> {
+        let body = self.body_of(entry)?;
+        let Body { name, beam, .. } = &self.bodies[body.0];
+        let (entry_words, name) = (entry.path.describe(), name.clone());
+        let problem = match beam {
+            Some(Beam { height_m: Some(_), .. }) => return Some(OutputKind::Stress(body)),
+            Some(_) => BeamProblem::NoHeight { entry: entry_words, body: name },
+            // The complaint about its beam is enough.
+            None if !self.reader.complaints.is_empty() => return None,
+            None => BeamProblem::IsRigid { entry: entry_words, body: name },
+        };
+        self.reader.refuse(&problem, entry.span)
     }
 
     /// The point that `entry` names, and the one under `relative_to`.
@@ -181,7 +200,11 @@ impl ModelReader {
 
     fn output_unit(&mut self, table: &Table<'_>, kind: &OutputKind) -> Option<ReadableUnit> {
         let due = kind.dimension();
-        let Some(entry) = table.get("unit") else { return Some(ReadableUnit::default_for(due)) };
+        let Some(entry) = table.get("unit") else {
+            // Pressures are read in GPa otherwise, as moduli.
+            let of_stress = ReadableUnit::of_dimension("MPa", due).filter(|_| matches!(kind, OutputKind::Stress(_)));
+            return Some(of_stress.unwrap_or_else(|| ReadableUnit::default_for(due)));
+        };
         let text = self.reader.text(&entry)?;
         let unit = ReadableUnit::of_dimension(text, due);
         if unit.is_none() {

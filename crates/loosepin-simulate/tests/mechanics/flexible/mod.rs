@@ -3,7 +3,38 @@
 mod histories;
 mod laws;
 mod refusals;
+mod settled;
+mod stress;
 mod trees;
+
+use crate::elements::build;
+use loosepin_result::simulation::SimulationRecord;
+use loosepin_simulate::{Plan, RunFailure, Settings, simulate};
+
+/// A run that is tighter than usual.
+fn outcome(text: &str) -> Result<SimulationRecord, RunFailure> {
+    let built = build(text);
+    let plan = Plan {
+        settings: Settings { tolerance_m: 1e-12, ..Settings::for_simulation() },
+        ..Plan::of_model(&built.mechanism.model)
+    };
+    simulate(&built.mechanism, &built.values, &plan).map(|simulation| simulation.record)
+}
+
+fn record(text: &str) -> SimulationRecord {
+    outcome(text).unwrap_or_else(|failure| panic!("{failure}"))
+}
+
+/// The text of the case `flexible_four_bar` with a rigid coupler of the same mass.
+fn four_bar_with_rigid_coupler() -> String {
+    let text = case_text("flexible_four_bar");
+    let start = text.find("[body.coupler]").expect("the coupler");
+    let end = start + text[start..].find("[body.rocker]").expect("the rocker");
+    let rigid = "[body.coupler]\nmass = \"0.2028 kg\"\ninertia = \"0.2028 kg * coupler_length^2 / 12\"\n\
+                 centre_of_mass = [\"coupler_length / 2\", \"0 mm\"]\n\
+                 points = { tail = [\"0 mm\", \"0 mm\"], head = [\"coupler_length\", \"0 mm\"] }\n\n";
+    format!("{}{rigid}{}", &text[..start], &text[end..])
+}
 
 /// The text of the model of a folder of `cases`.
 fn case_text(name: &str) -> String {

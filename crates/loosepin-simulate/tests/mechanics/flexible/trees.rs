@@ -1,6 +1,6 @@
 //! The same mechanism with another tree: other joints are cut, links hang by their other end.
 
-use super::case_text;
+use super::{case_text, four_bar_with_rigid_coupler};
 use crate::elements::build;
 use loosepin_mechanics::mechanism::CutKind;
 use loosepin_result::simulation::SimulationRecord;
@@ -84,14 +84,8 @@ fn identity_whichever_joint_of_a_loop_is_cut() {
 /// The rigid coupler of the same mass: onset, speed and peak of the first contact by another program.
 #[test]
 fn peer_the_rigid_coupler_of_the_same_mass() {
-    let text = case_text("flexible_four_bar").replace("duration = \"20 ms\"", "duration = \"2 ms\"");
-    let start = text.find("[body.coupler]").expect("the coupler");
-    let end = start + text[start..].find("[body.rocker]").expect("the rocker");
-    let rigid = "[body.coupler]\nmass = \"0.2028 kg\"\ninertia = \"0.2028 kg * coupler_length^2 / 12\"\n\
-                 centre_of_mass = [\"coupler_length / 2\", \"0 mm\"]\n\
-                 points = { tail = [\"0 mm\", \"0 mm\"], head = [\"coupler_length\", \"0 mm\"] }\n\n";
-    let rigid = format!("{}{rigid}{}", &text[..start], &text[end..]);
-    let [flexible, rigid] = [build(&text), build(&rigid)];
+    let texts = [case_text("flexible_four_bar"), four_bar_with_rigid_coupler()];
+    let [flexible, rigid] = texts.map(|text| build(&text.replace("duration = \"20 ms\"", "duration = \"2 ms\"")));
     // A beam has the mass, the inertia and the centre of mass of a line.
     let [of_beam, of_body] = [&flexible, &rigid].map(|built| {
         let body = built.mechanism.model.bodies.iter().find(|body| body.name == "coupler").expect("the coupler");

@@ -1,0 +1,138 @@
+//! Stress along a beam against closed forms.
+
+use super::{case_text, record};
+use crate::elements::{build, file};
+use loosepin_mechanics::model::Model;
+
+const YOUNGS_MODULUS_PA: f64 = 207e9;
+const DENSITY_KG_M3: f64 = 7800.0;
+const LENGTH_M: f64 = 0.4;
+const WIDTH_M: f64 = 0.012;
+const HEIGHT_M: f64 = 0.007;
+const AREA_M2: f64 = WIDTH_M * HEIGHT_M;
+const MODULUS_M3: f64 = WIDTH_M * HEIGHT_M * HEIGHT_M / 6.0;
+
+/// A bar that a drive holds at its root, from a settled start.
+fn bar(gravity: &str, drive: &str, shapes: [usize; 2], more: &str) -> String {
+    format!(
+        "name = \"bar\"\ngravity = \"{gravity}\"\n\
+         [body.ground]\npoints = {{ o = [\"0 mm\", \"0 mm\"] }}\n\
+         [body.bar]\npoints = {{ root = [\"30 mm\", \"-20 mm\"], tip = [\"430 mm\", \"-20 mm\"] }}\n\
+         [body.bar.beam]\nfrom = \"root\"\nto = \"tip\"\nsection = {{ width = \"12 mm\", height = \"7 mm\" }}\n\
+         youngs_modulus = \"207 GPa\"\ndensity = \"7800 kg/m^3\"\nframe = \"tangent\"\nstart = \"settled\"\n\
+         lateral_shapes = {}\naxial_shapes = {}\n\
+         [joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"bar.root\"\n\
+         [drive.bar]\njoint = \"main\"\n{drive}\n[cycle]\nduration = \"2 ms\"\nsamples_per_turn = 4\n\
+         [output.stress]\nstress_in = \"bar\"\n{more}\n",
+        shapes[0], shapes[1]
+    )
+}
+
+/// A drive that holds the bar at an angle.
+fn held(angle_deg: f64) -> String {
+    format!("motion = {{ kind = \"expression\", position = \"{angle_deg} deg + 0 rad/s * time\" }}")
+}
+
+fn demand(text: &str, due_pa: f64, relative: f64) {
+    let record = record(text);
+    let stress = record.outputs.iter().find(|history| history.name == "stress").expect("an output");
+    for found_pa in &stress.value_si {
+        assert!((found_pa / due_pa - 1.0).abs() < relative, "{found_pa:e} Pa for {due_pa:e} Pa");
+    }
+}
+
+/// Own weight and a force across the tip: M c/I at the root; a force along the bar: N/A. Two shapes are as good as eight.
+#[test]
+fn analytic_stress_of_a_cantilever() {
+    /// Second order of the slope of the tip, which is below 0.004.
+    const RELATIVE: f64 = 2e-5;
+    let weight_n = DENSITY_KG_M3 * AREA_M2 * LENGTH_M * 9.81;
+    for shapes in [[2, 1], [8, 2]] {
+        let due_pa = 0.5 * weight_n * LENGTH_M / MODULUS_M3;
+        demand(&bar("9.81 m/s^2", &held(0.0), shapes, ""), due_pa, RELATIVE);
+        let load = |force_n: f64, direction: &str| {
+            format!(
+                "[load.push]\nkind = \"force\"\npoint = \"bar.tip\"\nforce = \"{force_n} N\"\ndirection = \"{direction}\"\n"
+            )
+        };
+        let due_pa = (0.5 * weight_n + 2.0) * LENGTH_M / MODULUS_M3;
+        demand(&bar("9.81 m/s^2", &held(0.0), shapes, &load(2.0, "-90 deg")), due_pa, RELATIVE);
+        demand(&bar("0 m/s^2", &held(0.0), shapes, &load(700.0, "0 deg")), 700.0 / AREA_M2, 1e-9);
+    }
+}
+
+/// A bar that turns about its root: E (1/cos κL - 1) there, κ = ω√(ρ/E); and the rigid one beside it, ½ ρ ω² L².
+#[test]
+fn analytic_stress_of_a_turning_bar() {
+    let speed_rad_s = 1500.0;
+    let drive = format!("speed = \"{speed_rad_s} rad/s\"\nstart_angle = \"0.7 rad\"");
+    let angle = speed_rad_s * (DENSITY_KG_M3 / YOUNGS_MODULUS_PA).sqrt() * LENGTH_M;
+    let text = bar("0 m/s^2", &drive, [1, 2], "");
+    // The stretch adds 0.57 % to the lever arms; two shapes miss 0.3 % of that.
+    for (text, relative) in [(text.clone(), 3e-5), (bar("0 m/s^2", &drive, [1, 8], ""), 1e-6)] {
+        demand(&text, YOUNGS_MODULUS_PA * (1.0 / angle.cos() - 1.0), relative);
+    }
+    let record = record(&text);
+    let rigid_pa = 0.5 * DENSITY_KG_M3 * (speed_rad_s * LENGTH_M).powi(2);
+    for ideal_pa in &record.outputs[0].ideal_si {
+        assert!((ideal_pa / rigid_pa - 1.0).abs() < 1e-9, "{ideal_pa:e} Pa for {rigid_pa:e} Pa");
+    }
+}
+
+/// A bar on two pins, the second on a slider: q L²/8 in the middle, under the weight across it.
+#[test]
+fn analytic_stress_of_a_bar_on_two_supports() {
+    let text = bar("9.81 m/s^2", "", [2, 1], "")
+        .replace("frame = \"tangent\"\n", "frame = \"secant\"\n")
+        .replace("[drive.bar]\njoint = \"main\"\n", "")
+        .replace(
+            "[cycle]",
+            "[body.foot]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+             points = { pin = [\"0 mm\", \"0 mm\"] }\n\
+             [joint.far]\nkind = \"revolute\"\nbearing = \"bar.tip\"\njournal = \"foot.pin\"\n\
+             [joint.guide]\nkind = \"prismatic\"\nguide = { point = \"ground.o\", angle = \"0 deg\" }\nslider = \"foot.pin\"\n\
+             [assembly]\nguess = { bar = \"0 deg\" }\n[cycle]",
+        );
+    let due_pa = DENSITY_KG_M3 * AREA_M2 * 9.81 * LENGTH_M * LENGTH_M / 8.0 / MODULUS_M3;
+    demand(&text, due_pa, 1e-5);
+}
+
+/// In motion: the stress of a stiff coupler with play comes to that of the rigid one as 1/E until the first contact.
+#[test]
+fn identity_stress_of_a_stiff_link_is_that_of_the_rigid_one() {
+    let largest = |modulus: &str| {
+        let text = case_text("flexible_four_bar")
+            .replace("duration = \"20 ms\"", "duration = \"1 ms\"")
+            .replace("radial_clearance = \"0.2 mm\"", "radial_clearance = \"0 mm\"")
+            .replace(
+                "lateral_shapes = 3\naxial_shapes = 2",
+                "lateral_shapes = 1\naxial_shapes = 1\nstart = \"settled\"",
+            )
+            .replace("youngs_modulus = \"207 GPa\"\ndensity", &format!("youngs_modulus = \"{modulus}\"\ndensity"))
+            + "\n[output.stress]\nstress_in = \"coupler\"\n";
+        let record = record(&text);
+        let stress = record.outputs.iter().find(|history| history.name == "stress").expect("an output");
+        let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        most(&stress.deviation_si) / most(&stress.ideal_si)
+    };
+    let apart = ["2070 GPa", "207000 GPa"].map(largest);
+    assert!(apart[0] < 0.05 && apart[0] / apart[1] > 50.0, "{apart:?}");
+}
+
+/// What has no stress is refused where it is asked for.
+#[test]
+fn messages_of_stress_that_cannot_be_computed() {
+    let said = |text: &str| Model::from_text("model.toml", text).expect_err("it is refused").to_string();
+    let blade = file("flexible_spin_up.toml");
+    let found = said(&format!("{blade}\n[output.stress]\nstress_in = \"blade\"\n"));
+    assert!(
+        found.contains(
+            "the section of body 'blade' is given by area and second moment, and the stress needs its height"
+        ),
+        "{found}"
+    );
+    let found = said(&format!("{blade}\n[output.stress]\nstress_in = \"hub\"\n"));
+    assert!(found.contains("body 'hub' is rigid; stress is computed along flexible bodies"), "{found}");
+    let built = build(&bar("9.81 m/s^2", &held(0.0), [2, 1], ""));
+    assert_eq!(built.mechanism.stressed.len(), 1);
+}
