@@ -47,6 +47,8 @@ pub static TEMPLATES: &[Template] = templates! {
     "two-link-arm"
     "three-link-arm"
     "space-manipulator"
+    "flexible-slider-crank"
+    "flexible-four-bar"
 };
 
 impl Template {

@@ -92,4 +92,6 @@ templates_run! {
     identity_two_link_arm_keeps_its_energy "two-link-arm"
     identity_three_link_arm_keeps_its_energy "three-link-arm"
     identity_space_manipulator_keeps_its_energy "space-manipulator"
+    identity_flexible_slider_crank_keeps_its_energy "flexible-slider-crank"
+    identity_flexible_four_bar_keeps_its_energy "flexible-four-bar"
 }
