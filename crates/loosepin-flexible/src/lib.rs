@@ -13,7 +13,7 @@ mod spectrum;
 pub use beam::{Beam, Inertia};
 pub use cuts::Cuts;
 pub use functions::Frame;
-pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station};
+pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station, stations};
 
 #[cfg(test)]
 mod tests;

@@ -145,7 +145,7 @@ impl Shapes {
 }
 
 /// The shapes of a frame at places along the beam.
-pub(crate) fn stations(frame: Frame, axial_count: usize, lateral_count: usize, shares: &[f64]) -> Vec<Station> {
+pub fn stations(frame: Frame, axial_count: usize, lateral_count: usize, shares: &[f64]) -> Vec<Station> {
     let gauss = gauss_points(point_count(axial_count, lateral_count));
     let lateral = |index, s| lateral(frame, index, s);
     shares.iter().map(|share| station(*share, (axial_count, &axial), (lateral_count, &lateral), &gauss)).collect()

@@ -10,11 +10,21 @@
         const second = list[Math.min(index + 1, list.length - 1)] ?? first;
         return first + share * (second - first);
     }
+    function bent(bend, index, share) {
+        if (!bend)
+            return '';
+        const [normalX = 0, normalY = 0] = bend.normal;
+        return bend.places.map(([x = 0, y = 0], place) => {
+            const drawn = bend.factor * bend.shapes.reduce((sum, shape, k) => sum + (shape[place] ?? 0) * between(bend.turns[k] ?? [], index, share), 0);
+            return (place ? 'L' : 'M') + (x + drawn * normalX).toFixed(3) + ' ' + (y + drawn * normalY).toFixed(3);
+        }).join('');
+    }
     function build(figure) {
         const data = JSON.parse(figure.querySelector('script[type="application/json"]')?.textContent ?? '');
         const bodies = [...figure.querySelectorAll('[data-body]')];
         const ghosts = [...figure.querySelectorAll('[data-ghost]')];
         const rings = [...figure.querySelectorAll('.bearing')];
+        const axes = [...figure.querySelectorAll('[data-bend]')];
         const riders = [...figure.querySelectorAll('[data-rides]')];
         const magnified = figure.querySelector('.magnified');
         const play = figure.querySelector('.play');
@@ -49,6 +59,7 @@
             const index = Math.min(Math.floor(pose), count - 1);
             const share = pose - index;
             bodies.forEach((body) => body.setAttribute('transform', transform(data.bodies[Number(body.dataset.body)], index, share, magnification)));
+            axes.forEach((axis) => axis.setAttribute('d', bent(data.bends?.[Number(axis.dataset.bend)], index, share)));
             riders.forEach((rider) => rider.setAttribute('transform', ride(rider, index, share)));
             ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
             const angle = between(angles, index, share);

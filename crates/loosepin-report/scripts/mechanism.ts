@@ -12,11 +12,21 @@
     da: number[];
   }
 
+  /** The bent axis of a flexible body, in mm in the frame of its body. */
+  interface Bend {
+    places: number[][];
+    normal: number[];
+    shapes: number[][];
+    turns: number[][];
+    factor: number;
+  }
+
   interface Motion {
     angle_deg: number[];
     magnification: number;
     start: number;
     bodies: BodyMotion[];
+    bends?: Bend[];
   }
 
   function between(list: number[], index: number, share: number): number {
@@ -26,11 +36,21 @@
     return first + share * (second - first);
   }
 
+  function bent(bend: Bend | undefined, index: number, share: number): string {
+    if (!bend) return '';
+    const [normalX = 0, normalY = 0] = bend.normal;
+    return bend.places.map(([x = 0, y = 0], place) => {
+      const drawn = bend.factor * bend.shapes.reduce((sum, shape, k) => sum + (shape[place] ?? 0) * between(bend.turns[k] ?? [], index, share), 0);
+      return (place ? 'L' : 'M') + (x + drawn * normalX).toFixed(3) + ' ' + (y + drawn * normalY).toFixed(3);
+    }).join('');
+  }
+
   function build(figure: HTMLElement): void {
     const data = JSON.parse(figure.querySelector('script[type="application/json"]')?.textContent ?? '') as Motion;
     const bodies = [...figure.querySelectorAll<SVGElement>('[data-body]')];
     const ghosts = [...figure.querySelectorAll<SVGElement>('[data-ghost]')];
     const rings = [...figure.querySelectorAll<SVGElement>('.bearing')];
+    const axes = [...figure.querySelectorAll<SVGElement>('[data-bend]')];
     const riders = [...figure.querySelectorAll<SVGElement>('[data-rides]')];
     const magnified = figure.querySelector<SVGElement>('.magnified');
     const play = figure.querySelector<HTMLButtonElement>('.play');
@@ -68,6 +88,7 @@
       const index = Math.min(Math.floor(pose), count - 1);
       const share = pose - index;
       bodies.forEach((body) => body.setAttribute('transform', transform(data.bodies[Number(body.dataset.body)], index, share, magnification)));
+      axes.forEach((axis) => axis.setAttribute('d', bent(data.bends?.[Number(axis.dataset.bend)], index, share)));
       riders.forEach((rider) => rider.setAttribute('transform', ride(rider, index, share)));
       ghosts.forEach((ghost) => ghost.setAttribute('transform', transform(data.bodies[Number(ghost.dataset.ghost)], index, share, 0)));
       const angle = between(angles, index, share);

@@ -43,6 +43,7 @@ mod identification_text;
 mod inverse;
 mod live_band;
 mod measured_figures;
+mod mechanism_bends;
 mod mechanism_figure;
 mod mechanism_labels;
 mod mechanism_shapes;

@@ -4,6 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use super::figure::Picture;
+use super::mechanism_bends::{Bend, bend_words, bends, bent};
 use super::mechanism_labels::{Label, Sizes, frame_with, labels};
 use super::mechanism_shapes::{
     BLOCK_PINS, Frame, JOURNAL_PINS, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins,
@@ -39,6 +40,8 @@ pub struct Motion {
     /// The pose that is shown first.
     start: usize,
     bodies: Vec<BodyMotion>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bends: Vec<Bend>,
 }
 
 /// Ideal pose and actual minus ideal, in mm and degrees, one entry per pose.
@@ -155,6 +158,9 @@ pub(super) fn mechanism_figure(drawing: &Drawing, drive: &str) -> Markup {
                 } @else {
                     "The mechanism over one turn."
                 }
+                @for beam in bent(drawing, drawing.poses.drive_angle_rad.len()) {
+                    @if let Some(bend) = motion.bends.iter().find(|bend| bend.body == beam.body) { (bend_words(drawing, beam, bend)) }
+                }
                 @if has_signs[0] { " Arrow: drive." }
                 @if has_signs[1] { " Flag: output." }
             }
@@ -199,6 +205,11 @@ fn shapes(
                         title { (body.name) }
                         (outline(drawing, index, reference, frame, pin))
                     }
+                }
+            }
+            @for (index, bend) in motion.bends.iter().enumerate() {
+                g data-body=(bend.body) transform=(transform(motion, bend.body, magnification)) {
+                    path.bend data-bend=(index) d=(bend.path(motion.start)) {}
                 }
             }
             @for sign in drawing.drives.iter().filter_map(|drive| drive_sign(drawing, drive, reference, pin)) {
@@ -324,7 +335,7 @@ fn motion(drawing: &Drawing, reference: &PoseTable, has_ideal: bool, magnificati
         .collect();
     let angle_deg = pick(&|pose| reference.drive_angle_rad[pose].to_degrees());
     let start = angle_deg.len() / FIRST_POSE;
-    Motion { angle_deg, magnification, start, bodies }
+    Motion { angle_deg, magnification, start, bodies, bends: bends(drawing, count, step) }
 }
 
 /// x, y in mm and angle in degrees of a body at a pose.

@@ -10,8 +10,8 @@ mod wear;
 use crate::repeat::Repeat;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
-    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
-    PointReference, PoseTable,
+    Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
+    JournalOrbit, PointReference, PoseTable,
 };
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};

@@ -1,16 +1,19 @@
 //! Points, joints and poses of a mechanism, for drawings.
 
-use loosepin_mechanics::mechanism::{Drives, Kinematics, Mechanism, Tree};
+use loosepin_mechanics::mechanism::{BeamGeometry, Drives, Kinematics, Mechanism, Sample, Tree, TreeBeam};
 use loosepin_mechanics::model::{
     Derivative, Drive, DriveId, JointKind, Model, Output, OutputKind, PointId, Position, Values,
 };
 use loosepin_result::simulation::{
-    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, PointReference,
-    PoseTable,
+    Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
+    PointReference, PoseTable,
 };
 
 /// Instants of a cycle at which a drive is asked which way it goes.
 const SENSE_LOOKS: u32 = 64;
+
+/// Places along a flexible body at which its deflection is drawn.
+const BEAM_PLACES: usize = 25;
 
 /// Bodies, points and joints of `mechanism` with the numbers of one sample; the poses are still empty.
 pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
@@ -64,6 +67,28 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
         output_points: output_points(model),
         poses: empty_poses(mechanism),
         ideal_poses: empty_poses(mechanism),
+        beams: beams(mechanism, values),
+    }
+}
+
+/// Flexible bodies, still without the coordinates of their shapes.
+fn beams(mechanism: &Mechanism, values: &Values) -> Vec<DrawnBeam> {
+    let Ok(sample) = Sample::<f64>::new(mechanism, values) else { return Vec::new() };
+    let drawn = |(place, numbers): (&TreeBeam, &BeamGeometry<f64>)| {
+        let mut deflections_m = place.lateral_shapes(&mechanism.model, BEAM_PLACES);
+        deflections_m.iter_mut().flatten().for_each(|deflection| *deflection *= numbers.beam.length_m);
+        let [axial_hz, lateral_hz] = numbers.beam.frequencies_hz(&place.shapes);
+        let turns_rad = vec![Vec::new(); place.shapes.lateral()];
+        DrawnBeam { body: place.body.0, ends: place.points(), deflections_m, turns_rad, lateral_hz, axial_hz }
+    };
+    mechanism.real.beams.iter().zip(&sample.real.beams).map(drawn).collect()
+}
+
+/// Adds the present coordinates of the lateral shapes of all flexible bodies of `mechanism`.
+pub fn add_bending(beams: &mut [DrawnBeam], mechanism: &Mechanism, coordinates: &[f64]) {
+    for (drawn, place) in beams.iter_mut().zip(&mechanism.real.beams) {
+        let lateral = &coordinates[place.axial().end..place.coordinates.end];
+        drawn.turns_rad.iter_mut().zip(lateral).for_each(|(turns_rad, turn_rad)| turns_rad.push(*turn_rad));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::bending::BendingRecorder;
 use super::column::{Arms, Column, columns};
 use super::control_history::ControlRecorder;
-use super::drawing::{add_pose, skeleton};
+use super::drawing::{add_bending, add_pose, skeleton};
 use super::engine::{least_evaluations, run};
 use super::failure::RunFailure;
 use super::flight::FlightClock;
@@ -387,6 +387,7 @@ impl<'a> Recorder<'a> {
             self.orbits[play].1.push(e.y);
         }
         add_pose(&mut self.drawing.poses, &self.mechanism.real, &dynamics.kinematics, angle_rad);
+        add_bending(&mut self.drawing.beams, self.mechanism, dynamics.free_state().0);
         let energy = dynamics.energy(|contact| in_contact[contact]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);

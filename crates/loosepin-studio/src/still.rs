@@ -158,6 +158,7 @@ pub fn still_drawing(model: &Model, poses: &[Pose]) -> Drawing {
         output_points: outputs.collect(),
         poses: table,
         ideal_poses: PoseTable::default(),
+        beams: Vec::new(),
     }
 }
 

@@ -4,8 +4,8 @@
 //! is the frame of the body as that section carries it, so that a point of the body at an end is where it was in a rigid body. Joints,
 //! springs and forces at an end act on the link of its section; that a force on it bends the beam follows from its partial velocities.
 
-use crate::model::{Beam, BodyId};
-use loosepin_flexible::{Shapes, Station};
+use crate::model::{Beam, BodyId, Model};
+use loosepin_flexible::{Shapes, Station, stations};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -53,8 +53,16 @@ impl TreeBeam {
         self.coordinates.start..self.coordinates.start + self.shapes.axial()
     }
 
+    /// φ/L of each lateral shape at `count` >= 2 places evenly from root to tip.
+    pub fn lateral_shapes(&self, model: &Model, count: usize) -> Vec<Vec<f64>> {
+        let Some(beam) = &model.bodies[self.body.0].beam else { return Vec::new() };
+        let shares: Vec<f64> = (0..count).map(|place| place as f64 / (count - 1) as f64).collect();
+        let places = stations(beam.frame, beam.axial_shapes, beam.lateral_shapes, &shares);
+        (0..beam.lateral_shapes).map(|shape| places.iter().map(|place| place.lateral[shape]).collect()).collect()
+    }
+
     /// Indices of the points at root and tip.
-    pub(super) fn points(&self) -> [usize; 2] {
+    pub fn points(&self) -> [usize; 2] {
         if self.is_reversed { [self.ends[1], self.ends[0]] } else { self.ends }
     }
 }

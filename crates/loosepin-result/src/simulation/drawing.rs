@@ -44,6 +44,30 @@ pub struct Drawing {
     pub poses: PoseTable,
     /// Poses of the ideal mechanism at the same inputs; empty where it is not drawn.
     pub ideal_poses: PoseTable,
+    /// How flexible bodies bend; empty, and not written, where there are none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub beams: Vec<DrawnBeam>,
+}
+
+/// How a flexible body bends.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnBeam {
+    /// Index of the body.
+    pub body: usize,
+    /// Indices of its points at root and tip of the beam.
+    pub ends: [usize; 2],
+    /// Deflection of each lateral shape at places evenly from root to tip, to the left of the way from root to tip, m for each rad.
+    #[serde(with = "extended")]
+    pub deflections_m: Vec<Vec<f64>>,
+    /// Coordinate of each lateral shape at each pose, rad.
+    #[serde(with = "extended")]
+    pub turns_rad: Vec<Vec<f64>>,
+    /// Frequencies of the lateral shapes with the frame held, Hz.
+    #[serde(with = "extended")]
+    pub lateral_hz: Vec<f64>,
+    /// Frequencies of the axial shapes with the frame held, Hz.
+    #[serde(with = "extended")]
+    pub axial_hz: Vec<f64>,
 }
 
 /// One body.

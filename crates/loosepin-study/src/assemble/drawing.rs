@@ -95,6 +95,10 @@ fn thin(drawing: &mut Drawing, offset_rad: f64) {
             lists.iter_mut().for_each(keep);
         }
     }
+    for turns_rad in drawing.beams.iter_mut().flat_map(|beam| &mut beam.turns_rad) {
+        let stride = turns_rad.len().div_ceil(POSES).max(1);
+        *turns_rad = turns_rad.iter().copied().step_by(stride).collect();
+    }
 }
 
 #[cfg(test)]

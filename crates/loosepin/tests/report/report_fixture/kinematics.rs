@@ -114,6 +114,7 @@ pub fn drawing(sample: &Sample, with_play: bool) -> Drawing {
         output_points: vec![DrawnOutput { name: "slider".to_owned(), point: PointReference { body: 3, point: 0 } }],
         poses: poses(sample, POSES, with_play),
         ideal_poses: if with_play { poses(sample, POSES, false) } else { PoseTable::default() },
+        beams: Vec::new(),
     }
 }
 

@@ -163,6 +163,7 @@ pub fn four_bar() -> MotionRecord {
             output_points: vec![DrawnOutput { name: "tracer".to_owned(), point: PointReference { body: 2, point: 2 } }],
             poses: poses(CLEARANCE_M),
             ideal_poses: poses(0.0),
+            beams: Vec::new(),
         },
         outputs: vec![OutputMotion {
             name: "rocker".to_owned(),
