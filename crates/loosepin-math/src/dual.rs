@@ -92,6 +92,9 @@ impl<T: Real> Real for Dual<T> {
     fn from_f64(value: f64) -> Self {
         Self::constant(T::from_f64(value))
     }
+    fn to_f64(self) -> f64 {
+        self.value.to_f64()
+    }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Self {

@@ -14,6 +14,10 @@ impl Real for f64 {
         value
     }
     #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         multiply_add(self, factor, addend)
     }

@@ -91,6 +91,8 @@ fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
     });
     let is_short =
         mechanism.multiplications() <= MOST_RECORDED_MULTIPLICATIONS && points.sum::<usize>() <= MOST_RECORDED_POINTS;
+    // Which sectors of a worn joint touch depends on the state: its equations cannot be written down.
+    let is_short = is_short && !mechanism.model.has_worn_geometry();
     if is_short { execution } else { Execution::Scalar }
 }
 

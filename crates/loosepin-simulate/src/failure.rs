@@ -143,6 +143,18 @@ problems! {
         Jams { joint: String, time_s: f64 } => Code::Jams,
             says("at {} joint '{joint}' jams: no friction force fits what it carries", time(*time_s)),
             hint("less friction, a longer guide or a smaller pin; rigid bodies have no motion here");
+        /// A joint without play has no worn shape that could act back.
+        WornWithoutPlay { joint: String } => Code::ConflictingKeys,
+            says("joint '{joint}' has no play: with geometry = \"worn\" the shape of its surfaces needs a clearance"),
+            hint("give it a radial_clearance above zero, or write geometry = \"fixed\"");
+        /// More jumps over the cycles than are made.
+        TooManyJumps { cycles: f64, most: usize } => Code::RunTooLong,
+            says("after {cycles:.4e} cycles {most} jumps were made, the most that there are"),
+            hint("ask for a larger tolerance or fewer cycles in [wear]");
+        /// Wear beyond all numbers.
+        WearNotFinite { joint: String } => Code::RunNotFinite,
+            says("the wear of joint '{joint}' is not a finite number"),
+            hint("look at its coefficients, and at the cycles of [wear]: dry steel has some 1e-13 m^2/N");
         /// Whoever looked at the run has stopped it.
         Stopped { time_s: f64 } => Code::Interrupted,
             says("stopped at {} of its time", time(*time_s));
@@ -166,7 +178,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 24] = [
+const CODES: [&str; 27] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -191,6 +203,9 @@ const CODES: [&str; 24] = [
     "too_many_turns",
     "too_many_numbers",
     "not_settled",
+    "worn_without_play",
+    "too_many_jumps",
+    "wear_not_finite",
 ];
 
 impl RunFailure {
@@ -228,6 +243,9 @@ impl RunFailure {
             Self::TooManyTurns { .. } => 21,
             Self::TooManyNumbers { .. } => 22,
             Self::NotSettled => 23,
+            Self::WornWithoutPlay { .. } => 24,
+            Self::TooManyJumps { .. } => 25,
+            Self::WearNotFinite { .. } => 26,
         }
     }
 
@@ -247,12 +265,15 @@ impl RunFailure {
             | Self::LeavesGuide { joint, .. }
             | Self::BeyondGuide { joint, .. }
             | Self::BeyondLaw { joint, .. }
+            | Self::WornWithoutPlay { joint }
+            | Self::WearNotFinite { joint }
             | Self::Jams { joint, .. } => Complaint::error(self, model.place(&format!("joint.{joint}"))),
             Self::NotFinite { element, .. } => {
                 Complaint::error(self, element.as_ref().and_then(|path| model.place(path)))
             }
             Self::StepTooSmall { .. }
             | Self::TooManyEvaluations { .. }
+            | Self::TooManyJumps { .. }
             | Self::EnergyNotBalanced { .. }
             | Self::Stopped { .. } => Complaint::error(self, None),
             Self::LawGainsEnergy { joint, .. } => {

@@ -122,8 +122,11 @@ impl ContactStep {
     }
 
     /// Largest normal force within the step, N, at the ends and three points between. `shares` are the forces at both ends
-    /// over those of the law: other than one in a slot or at the end of a guide alone, and taken as growing evenly.
+    /// over those of the law: other than one in a slot or at the end of a guide alone, and taken as growing evenly. On an elastic foundation they are the forces at both ends.
     pub fn largest_force_n(&self, play: &PlayGeometry<f64>, state: &PlayState<f64>, shares: [f64; 2]) -> f64 {
+        if play.foundation.is_some() {
+            return shares[0].max(shares[1]);
+        }
         let gap = Quintic::new(self.gap[0].jet, self.gap[1].jet, self.step);
         let time = Quintic::new(self.time[0].jet, self.time[1].jet, self.step);
         let measure = GapMeasure::of(play);

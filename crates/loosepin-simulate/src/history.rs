@@ -18,14 +18,15 @@ use super::sections::SectionRecorder;
 use super::settings::{Settings, Window};
 use super::turns::Turns;
 use super::watched::Watched;
-use super::wear::WearRecorder;
+use super::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
-    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JournalOrbit,
+    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
+    JournalOrbit,
     OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
 };
 use loosepin_text::units::DisplayUnits;
@@ -147,7 +148,7 @@ pub fn simulate_until(
     plan: &Plan,
     stop: &AtomicBool,
 ) -> Result<Simulation, RunFailure> {
-    let sample = Sample::new(mechanism, values)?;
+    let mut sample = Sample::new(mechanism, values)?;
     plan.check(mechanism, &sample, values)?;
     if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
         return Err(RunFailure::NothingIsFree);
@@ -160,14 +161,18 @@ pub fn simulate_until(
         let turns = (plan.cycle.transient_turns + plan.cycle.recorded_turns).min(1.0);
         IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?.at(turns * input.turn_s(), false)?;
     }
+    let (turns, settings) = (plan.cycle.recorded_turns, &plan.settings);
+    let life = worn_life(mechanism, &mut sample, &LifePlan { values, window, turns, settings }, stop)?;
     let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
     let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
+    recorder.wear.life = life;
     let mut watched = Watched { observer: &mut recorder, stop };
     let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
     if let Some(failure) = recorder.failure {
         return Err(failure.into());
     }
-    let mut simulation = recorder.into_simulation(&sample, plan, report);
+    let wear = recorder.wear.records(mechanism, &report)?;
+    let mut simulation = recorder.into_simulation(&sample, plan, report, wear);
     // All of it is kept: whoever asked may want to see what went wrong.
     if let Err(failure) = simulation.report.check_energy(&mechanism.model) {
         simulation.record.stop = StopReason::Failed { code: failure.code().to_owned(), words: failure.to_string() };
@@ -419,7 +424,13 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    fn into_simulation(mut self, sample: &Sample<f64>, plan: &Plan, report: RunReport) -> Simulation {
+    fn into_simulation(
+        mut self,
+        sample: &Sample<f64>,
+        plan: &Plan,
+        report: RunReport,
+        wear: Vec<JointWearRecord>,
+    ) -> Simulation {
         let at_zero_j = report.energy.map_or(self.energy_at_zero_j.unwrap_or(0.0), |account| account.at_start_j);
         let energy = &mut self.energy;
         energy.relative_residual = report.energy.map_or(0.0, |account| account.relative_residual());
@@ -510,7 +521,7 @@ impl<'a> Recorder<'a> {
             drawing: self.drawing,
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
-            wear: self.wear.records(self.mechanism, &report),
+            wear,
             bending: self.bending.records(self.mechanism),
         };
         Simulation { record, states: self.states, report, failure: None }

@@ -86,4 +86,7 @@ pub use search::{Peak, maximum_within};
 pub use settings::{LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
 pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
 pub use turns::Turns;
-pub use wear::{WearProfile, WearRecorder, WearingJoint, wear_csv, wear_value};
+pub use wear::{
+    Cycle as WearCycle, Depths, JumpLength, Life, LifePlan, LifePoint, WearProfile, WearRecorder, WearingJoint,
+    life as life_by_jumps, wear_csv, worn_life,
+};

@@ -79,7 +79,7 @@ impl Layout {
             })
         };
         let has_root =
-            |play: &PlayGeometry<T>| play.normal.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
+            |play: &PlayGeometry<T>| play.is_smooth_in_root() && !play.friction.acts() && play.film.is_none();
         let contacts = 0..sample.contacts.len();
         let roots = contacts.clone().map(|contact| place_if(has_root(sample.play_of(contact)))).collect();
         let bristles = contacts.map(|contact| place_if(sample.play_of(contact).friction.has_bristle())).collect();

@@ -6,8 +6,10 @@ use super::projection::Projection;
 use super::resume::MotionState;
 use super::work::KinematicAccount;
 use loosepin_math::Quintic;
-use loosepin_mechanics::dynamics::{ContactForce, Dynamics, PlayState};
+use loosepin_mechanics::contact::{Foundation, FoundationMotion};
+use loosepin_mechanics::dynamics::{ContactForce, Dynamics, PlayState, foundation_motion};
 use loosepin_mechanics::mechanism::{IdealMotion, Sample, SampleError};
+use std::sync::Arc;
 
 /// A contact that begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +51,16 @@ pub trait Observer {
     fn is_stopped(&self) -> bool {
         false
     }
+}
+
+/// An elastic foundation at an instant.
+pub(super) struct FoundationAt {
+    /// The foundation.
+    pub foundation: Arc<Foundation>,
+    /// Motion of its journal.
+    pub motion: FoundationMotion,
+    /// 1/v0 of the contact, s/m.
+    pub inverse_impact_speed_s_m: f64,
 }
 
 /// An accepted step: the motion between two instants, to be looked at anywhere.
@@ -131,6 +143,16 @@ impl<'a> Step<'_, 'a> {
         self.look(time_s, false);
         let (Source::Integrated { view: motion, .. } | Source::Kinematic { motion, .. }) = &self.source;
         (motion.contact_force(contact), &motion.dynamics)
+    }
+
+    /// The elastic foundation of a joint with play whose contact is `contact`, its motion at `time_s` within the step, and 1/v0, s/m;
+    /// none where it has no foundation.
+    pub(super) fn foundation(&mut self, contact: usize, play: usize, time_s: f64) -> Option<FoundationAt> {
+        let dynamics = self.look(time_s, false);
+        let foundation = dynamics.sample().plays[play].foundation.clone()?;
+        let motion = foundation_motion(&dynamics.plays()[play]);
+        let (Source::Integrated { view, .. } | Source::Kinematic { motion: view, .. }) = &self.source;
+        Some(FoundationAt { foundation, motion, inverse_impact_speed_s_m: view.states[contact].inverse_impact_speed_s_m })
     }
 
     /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.

@@ -349,6 +349,7 @@ impl Pass {
             let has_root = if self.layout.roots[contact].is_some() { of_lane[LaneLayout::HAS_ROOT] } else { zero };
             let is_root = is_set(has_root);
             let (depth_m, half_rate_share) = match &numbers.shape {
+                _ if numbers.foundation.is_some() => (limit, T::from_f64(0.5)),
                 PlayShape::Pin { .. } | PlayShape::Slot(_) => {
                     let clearance_m = numbers.clearance_m;
                     let distance_m = (clearance_m.mul_add(clearance_m, limit.max(zero))).sqrt();
@@ -366,6 +367,10 @@ impl Pass {
             }
             if let PlayShape::Slider(SliderBlock { ends_m: Some(_), .. }) = &numbers.shape {
                 force_n *= T::from_f64(LARGEST_STRETCH);
+            }
+            if numbers.foundation.is_some() {
+                // Nothing limits the force of a worn joint from its penetration alone: every step in contact is looked at.
+                force_n = T::from_f64(f64::INFINITY);
             }
             let is_deepest = of_lane[LaneLayout::DEEPEST].less_than(depth_m);
             let is_strongest = of_lane[LaneLayout::STRONGEST].less_than(force_n);

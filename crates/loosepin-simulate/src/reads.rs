@@ -15,7 +15,7 @@ pub struct ReadLayout {
     /// Ideal joints with friction.
     frictions: usize,
     /// Whether the share of each contact in the force of its law is read as well: in a slot, and in a guide with ends, it differs from
-    /// place to place.
+    /// place to place; and on an elastic foundation.
     has_shares: bool,
     /// Whether the abscissas of corners are read as well, where some guide has ends.
     has_ends: bool,
@@ -33,11 +33,12 @@ impl ReadLayout {
             Some(JointKind::Prismatic { clearance: Some(clearance), .. }) => clearance.ends_m.is_some(),
             _ => false,
         };
+        let is_worn = mechanism.model.has_worn_geometry();
         Self {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_shares: mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
+            has_shares: is_worn || mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
             has_ends: mechanism.plays.iter().any(has_ends),
         }
     }

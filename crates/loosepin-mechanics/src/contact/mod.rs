@@ -24,6 +24,7 @@
 
 mod description;
 mod film;
+mod foundation;
 #[cfg(test)]
 mod free_impact;
 mod friction;
@@ -35,11 +36,16 @@ mod point;
 mod restitution;
 mod state;
 mod stiffness;
+mod worn_profile;
 
 pub use description::NormalDescription;
 pub use film::{
     FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure,
     FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm,
+};
+pub use foundation::{
+    DeepestSector, Foundation, FoundationLoad, FoundationMotion, PressedSector, liu_foundation_pa_m,
+    point_law_foundation_pa_m,
 };
 pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
@@ -57,3 +63,4 @@ pub use state::PlayState;
 pub use stiffness::{
     compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,
 };
+pub use worn_profile::{Weights, WornProfile};

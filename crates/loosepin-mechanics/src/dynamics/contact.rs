@@ -2,7 +2,7 @@
 
 use super::contact_motion::{ContactForce, ContactMotion, ContactUnknowns, GapMotion, Sliding};
 use super::play::PlayMotion;
-use super::{corner, film, flanks, pin, slot};
+use super::{corner, film, flanks, foundation_contact, pin, slot};
 use crate::contact::{NormalContact, PlayState};
 use crate::mechanism::{PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};
@@ -11,6 +11,9 @@ impl<T: Real> PlayMotion<T> {
     /// How the two bodies come near each other at `place`.
     #[inline(always)]
     pub fn contact(&self, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
+        if let Some(foundation) = &play.foundation {
+            return foundation_contact::contact(self, foundation);
+        }
         match &play.shape {
             PlayShape::Pin { .. } => pin::contact(self, play),
             PlayShape::Slider(block) => corner::contact(self, play, block, place),
@@ -22,6 +25,9 @@ impl<T: Real> PlayMotion<T> {
     /// δ at `place`, m, alone.
     #[inline(always)]
     pub fn penetration_at_m(&self, play: &PlayGeometry<T>, place: usize) -> T {
+        if let Some(foundation) = &play.foundation {
+            return foundation_contact::contact(self, foundation).penetration_m;
+        }
         match &play.shape {
             PlayShape::Pin { .. } => self.penetration_m(play.clearance_m),
             PlayShape::Slider(block) => corner::penetration_m(self, play, block, place),
@@ -33,6 +39,9 @@ impl<T: Real> PlayMotion<T> {
     /// The elastic energy at `place` where the penetration is `penetration_m`, J.
     #[inline(always)]
     pub fn stored_energy_j(&self, play: &PlayGeometry<T>, penetration_m: T) -> T {
+        if let Some(foundation) = &play.foundation {
+            return foundation_contact::stored_energy_j(self, foundation, penetration_m);
+        }
         let stored_j = play.normal.stored_energy_j(penetration_m);
         match &play.shape {
             PlayShape::Slot(shape) => stored_j * slot::stiffening(self, shape).share,
@@ -58,6 +67,9 @@ impl<T: Real> PlayMotion<T> {
         state: &PlayState<T>,
         unknowns: &ContactUnknowns<T>,
     ) -> ContactForce<T> {
+        if let Some(foundation) = &play.foundation {
+            return foundation_contact::force(self, foundation, state);
+        }
         let contact = self.contact(play, place);
         let mut tangent = contact.normal.turned(); // eq. (3)
         let penetration_m = contact.penetration_m * state.contact; // eq. (4)
@@ -102,6 +114,7 @@ impl<T: Real> PlayMotion<T> {
             penetration_rate_m_s: rate_m_s,
             bristle_rate_m_s: T::zero(),
             sliding_m_s: T::zero(),
+            spread_path_w: None,
             force_share,
             along_m: T::zero(),
         };
@@ -166,6 +179,9 @@ impl<T: Real> PlayMotion<T> {
         acceleration_m_s2: Vec2<T>,
         spin_rates_rad_s2: [T; 2],
     ) -> GapMotion<T> {
+        if let Some(foundation) = &play.foundation {
+            return foundation_contact::gap(self, foundation, acceleration_m_s2, spin_rates_rad_s2);
+        }
         match &play.shape {
             PlayShape::Pin { .. } => pin::gap(self, play, acceleration_m_s2),
             PlayShape::Slider(block) => corner::gap(self, play, block, place, acceleration_m_s2, spin_rates_rad_s2),

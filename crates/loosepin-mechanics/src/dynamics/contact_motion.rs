@@ -77,7 +77,9 @@ pub struct ContactForce<T> {
     pub bristle_rate_m_s: T,
     /// Sliding velocity v_T that friction goes by, m/s; zero where there is neither friction nor wear.
     pub sliding_m_s: T,
-    /// Normal force here over that of the contact's law: one but for the ends of a slot, which are stiffer, and the edges of a guide, on
+    /// F_N |v_T| summed over the sectors of an elastic foundation, W; none of a contact at one point.
+    pub spread_path_w: Option<T>,
+    /// Normal force here over that of the contact's law, and on an elastic foundation the force itself, N: one but for the ends of a slot, which are stiffer, and the edges of a guide, on
     /// which the block leans.
     pub force_share: T,
     /// Abscissa of the corner along the guide's line, m; zero but for a slider.
@@ -88,7 +90,7 @@ impl<T: Real> ContactForce<T> {
     /// F_N |v_T|, W: what the contact adds to the friction path ∫F_N |v_T| dt. A contact that pulls does not wear.
     #[inline(always)]
     pub fn friction_path_w(&self) -> T {
-        self.normal_n.max(T::zero()) * self.sliding_m_s.abs()
+        self.spread_path_w.unwrap_or_else(|| self.normal_n.max(T::zero()) * self.sliding_m_s.abs())
     }
 }
 

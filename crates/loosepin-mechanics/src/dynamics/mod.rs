@@ -16,6 +16,7 @@ mod equations;
 mod film;
 mod flank_force;
 mod flanks;
+mod foundation_contact;
 mod inverse;
 mod joint_friction;
 mod linear_spring;
@@ -34,4 +35,5 @@ pub use contact_motion::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot
 pub use element_force::{ActuatorForce, LoadForce, SpringForce};
 pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
+pub use foundation_contact::foundation_motion;
 pub use play::PlayMotion;

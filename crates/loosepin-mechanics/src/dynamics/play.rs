@@ -17,6 +17,8 @@ pub struct PlayMotion<T> {
     pub journal_arm_m: Vec2<T>,
     /// Angular velocities ω_i (bearing) and ω_j (journal), rad/s.
     pub spins_rad_s: [T; 2],
+    /// Angles θ_i and θ_j of both bodies, rad; zero for a coupling.
+    pub angles_rad: [T; 2],
     /// Directions of the guide's or slot's line and of the slider's axis in the ground's frame; zero where there is none.
     pub directions: [Vec2<T>; 2],
 }
@@ -33,6 +35,7 @@ impl<T: Real> PlayMotion<T> {
                 bearing_arm_m: Vec2::zero(),
                 journal_arm_m: Vec2::zero(),
                 spins_rad_s: [T::zero(); 2],
+                angles_rad: [T::zero(); 2],
                 directions: [Vec2::zero(); 2],
             };
         }
@@ -47,6 +50,7 @@ impl<T: Real> PlayMotion<T> {
             bearing_arm_m,
             journal_arm_m,
             spins_rad_s: [twist_i.angular, twist_j.angular],
+            angles_rad: [kinematics.poses[i].angle_rad, kinematics.poses[j].angle_rad],
             directions: match &play.shape {
                 PlayShape::Pin { .. } | PlayShape::Flanks(_) => [Vec2::zero(); 2],
                 PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],

@@ -18,6 +18,9 @@ pub enum GapMeasure {
 impl GapMeasure {
     /// That of the contacts of a joint with play.
     pub fn of(play: &PlayGeometry<f64>) -> Self {
+        if play.foundation.is_some() {
+            return Self::Penetration;
+        }
         match play.shape {
             PlayShape::Pin { .. } | PlayShape::Slot(_) => Self::Squares { clearance_m: play.clearance_m },
             PlayShape::Slider(_) | PlayShape::Flanks(_) => Self::Penetration,

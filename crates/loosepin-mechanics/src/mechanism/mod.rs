@@ -18,6 +18,7 @@ mod effort;
 mod error;
 mod flanks;
 mod gap_measure;
+mod foundation;
 mod geometry;
 mod ideal;
 mod initial;

@@ -7,6 +7,7 @@ use super::coupling_geometry::CouplingGeometry;
 use super::drive::Drives;
 use super::error::SampleError;
 use super::flanks::Flanks;
+use super::foundation::foundation;
 use super::geometry::Geometry;
 use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
@@ -15,12 +16,13 @@ use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
 use crate::contact::{
-    Film, FilmBearing, FrictionLaw, LinePair, LinearContact, NormalDescription, NormalLaw, PointContact,
+    Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw, PointContact,
     compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
     restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
 use crate::model::{Clearance, Contact, JointId, JointKind, PlayId, QuantityId, SlidingVelocity, Stiffness, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
+use std::sync::Arc;
 
 /// Numbers of a joint with play.
 #[derive(Debug, Clone)]
@@ -41,6 +43,8 @@ pub struct PlayGeometry<T> {
     pub film: Option<Film<T>>,
     /// Reading of eq. (7).
     pub sliding_velocity: SlidingVelocity,
+    /// Elastic foundation between worn surfaces, which then has the place of the normal force's law.
+    pub foundation: Option<Arc<Foundation>>,
     /// Whether its friction path ∫F_N |v_T| dt is integrated, because it wears.
     pub wears: bool,
     /// Floor v_min of the impact speed, m/s.
@@ -53,13 +57,18 @@ pub struct PlayGeometry<T> {
 
 numbers!(struct PlayGeometry {
     bearing_arm_m, journal_arm_m, shape, clearance_m, normal, friction, film, minimum_impact_speed_m_s;
-    sliding_velocity, wears, largest_valid_impact_speed_m_s, delivered_restitution
+    sliding_velocity, foundation, wears, largest_valid_impact_speed_m_s, delivered_restitution
 });
 
 /// Sliding velocity of a wearing joint up to which |v_T| counts as zero, m/s: by then nothing is worn.
 const REVERSAL_TOLERANCE_M_S: f64 = 1e-8;
 
 impl<T: Real> PlayGeometry<T> {
+    /// Whether the normal force is smooth in the root of the penetration.
+    pub fn is_smooth_in_root(&self) -> bool {
+        self.foundation.is_none() && self.normal.is_smooth_in_root()
+    }
+
     /// Sliding velocities at which what is integrated has a kink while the contact is closed, m/s: those of the friction law, in both
     /// directions, and zero where the joint wears.
     #[inline(always)]
@@ -285,6 +294,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         .as_ref()
         .map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
+        foundation: foundation(model, values, joint, &normal, &friction).map(Arc::new),
         wears: model.joints[joint.0].wear.is_some(),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
@@ -316,6 +326,7 @@ fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Opti
         friction: FrictionLaw::None,
         film: None,
         sliding_velocity: SlidingVelocity::Material,
+        foundation: None,
         wears: false,
         minimum_impact_speed_m_s: number(contact.minimum_impact_speed_m_s),
         largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),

@@ -63,4 +63,4 @@ pub use topology::{
     Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
     SlotClearance, Stiffness,
 };
-pub use wear::{JointWear, WearLife, WearMeasure, WearPressure};
+pub use wear::{FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure};

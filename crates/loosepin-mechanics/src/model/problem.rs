@@ -112,6 +112,21 @@ problems! {
         WearNeedsMaterials { entry: String, contact: String } => Code::ConflictingKeys,
             says("{entry}: Hertz's pressure needs the materials of contact '{contact}', whose stiffness is given"),
             hint("give youngs_modulus and poisson_ratio in place of the stiffness, or write pressure = \"concentrated\"");
+        /// A contact whose worn shape cannot act back.
+        WornContact { entry: String, joint: String, contact: String, what: &'static str } => Code::ConflictingKeys,
+            says("{entry}: geometry = \"worn\" cannot be used with joint '{joint}': its contact '{contact}' {what}"),
+            hint("the worn shape acts back through an elastic foundation; geometry = \"fixed\" keeps the unworn one");
+        /// A key of worn geometry beside a fixed one.
+        OnlyWorn { entry: String, key: &'static str } => Code::ConflictingKeys,
+            says("{entry}: '{key}' needs geometry = \"worn\""),
+            hint("with the unworn geometry wear grows evenly with the cycles, and outputs do not change");
+        /// The output of a limit.
+        NoLimitedOutput { entry: String, output: String } => Code::UnknownReference,
+            says("{entry}: there is no output '{output}' with a history of its own"),
+            hint("name an output of a motion, force or torque; of a path name the coordinates");
+        /// A measure of wear that a fixed geometry does not have.
+        MeasureOfWornGeometry { output: String, measure: &'static str, needs: &'static str } => Code::ConflictingKeys,
+            says("output.{output}: component = \"{measure}\" needs {needs} in [wear]");
         NoJointWears => Code::MissingKey,
             says("no joint of the model wears"),
             hint("give a joint with play its wear, for example wear.bearing.coefficient = \"1e-15 m^2/N\"");

@@ -1,6 +1,7 @@
 //! Wear of joints by Archard's law.
 
 use super::quantity::QuantityId;
+use super::topology::Model;
 use loosepin_text::units::Dimension;
 
 /// Wear of a revolute joint: dV = k F_N |v_T| dt on each surface.
@@ -14,6 +15,19 @@ pub struct JointWear {
     pub sectors: usize,
     /// How the pressure is distributed over them.
     pub pressure: WearPressure,
+    /// Stiffness of the elastic foundation, where the worn shape acts back.
+    pub foundation: FoundationChoice,
+}
+
+/// Where the stiffness of an elastic foundation comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FoundationChoice {
+    /// The line law of Liu and others 2006 with the materials of the contact.
+    Liu,
+    /// The point law of the contact.
+    Law,
+    /// k_f, Pa/m, as given.
+    Given(QuantityId),
 }
 
 /// How the pressure of a contact is distributed over the sectors of a surface.
@@ -30,6 +44,37 @@ pub enum WearPressure {
 pub struct WearLife {
     /// Cycles over which wear is stated; a cycle is the recorded part of the run.
     pub cycles: QuantityId,
+    /// Whether the worn shape acts back.
+    pub geometry: WearGeometry,
+    /// The deviation that ends the life of the mechanism, where one is given.
+    pub limit: Option<LifeLimit>,
+}
+
+/// Shape of a wearing joint over its life.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WearGeometry {
+    /// That of the unworn joint.
+    Fixed,
+    /// Worn, by jumps over many cycles.
+    Worn(Jumps),
+}
+
+/// Jumps over cycles by Heun's method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Jumps {
+    /// This many of equal length.
+    Equal(usize),
+    /// As long as this error of a jump in the depth of a sector allows, m.
+    Controlled(QuantityId),
+}
+
+/// A largest deviation of an output from its ideal motion, in either direction, that a mechanism may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LifeLimit {
+    /// Index in [`super::Model::outputs`].
+    pub output: usize,
+    /// The limit, SI.
+    pub limit: QuantityId,
 }
 
 /// A measure of the wear of a joint after all cycles.
@@ -45,12 +90,23 @@ pub enum WearMeasure {
     BearingDepth,
     /// Greatest depth of wear of the journal, m.
     JournalDepth,
+    /// Largest distance that the worn joint lets its journal go from the centre of the bearing, m.
+    Clearance,
+    /// Cycles until the mechanism does not meet its limit any more; all of them where it does to the end.
+    Life,
 }
 
 impl WearMeasure {
     /// All of them, in the order in which files name them.
-    pub const ALL: [Self; 5] =
-        [Self::FrictionPath, Self::BearingVolume, Self::JournalVolume, Self::BearingDepth, Self::JournalDepth];
+    pub const ALL: [Self; 7] = [
+        Self::FrictionPath,
+        Self::BearingVolume,
+        Self::JournalVolume,
+        Self::BearingDepth,
+        Self::JournalDepth,
+        Self::Clearance,
+        Self::Life,
+    ];
 
     /// Word in model files.
     pub const fn word(self) -> &'static str {
@@ -60,6 +116,8 @@ impl WearMeasure {
             Self::JournalVolume => "journal_volume",
             Self::BearingDepth => "bearing_depth",
             Self::JournalDepth => "journal_depth",
+            Self::Clearance => "clearance",
+            Self::Life => "life",
         }
     }
 
@@ -71,6 +129,8 @@ impl WearMeasure {
             Self::JournalVolume => "worn volume of the journal",
             Self::BearingDepth => "greatest depth of wear of the bearing",
             Self::JournalDepth => "greatest depth of wear of the journal",
+            Self::Clearance => "largest clearance after wear",
+            Self::Life => return format!("cycles within the limit, with wear of {joint}"),
         };
         format!("{measure} of {joint}")
     }
@@ -80,12 +140,20 @@ impl WearMeasure {
         match self {
             Self::FrictionPath => Dimension::TORQUE,
             Self::BearingVolume | Self::JournalVolume => Dimension::VOLUME,
-            Self::BearingDepth | Self::JournalDepth => Dimension::LENGTH,
+            Self::BearingDepth | Self::JournalDepth | Self::Clearance => Dimension::LENGTH,
+            Self::Life => Dimension::NUMBER,
         }
     }
 
     /// Whether it needs the depths of all sectors, not the friction path alone.
     pub const fn is_depth(self) -> bool {
         matches!(self, Self::BearingDepth | Self::JournalDepth)
+    }
+}
+
+impl Model {
+    /// Whether the worn shape of joints acts back.
+    pub fn has_worn_geometry(&self) -> bool {
+        self.wear.is_some_and(|life| life.geometry != WearGeometry::Fixed)
     }
 }

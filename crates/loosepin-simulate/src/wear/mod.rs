@@ -1,11 +1,16 @@
-//! Wear of joints by Archard's law, dV = k F_N |v_T| dt on each surface, with the unworn geometry (`docs/theory/wear.md`).
+//! Wear of joints by Archard's law, dV = k F_N |v_T| dt on each surface, with the unworn geometry or with the worn one
+//! (`docs/theory/wear.md`).
 
 mod joint;
+mod jumps;
+mod life;
 mod profile;
 mod recorder;
 mod result;
 
 pub use joint::WearingJoint;
+pub use jumps::{Cycle, Depths, JumpLength, Life, LifePoint, life};
+pub use life::{LifePlan, worn_life};
 pub use profile::WearProfile;
 pub use recorder::WearRecorder;
-pub use result::{wear_csv, wear_value};
+pub use result::wear_csv;

@@ -1,6 +1,7 @@
 //! Friction path by sectors of both surfaces.
 
 use super::joint::WearingJoint;
+use crate::observer::FoundationAt;
 use loosepin_mechanics::contact::share_below;
 use std::f64::consts::TAU;
 
@@ -16,6 +17,10 @@ pub struct WearProfile {
     pub capped_j: f64,
     /// Largest half-width of the patch, m.
     pub widest_m: f64,
+    /// Where the joint has an elastic foundation: sliding path of each sector of the bearing under load, m. The journal's is as long.
+    pub slid_m: Vec<f64>,
+    /// The same joint: smallest and largest angle of the bearing from the journal, rad.
+    pub turns_rad: [f64; 2],
 }
 
 /// The contact at an instant, with the friction path that it stands for.
@@ -35,7 +40,28 @@ impl WearProfile {
     /// Nothing worn.
     pub fn new(joint: &WearingJoint) -> Self {
         let none = vec![0.0; joint.sectors];
-        Self { path_j: [none.clone(), none], total_j: 0.0, capped_j: 0.0, widest_m: 0.0 }
+        Self { path_j: [none.clone(), none], total_j: 0.0, capped_j: 0.0, widest_m: 0.0, slid_m: vec![0.0; joint.sectors], turns_rad: [f64::INFINITY, f64::NEG_INFINITY] }
+    }
+
+    /// Takes in the load of an elastic foundation that stands for `weight_s`: each sector of the bearing its own, and the journal's
+    /// beside it by the weights of its spline, which add up to one.
+    pub(super) fn add_foundation(&mut self, at: &FoundationAt, weight_s: f64) {
+        let weights = at.foundation.journal_weights(at.motion.turn_rad);
+        let count = at.foundation.sectors();
+        let Self { path_j: [bearing_j, journal_j], slid_m, .. } = self;
+        let load = at.foundation.load(&at.motion, at.inverse_impact_speed_s_m, &mut |pressed| {
+            let slid = pressed.sliding_m_s.abs() * weight_s;
+            slid_m[pressed.sector] += slid;
+            bearing_j[pressed.sector] += pressed.force_n * slid;
+            for (sector, weight) in weights.sectors(pressed.sector, count).into_iter().zip(weights.value) {
+                journal_j[sector] += weight * pressed.force_n * slid;
+            }
+        });
+        self.total_j += load.path_w * weight_s;
+        let half_sector_m = at.foundation.bearing_radius_m * 0.5 * TAU / count as f64;
+        self.widest_m = self.widest_m.max(load.carrying as f64 * half_sector_m);
+        let [least, most] = self.turns_rad;
+        self.turns_rad = [least.min(at.motion.turn_rad), most.max(at.motion.turn_rad)];
     }
 
     /// Distributes a friction path over the sectors.

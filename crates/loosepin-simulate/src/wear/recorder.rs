@@ -1,7 +1,9 @@
 //! The friction path of wearing joints by sectors, step by step of a run.
 
 use super::joint::WearingJoint;
+use super::jumps::Life;
 use super::profile::{Pressed, WearProfile};
+use crate::column::columns;
 use crate::observer::Step;
 use crate::work::NODES;
 use loosepin_math::Vec2;
@@ -20,6 +22,10 @@ pub struct WearRecorder {
     pub joints: Vec<WearingJoint>,
     /// Of each, what its recorded part has worn so far.
     pub profiles: Vec<WearProfile>,
+    /// The wear of all cycles, where the worn shape acts back; then the profiles are those of the last cycle alone.
+    pub life: Option<Life>,
+    /// Column of the model and its largest deviation, SI, that end the life of the mechanism.
+    pub limit: Option<(usize, f64)>,
     /// The contact of each; none of an ideal joint. A pin touches its hole at one place.
     contacts: Vec<Option<usize>>,
     /// Slots of bearing and journal in the real tree: of a flexible body, those of its sections.
@@ -34,7 +40,13 @@ impl WearRecorder {
             let points = mechanism.model.joints[joint.joint.0].kind.points();
             points.map(|point| mechanism.real.slot_of_point(point))
         };
+        let limit = mechanism.model.wear.and_then(|life| life.limit).and_then(|limit| {
+            let column = columns(&mechanism.model).iter().position(|column| column.output == limit.output)?;
+            Some((column, values[limit.limit]))
+        });
         Self {
+            life: None,
+            limit,
             profiles: joints.iter().map(WearProfile::new).collect(),
             contacts: joints.iter().map(|joint| Some(mechanism.contacts_of(joint.play?).start)).collect(),
             slots: joints.iter().map(slots_of).collect(),
@@ -54,7 +66,10 @@ impl WearRecorder {
             match joint.play.zip(self.contacts[index]) {
                 Some((play, contact)) if step.is_in_contact(contact) => {
                     for point in gauss_points(step, [0.0, 1.0]) {
-                        profile.add(joint, &with_play(step, (contact, play), slots, point));
+                        match step.foundation(contact, play, point.0) {
+                            Some(at) => profile.add_foundation(&at, point.1),
+                            None => profile.add(joint, &with_play(step, (contact, play), slots, point)),
+                        }
                     }
                 }
                 // In flight nothing wears.

@@ -1,8 +1,10 @@
 //! From friction paths to volumes and depths after all cycles.
 
 use super::joint::WearingJoint;
+use super::jumps::Life;
 use super::profile::WearProfile;
 use super::recorder::WearRecorder;
+use crate::failure::RunFailure;
 use crate::report::RunReport;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{JointId, WearMeasure};
@@ -35,16 +37,27 @@ impl WearingJoint {
 
     fn surface(&self, side: usize, friction_path_j: f64, profile: &WearProfile) -> Option<SurfaceWear> {
         let coefficient_m2_n = self.coefficients_m2_n[side]?;
-        let depth_m = self.depths_m(side, profile);
+        let paths_j = [friction_path_j, profile.total_j];
+        Some(self.surface_of(side, coefficient_m2_n, self.depths_m(side, profile), paths_j))
+    }
+
+    /// A surface with its depths; of the two friction paths of a cycle the first gives the volume, the second was distributed.
+    fn surface_of(
+        &self,
+        side: usize,
+        coefficient_m2_n: f64,
+        depth_m: Vec<f64>,
+        [friction_path_j, distributed_j]: [f64; 2],
+    ) -> SurfaceWear {
         let volume_m3 = self.volume_m3(side, friction_path_j);
-        let distributed_m3 = self.volume_m3(side, profile.total_j);
+        let distributed_m3 = self.volume_m3(side, distributed_j);
         let sum_m3 = depth_m.iter().sum::<f64>() * self.sector_area_m2(side);
         let deepest = depth_m.iter().copied().enumerate();
         let (deepest_sector, greatest_depth_m) =
             deepest.fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
         let (pairs, odd) = depth_m.as_chunks::<2>();
         let coarse = pairs.iter().map(|[one, other]| 0.5 * (one + other)).fold(0.0, f64::max);
-        Some(SurfaceWear {
+        SurfaceWear {
             surface: SURFACES[side],
             coefficient_m2_n,
             volume_m3,
@@ -53,7 +66,33 @@ impl WearingJoint {
             sum_of_sectors_error: if distributed_m3 > 0.0 { sum_m3 / distributed_m3 - 1.0 } else { 0.0 },
             coarse_greatest_depth_m: odd.is_empty().then_some(coarse),
             depth_m,
-        })
+        }
+    }
+
+    /// The wear after all cycles of a joint whose worn shape acts back, the one at `index` of `life`.
+    fn worn_record(&self, name: &str, index: usize, life: &Life) -> JointWearRecord {
+        let end = life.last();
+        let path_j = life.paths_j[index] / end.cycles;
+        let surfaces = [0, 1].into_iter().filter_map(|side| {
+            let depths_m = end.depths_m[index][side].clone();
+            Some(self.surface_of(side, self.coefficients_m2_n[side]?, depths_m, [path_j; 2]))
+        });
+        let surfaces: Vec<SurfaceWear> = surfaces.collect();
+        let clearance_m = self.radii_m[0] - self.radii_m[1];
+        let checks = WearChecks {
+            path_error: None,
+            widest_patch_sectors: life.narrowest_patch_sectors(index),
+            capped_share: 0.0,
+            depth_over_clearance: surfaces.iter().map(|surface| surface.greatest_depth_m).sum::<f64>() / clearance_m,
+        };
+        JointWearRecord {
+            joint: name.to_owned(),
+            cycles: end.cycles,
+            friction_path_j: path_j,
+            radial_clearance_m: clearance_m,
+            surfaces,
+            checks,
+        }
     }
 
     /// The wear after all cycles, with the checks of it.
@@ -86,31 +125,68 @@ impl WearingJoint {
 
 impl WearRecorder {
     /// The wear of all joints after all cycles.
-    pub fn records(&self, mechanism: &Mechanism, report: &RunReport) -> Vec<JointWearRecord> {
+    ///
+    /// # Errors
+    /// [`RunFailure::WearNotFinite`].
+    pub fn records(&self, mechanism: &Mechanism, report: &RunReport) -> Result<Vec<JointWearRecord>, RunFailure> {
         let name = |joint: JointId| mechanism.model.joints[joint.0].name.as_str();
-        let joints = self.joints.iter().zip(&self.profiles);
-        joints.map(|(joint, profile)| joint.record(name(joint.joint), report, profile)).collect()
+        let joints = self.joints.iter().zip(&self.profiles).enumerate();
+        let records = joints.map(|(index, (joint, profile))| {
+            let name = name(joint.joint);
+            let record = match &self.life {
+                Some(life) => joint.worn_record(name, index, life),
+                None => joint.record(name, report, profile),
+            };
+            let surfaces = record.surfaces.iter();
+            let is_finite =
+                surfaces.clone().all(|own| own.volume_m3.is_finite() && own.depth_m.iter().all(|depth| depth.is_finite()));
+            if is_finite { Ok(record) } else { Err(RunFailure::WearNotFinite { joint: name.to_owned() }) }
+        });
+        records.collect()
+    }
+
+    /// A measure of the wear of a joint after all cycles, SI; not a number where it is not known.
+    pub fn value(&self, joint: JointId, measure: WearMeasure, report: &RunReport) -> f64 {
+        let Some(place) = self.joints.iter().position(|own| own.joint == joint) else { return f64::NAN };
+        match &self.life {
+            Some(life) => self.worn_value(life, place, measure),
+            None => unworn_value(&self.joints[place], measure, report, &self.profiles[place]),
+        }
+    }
+
+    fn worn_value(&self, life: &Life, place: usize, measure: WearMeasure) -> f64 {
+        let joint = &self.joints[place];
+        let end = life.last();
+        let path_j = life.paths_j[place] / end.cycles;
+        let greatest_m = |side: usize| end.depths_m[place][side].iter().copied().fold(0.0, f64::max);
+        match measure {
+            WearMeasure::FrictionPath => path_j,
+            WearMeasure::BearingVolume => joint.volume_m3(0, path_j),
+            WearMeasure::JournalVolume => joint.volume_m3(1, path_j),
+            WearMeasure::BearingDepth => greatest_m(0),
+            WearMeasure::JournalDepth => greatest_m(1),
+            WearMeasure::Clearance => end.cycle.clearances_m[place][1],
+            WearMeasure::Life => {
+                let (column, limit_si) = self.limit.unwrap_or((0, f64::NAN));
+                // A life that does not end counts as all cycles: it is at least that.
+                life.until(column, limit_si).map_or(end.cycles, |(cycles, _)| cycles)
+            }
+        }
     }
 }
 
-/// A measure of the wear of a joint after all cycles, SI; `profile` is needed for depths and for ideal joints.
-pub fn wear_value(
-    joint: &WearingJoint,
-    measure: WearMeasure,
-    report: &RunReport,
-    profile: Option<&WearProfile>,
-) -> f64 {
-    let path_j = || joint.friction_path_j(report, profile);
-    let greatest_m = |side: usize| match profile {
-        Some(profile) => joint.depths_m(side, profile).into_iter().fold(0.0, f64::max),
-        None => f64::NAN,
-    };
+/// A measure with the unworn geometry.
+fn unworn_value(joint: &WearingJoint, measure: WearMeasure, report: &RunReport, profile: &WearProfile) -> f64 {
+    let path_j = || joint.friction_path_j(report, Some(profile));
+    let greatest_m = |side: usize| joint.depths_m(side, profile).into_iter().fold(0.0, f64::max);
     match measure {
         WearMeasure::FrictionPath => path_j(),
         WearMeasure::BearingVolume => joint.volume_m3(0, path_j()),
         WearMeasure::JournalVolume => joint.volume_m3(1, path_j()),
         WearMeasure::BearingDepth => greatest_m(0),
         WearMeasure::JournalDepth => greatest_m(1),
+        // Refused where the model is read.
+        WearMeasure::Clearance | WearMeasure::Life => f64::NAN,
     }
 }
 

@@ -73,6 +73,7 @@ dimensions! {
     TORSIONAL_DAMPING [2.0, 1.0, -1.0, -1.0, 0.0] "N m s/rad", "a torsional damping", "0.01 N m s/rad", "N m s/rad.";
     VISCOSITY [-1.0, 1.0, -1.0, 0.0, 0.0] "Pa s", "a dynamic viscosity", "0.02 Pa s", "Pa s.";
     WEAR_COEFFICIENT [1.0, -1.0, 2.0, 0.0, 0.0] "m^2/N", "a wear coefficient", "1e-15 m^2/N", "m²/N.";
+    FOUNDATION [-2.0, 1.0, -2.0, 0.0, 0.0] "Pa/m", "the stiffness of an elastic foundation (pressure per length)", "6.7e12 Pa/m", "Pa/m.";
     TEMPERATURE [0.0, 0.0, 0.0, 0.0, 1.0] "", "a difference of temperatures", "40 K", "K.";
     THERMAL_EXPANSION [0.0, 0.0, 0.0, 0.0, -1.0] "", "a coefficient of thermal expansion", "11.7e-6 1/K", "1/K.";
     INVERSE_VELOCITY [-1.0, 0.0, 1.0, 0.0, 0.0] "", "", "", "One over a velocity.";

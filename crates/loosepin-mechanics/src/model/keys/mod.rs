@@ -541,8 +541,8 @@ pub(in crate::model) const MEASURES: [&str; 13] = [
 ];
 
 /// Components of forces, then measures of wear.
-const COMPONENTS: [&str; 8] = {
-    let mut words = ["x", "y", "magnitude", "", "", "", "", ""];
+const COMPONENTS: [&str; 10] = {
+    let mut words = ["x", "y", "magnitude", "", "", "", "", "", "", ""];
     let mut measure = 0;
     while measure < WearMeasure::ALL.len() {
         words[3 + measure] = WearMeasure::ALL[measure].word();

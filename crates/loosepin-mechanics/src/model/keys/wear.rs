@@ -53,8 +53,23 @@ pub(in crate::model) static JOINT_WEAR_KEYS: Keys = Keys::new(
             "\"hertz-line\"",
             "distribution of the pressure: Hertz's line contact (hertz-line, if left out) or all in one sector (concentrated)",
         ),
+        optional(
+            "foundation",
+            Kind::Choice(&["liu", "law"]),
+            "\"liu\"",
+            "stiffness of the elastic foundation with geometry = \"worn\": of the line law of Liu (liu, if left out), or of the point law of the contact (law)",
+        ),
+        optional(
+            "foundation_stiffness",
+            quantity(D::FOUNDATION, Rule::Positive),
+            "\"6.7e12 Pa/m\"",
+            "stiffness of the elastic foundation, pressure over penetration, in place of foundation",
+        ),
     ],
 );
+
+/// Jumps over the cycles, at most.
+const MOST_JUMPS: u64 = 4096;
 
 /// `wear` of a revolute joint.
 pub(super) const JOINT_WEAR: Key = optional(
@@ -75,9 +90,28 @@ pub(in crate::model) static LIFE_KEYS: Keys = Keys::new(
         ),
         optional(
             "geometry",
-            Kind::Choice(&["fixed"]),
-            "\"fixed\"",
-            "fixed, if left out: the joint keeps its unworn shape, so that wear grows evenly with the cycles",
+            Kind::Choice(&["fixed", "worn"]),
+            "\"worn\"",
+            "fixed, if left out: the joint keeps its unworn shape, so that wear grows evenly with the cycles; worn: the worn shape acts back on forces and pressure",
         ),
+        optional(
+            "jumps",
+            Kind::Count { least: 1, most: MOST_JUMPS },
+            "16",
+            "equal jumps over the cycles with geometry = \"worn\"; chosen by the tolerance if left out",
+        ),
+        optional(
+            "tolerance",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"0.05 um\"",
+            "error of a jump in the depth of any sector; 0.05 um if left out",
+        ),
+        optional(
+            "limit_of",
+            Kind::Reference("output"),
+            "\"slider\"",
+            "the output whose largest deviation from the ideal motion ends the life of the mechanism",
+        ),
+        optional("limit", Kind::AnyQuantity, "\"0.2 mm\"", "its largest deviation, in either direction"),
     ],
 );

@@ -118,10 +118,11 @@ impl ModelReader {
             Some(entry) => self.read_initial(&entry),
             None => self.initial_of_controls(),
         };
-        let wear = self.read_life(root);
         self.refuse_beside_beams();
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
+        let wear = self.read_life(root, &outputs);
+        self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
         match cycle {
             Some(cycle) if !self.reader.complaints.has_errors() => Ok(with_warnings(Model {

@@ -5,12 +5,16 @@ use crate::model::keys::wear::{JOINT_WEAR_KEYS, LIFE_KEYS, SURFACE_KEYS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::topology::{Clearance, SlidingVelocity, Stiffness};
-use crate::model::wear::{JointWear, WearLife, WearPressure};
+use crate::contact::{FrictionLaw, NormalDescription};
+use crate::model::wear::{FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure};
+use crate::model::{Contact, JointKind, Output, OutputKind};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Sectors of a surface, where the file does not say.
 const SECTORS: usize = 360;
+/// Error of a jump in a depth, where the file does not say, m.
+const JUMP_TOLERANCE_M: f64 = 5e-8;
 
 impl ModelReader {
     /// Wear of a revolute joint with this table; the outer option is absent after a complaint. `clearance` is what was read of its play.
@@ -21,6 +25,14 @@ impl ModelReader {
         let sectors = self.reader.count(&wear, "sectors").map_or(SECTORS, |count| count as usize);
         let words = [("hertz-line", WearPressure::HertzLine), ("concentrated", WearPressure::Concentrated)];
         let pressure = self.choice_or(&wear, "pressure", &words, WearPressure::HertzLine);
+        let foundations = [("liu", FoundationChoice::Liu), ("law", FoundationChoice::Law)];
+        let foundation = match self.quantity(&wear, "foundation_stiffness") {
+            Some(stiffness) => {
+                self.refuse_beside(&wear, "foundation", "foundation_stiffness");
+                Some(FoundationChoice::Given(stiffness))
+            }
+            None => self.choice_or(&wear, "foundation", &foundations, FoundationChoice::Liu),
+        };
         if surfaces.iter().all(Option::is_none) {
             let problem = ModelProblem::NothingWears { entry: wear.path.describe() };
             return self.reader.refuse(&problem, entry.key_span);
@@ -54,7 +66,7 @@ impl ModelReader {
         }
         let coefficients: [Option<QuantityId>; 2] = coefficients?.try_into().ok()?;
         let bearing_length_m = clearance.bearing_length_m?;
-        Some(Some(JointWear { coefficients_m2_n: coefficients, bearing_length_m, sectors, pressure }))
+        Some(Some(JointWear { coefficients_m2_n: coefficients, bearing_length_m, sectors, pressure, foundation: foundation? }))
     }
 
     /// The wear coefficient of a surface: as written, or Archard's number over the hardness.
@@ -77,22 +89,125 @@ impl ModelReader {
     }
 
     /// For how long wear is stated. Nothing where no joint wears.
-    pub(super) fn read_life(&mut self, root: &Table<'_>) -> Option<WearLife> {
+    pub(super) fn read_life(&mut self, root: &Table<'_>, outputs: &[Output]) -> Option<WearLife> {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
-        let cycles = match root.get("wear") {
+        let (cycles, geometry, limit) = match root.get("wear") {
             Some(entry) => {
                 let table = self.reader.table(&entry, &LIFE_KEYS)?;
                 self.remember(&entry);
-                self.choice_or(&table, "geometry", &[("fixed", ())], ());
                 self.uses_life = wears;
-                self.quantity_or(&table, "cycles", 1.0)?
+                let is_worn = self.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
+                let cycles = self.quantity_or(&table, "cycles", 1.0);
+                let geometry = if is_worn? { self.worn_geometry(&table) } else { self.fixed_geometry(&table) };
+                let limit = self.limit(&table, outputs);
+                (cycles?, geometry?, limit?)
             }
             None if wears => {
                 let path = root.path.join("wear").join("cycles");
-                self.default_quantity(&path, Dimension::NUMBER, Rule::Positive, 1.0)
+                let cycles = self.default_quantity(&path, Dimension::NUMBER, Rule::Positive, 1.0);
+                (cycles, WearGeometry::Fixed, None)
             }
             None => return None,
         };
-        wears.then_some(WearLife { cycles })
+        wears.then_some(WearLife { cycles, geometry, limit })
+    }
+
+    /// The unworn shape: nothing of jumps goes with it.
+    fn fixed_geometry(&mut self, table: &Table<'_>) -> Option<WearGeometry> {
+        for key in ["jumps", "tolerance", "limit_of", "limit"] {
+            if let Some(entry) = table.get(key) {
+                let problem = ModelProblem::OnlyWorn { entry: table.path.describe(), key };
+                return self.reader.refuse(&problem, entry.key_span);
+            }
+        }
+        Some(WearGeometry::Fixed)
+    }
+
+    /// The worn shape, by jumps.
+    fn worn_geometry(&mut self, table: &Table<'_>) -> Option<WearGeometry> {
+        let span = table.get("geometry").map_or(table.span, |entry| entry.key_span);
+        for index in 0..self.joints.len() {
+            let joint = &self.joints[index];
+            let (Some(wear), JointKind::Revolute { clearance: Some(clearance), .. }) = (&joint.wear, &joint.kind)
+            else {
+                continue;
+            };
+            let contact = &self.contacts[clearance.contact.0];
+            if let Some(what) = not_for_foundations(contact, wear.foundation) {
+                let (joint, contact) = (joint.name.clone(), contact.name.clone());
+                let problem = ModelProblem::WornContact { entry: table.path.describe(), joint, contact, what };
+                return self.reader.refuse(&problem, span);
+            }
+        }
+        let tolerance = self.quantity_or(table, "tolerance", JUMP_TOLERANCE_M);
+        let jumps = match self.reader.count(table, "jumps") {
+            Some(count) => {
+                self.refuse_beside(table, "tolerance", "jumps");
+                Jumps::Equal(count as usize)
+            }
+            None => Jumps::Controlled(tolerance?),
+        };
+        Some(WearGeometry::Worn(jumps))
+    }
+
+    /// Complains of outputs of wear that need the worn shape, or a limit.
+    pub(super) fn refuse_measures_of_fixed_wear(&mut self, outputs: &[Output], life: Option<&WearLife>) {
+        let Some(life) = life else { return };
+        for output in outputs {
+            let OutputKind::Wear { measure, .. } = output.kind else { continue };
+            let needs = match measure {
+                WearMeasure::Clearance if life.geometry == WearGeometry::Fixed => "geometry = \"worn\"",
+                WearMeasure::Life if life.limit.is_none() => "geometry = \"worn\" and a limit",
+                _ => continue,
+            };
+            let problem =
+                ModelProblem::MeasureOfWornGeometry { output: output.name.clone(), measure: measure.word(), needs };
+            if let Some(span) = self.places.get(&format!("output.{}", output.name)).copied() {
+                self.reader.complain(&problem, span);
+            }
+        }
+    }
+
+    /// The deviation that ends the life of the mechanism; the outer option is absent after a complaint.
+    fn limit(&mut self, table: &Table<'_>, outputs: &[Output]) -> Option<Option<LifeLimit>> {
+        let (of, limit) = match (table.get("limit_of"), table.get("limit")) {
+            (None, None) => return Some(None),
+            (Some(of), Some(limit)) => (of, limit),
+            (of, _) => {
+                let [key, needed] = if of.is_some() { ["limit_of", "limit"] } else { ["limit", "limit_of"] };
+                self.complain_of_missing(table, key, vec![needed]);
+                return None;
+            }
+        };
+        let name = self.reader.text(&of)?;
+        let name = name.strip_prefix("output.").unwrap_or(name).to_owned();
+        let has_history = |kind: &OutputKind| !matches!(kind, OutputKind::Wear { .. } | OutputKind::Path(_));
+        let Some(output) = outputs.iter().position(|output| output.name == name && has_history(&output.kind)) else {
+            let problem = ModelProblem::NoLimitedOutput { entry: of.path.describe(), output: name };
+            return self.reader.refuse(&problem, of.span);
+        };
+        let limit = self.quantity_of(&limit, outputs[output].kind.dimension(), Rule::Positive)?;
+        Some(Some(LifeLimit { output, limit }))
+    }
+}
+
+/// Why a contact has no elastic foundation.
+fn not_for_foundations(contact: &Contact, foundation: FoundationChoice) -> Option<&'static str> {
+    let has_materials = matches!(contact.stiffness, Stiffness::Material { .. });
+    let has_memory = |numbers: usize, law: FrictionLaw<f64>| numbers > 0 && law.has_bristle();
+    let friction = contact.friction.as_ref();
+    let zeros = |count: usize| vec![1.0; count];
+    if contact.film.is_some() {
+        return Some("has a film of oil");
+    }
+    if friction.is_some_and(|own| has_memory(own.numbers.len(), own.law.law(&zeros(own.numbers.len())))) {
+        return Some("has friction with a memory");
+    }
+    match (foundation, contact.law) {
+        (_, NormalDescription::Linear(_)) => Some("has no loss of the form 1 + χ δ̇/v0"),
+        (FoundationChoice::Liu, _) if !has_materials => Some("has a given stiffness: write foundation_stiffness"),
+        (FoundationChoice::Law, NormalDescription::Point(_)) if has_materials => None,
+        (FoundationChoice::Law, _) => Some("is no point law with materials: write foundation = \"liu\""),
+        _ => None,
     }
 }

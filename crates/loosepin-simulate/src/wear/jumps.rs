@@ -1,0 +1,188 @@
+//! From the wear of single cycles to that of thousands, by Heun's method (`docs/theory/wear.md`, equations 17 to 19).
+
+use crate::failure::RunFailure;
+
+/// Depths of the sectors of bearing and journal of each joint, m.
+pub type Depths = Vec<[Vec<f64>; 2]>;
+
+/// A cycle on a shape that is held meanwhile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// Growth of the depths of all sectors in a cycle, m.
+    pub growth_m: Depths,
+    /// Friction path of each joint, J.
+    pub paths_j: Vec<f64>,
+    /// N_s: cycles beyond twice of which an explicit jump makes a saw-tooth of the shape; infinite where nothing wears.
+    pub stable_cycles: f64,
+    /// Standard error of the friction path from turn to turn, as a share of it; zero of a single turn.
+    pub noise: f64,
+    /// Largest deviations of the columns of the model from the ideal motion, SI.
+    pub deviations_si: Vec<f64>,
+    /// Smallest and largest effective clearance of each joint, m.
+    pub clearances_m: Vec<[f64; 2]>,
+    /// Widest patch of each joint in sectors.
+    pub patch_sectors: Vec<f64>,
+}
+
+/// How long jumps are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JumpLength {
+    /// This many of equal length.
+    Equal(usize),
+    /// By the error of a jump in any depth, m, and never beyond N_s.
+    Controlled {
+        /// The error.
+        tolerance_m: f64,
+    },
+}
+
+/// The state between two jumps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LifePoint {
+    /// Cycles so far.
+    pub cycles: f64,
+    /// Depths so far, m.
+    pub depths_m: Depths,
+    /// The cycle there.
+    pub cycle: Cycle,
+}
+
+/// The wear of a life.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Life {
+    /// The states between jumps, the first and the last one included.
+    pub points: Vec<LifePoint>,
+    /// Friction path of each joint over all cycles, J, by the weights of the jumps.
+    pub paths_j: Vec<f64>,
+    /// Largest error of a jump in a depth, m: half the jump times the change of the growth.
+    pub largest_error_m: f64,
+    /// Largest standard error of a jump from turn to turn, m.
+    pub largest_noise_m: f64,
+    /// The longest jump over N_s there.
+    pub longest_over_stable: f64,
+    /// Cycles that were run.
+    pub runs: usize,
+}
+
+/// Jumps of a life, at most.
+pub const MOST_JUMPS: usize = 4096;
+/// Share of the step that the error allows which the next jump takes.
+const SAFETY: f64 = 0.9;
+/// Largest growth and shrinkage from one jump to the next.
+const CHANGES: [f64; 2] = [0.2, 3.0];
+/// Share of all cycles that the first jump tries.
+const FIRST_SHARE: f64 = 1.0 / 16.0;
+
+/// Jumps from the unworn shape, with the sectors of `start`, over `cycles`; `run` makes a cycle on a shape.
+///
+/// # Errors
+/// What `run` refuses; [`RunFailure::TooManyJumps`].
+pub fn life(
+    cycles: f64,
+    length: JumpLength,
+    start: Depths,
+    run: &mut dyn FnMut(&Depths) -> Result<Cycle, RunFailure>,
+) -> Result<Life, RunFailure> {
+    let first = run(&start)?;
+    let mut life = Life {
+        paths_j: vec![0.0; first.paths_j.len()],
+        points: vec![LifePoint { cycles: 0.0, depths_m: start, cycle: first }],
+        largest_error_m: 0.0,
+        largest_noise_m: 0.0,
+        longest_over_stable: 0.0,
+        runs: 1,
+    };
+    let mut next = FIRST_SHARE * cycles;
+    let mut jumps = 0;
+    while let Some(from) = life.points.last().filter(|from| from.cycles < cycles) {
+        jumps += 1;
+        if jumps > MOST_JUMPS {
+            return Err(RunFailure::TooManyJumps { cycles: from.cycles, most: MOST_JUMPS });
+        }
+        let left = cycles - from.cycles;
+        let number = life.points.len();
+        let (jump, is_last) = match length {
+            JumpLength::Equal(count) => (cycles * number as f64 / count as f64 - from.cycles, number >= count),
+            JumpLength::Controlled { .. } => {
+                let jump = next.min(from.cycle.stable_cycles);
+                // The last two are equally long.
+                let is_one_but_last = jump < left && 2.0 * jump > left;
+                (if is_one_but_last { 0.5 * left } else { jump.min(left) }, jump >= left)
+            }
+        };
+        let predicted = moved(&from.depths_m, &[(jump, &from.cycle)]);
+        let there = run(&predicted)?;
+        life.runs += 1;
+        let error_m = 0.5 * jump * largest_difference(&from.cycle.growth_m, &there.growth_m);
+        let noise_m = jump * from.cycle.noise * largest(&from.cycle.growth_m);
+        if let JumpLength::Controlled { tolerance_m } = length {
+            // What turns differ by is no error of a jump: it would not become smaller with shorter ones.
+            let allowed_m = tolerance_m.max(noise_m);
+            let change = SAFETY * (allowed_m / error_m).sqrt();
+            next = jump * change.clamp(CHANGES[0], CHANGES[1]);
+            if error_m > allowed_m {
+                continue;
+            }
+        }
+        let depths_m = moved(&from.depths_m, &[(0.5 * jump, &from.cycle), (0.5 * jump, &there)]);
+        let reached = if is_last { cycles } else { from.cycles + jump };
+        for (sum, paths_j) in life.paths_j.iter_mut().zip(from.cycle.paths_j.iter().zip(&there.paths_j)) {
+            *sum += 0.5 * jump * (paths_j.0 + paths_j.1);
+        }
+        life.largest_error_m = life.largest_error_m.max(error_m);
+        life.largest_noise_m = life.largest_noise_m.max(noise_m);
+        life.longest_over_stable = life.longest_over_stable.max(jump / from.cycle.stable_cycles);
+        let cycle = run(&depths_m)?;
+        life.runs += 1;
+        life.points.push(LifePoint { cycles: reached, depths_m, cycle });
+    }
+    Ok(life)
+}
+
+/// `depths_m` plus so many cycles of each growth.
+fn moved(depths_m: &Depths, by: &[(f64, &Cycle)]) -> Depths {
+    let mut moved = depths_m.clone();
+    for (cycles, cycle) in by {
+        let growths = cycle.growth_m.iter().flatten().flatten();
+        for (depth_m, growth_m) in moved.iter_mut().flatten().flatten().zip(growths) {
+            *depth_m += cycles * growth_m;
+        }
+    }
+    moved
+}
+
+fn largest(depths_m: &Depths) -> f64 {
+    depths_m.iter().flatten().flatten().copied().fold(0.0, f64::max)
+}
+
+fn largest_difference(one: &Depths, other: &Depths) -> f64 {
+    let pairs = one.iter().flatten().flatten().zip(other.iter().flatten().flatten());
+    pairs.map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
+}
+
+impl Life {
+    /// The end of the life.
+    pub fn last(&self) -> &LifePoint {
+        &self.points[self.points.len() - 1]
+    }
+
+    /// Width of the widest patch of joint `index` in sectors, in the cycle in which it is narrowest.
+    pub fn narrowest_patch_sectors(&self, index: usize) -> f64 {
+        self.points.iter().map(|point| point.cycle.patch_sectors[index]).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Cycles until the largest deviation of `column` passes `limit_si`, between two jumps on a straight line, with the two; none where
+    /// it never does.
+    pub fn until(&self, column: usize, limit_si: f64) -> Option<(f64, [f64; 2])> {
+        let value = |point: &LifePoint| point.cycle.deviations_si[column];
+        let first = &self.points[0];
+        if !(value(first) <= limit_si) {
+            return Some((0.0, [0.0; 2]));
+        }
+        let pair = self.points.windows(2).find(|pair| !(value(&pair[1]) <= limit_si))?;
+        let (before, behind) = (value(&pair[0]), value(&pair[1]));
+        let share = ((limit_si - before) / (behind - before)).clamp(0.0, 1.0);
+        let bracket = [pair[0].cycles, pair[1].cycles];
+        Some((bracket[0] + share * (bracket[1] - bracket[0]), bracket))
+    }
+}
