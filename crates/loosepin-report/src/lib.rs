@@ -71,6 +71,7 @@ mod terminal_table;
 mod ticks;
 mod together;
 mod told;
+mod life_section;
 mod wear_section;
 mod wear_words;
 mod witness_words;

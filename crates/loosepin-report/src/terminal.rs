@@ -14,6 +14,7 @@ use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
+use super::life_section::{life_sentences, life_table};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
@@ -22,7 +23,7 @@ use super::wording::{
 };
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
-use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason};
+use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason, WearLifeRecord};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
@@ -247,7 +248,25 @@ fn push_wear(text: &mut String, record: &SimulationRecord) {
     text.push_str(&format!("\n{}\n", wrapped(&life_words(record, first, &writer), "")));
     push_table(text, &worn);
     text.push_str("friction path: of a cycle; sectors: from the x axis of the body with the surface\n");
-    for sentence in record.wear.iter().flat_map(|wear| wear_sentences(wear, &writer)) {
+    for sentence in record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), &writer)) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "")));
+    }
+    if let Some(life) = &record.life {
+        push_life(text, life, &writer);
+    }
+}
+
+/// Adds the wear over the cycles.
+fn push_life(text: &mut String, life: &WearLifeRecord, writer: &NumberWriter) {
+    let (heads, rows) = life_table(life, writer);
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = table(&heads, &(0..heads.len()).collect::<Vec<_>>());
+    rows.into_iter().for_each(|row| {
+        table.add_row(row);
+    });
+    text.push('\n');
+    push_table(text, &table);
+    for sentence in life_sentences(life, writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
 }

@@ -1,5 +1,6 @@
 //! Wear of the joints of a run: numbers, checks, and profiles around the pin.
 
+use super::life_section::life_part;
 use super::figure::{Picture, csv_number, name_of};
 use super::number::NumberWriter;
 use super::page::cards;
@@ -33,12 +34,13 @@ pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
     });
     let heads =
         ["Surface", "#Coefficient", "#Friction path of a cycle", "#Volume", "#Greatest depth", "#In the sector from"];
-    let told: Vec<String> = record.wear.iter().flat_map(|wear| wear_sentences(wear, &writer)).collect();
+    let told: Vec<String> = record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), &writer)).collect();
     html! {
         @if let Some(wear) = record.wear.first() { p { (life_words(record, wear, &writer)) } }
         (cards(heads, rows))
         @for sentence in &told { p.quiet { (sentence) } }
         div.orbits { @for wear in &record.wear { (profile_figure(wear, &writer)) } }
+        @if let Some(life) = &record.life { (life_part(record, life)) }
     }
 }
 

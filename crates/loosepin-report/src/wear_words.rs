@@ -33,7 +33,8 @@ pub(super) fn life_words(record: &SimulationRecord, wear: &JointWearRecord, writ
     let turns = record.settings.recorded_turns;
     let turn = if turns == 1.0 { "turn" } else { "turns" };
     let turns = writer.value_trimmed(turns, &SiUnit::NONE);
-    format!("Wear after {cycles} {word} of {turns} {turn}, with the unworn geometry.")
+    let geometry = if record.life.is_some() { "the worn shape acts back" } else { "with the unworn geometry" };
+    format!("Wear after {cycles} {word} of {turns} {turn}, {geometry}.")
 }
 
 /// Where a surface is worn deepest: its sector, as angles from the x axis of the body.
@@ -46,7 +47,9 @@ pub(super) fn deepest_words(surface: &SurfaceWear, writer: &NumberWriter) -> Str
 }
 
 /// The checks of a run's wear, and what is to be known of its numbers; `writer` has the units of [`wear_units`].
-pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> Vec<String> {
+///
+/// With the worn shape (`is_worn`) nothing is said of Hertz's pressure, nor that the shape is unworn.
+pub(super) fn wear_sentences(wear: &JointWearRecord, is_worn: bool, writer: &NumberWriter) -> Vec<String> {
     let (joint, checks) = (&wear.joint, &wear.checks);
     let share = |share: f64| writer.rounded(share.abs(), &SiUnit::NONE, 2, Rounding::Up);
     let mut sentences = Vec::new();
@@ -66,7 +69,7 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
             share(of_sectors)
         ),
     });
-    for surface in &wear.surfaces {
+    for surface in wear.surfaces.iter().filter(|_| !is_worn) {
         if let Some(coarse_m) = surface.coarse_greatest_depth_m.filter(|_| surface.greatest_depth_m > 0.0) {
             let less = writer.percent(1.0 - coarse_m / surface.greatest_depth_m, Rounding::Nearest);
             let word = surface.surface.word();
@@ -76,11 +79,12 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
     if checks.widest_patch_sectors > 0.0 && checks.widest_patch_sectors < LEAST_SECTORS {
         let width = writer.rounded(checks.widest_patch_sectors, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
-            "{joint}: the widest contact lies over {width} sectors. Greatest depths are means over a sector: take more sectors."
+            "{joint}: the widest contact lies over {width} sectors. {}: take more sectors.",
+            if is_worn { "That is too coarse for forces" } else { "Greatest depths are means over a sector" }
         ));
     }
     let half_width = std::f64::consts::PI * checks.widest_patch_sectors / sectors.max(1) as f64;
-    if half_width > WIDE_PATCH {
+    if half_width > WIDE_PATCH && !is_worn {
         let wide = writer.rounded(half_width, &SiUnit::NONE, 2, Rounding::Nearest);
         sentences.push(format!(
             "{joint}: the widest contact has a half-width of {wide} radii. Hertz's pressure is meant for less than {WIDE_PATCH}: \
@@ -94,7 +98,7 @@ pub(super) fn wear_sentences(wear: &JointWearRecord, writer: &NumberWriter) -> V
              spread over half the hole."
         ));
     }
-    if checks.depth_over_clearance.is_finite() && checks.depth_over_clearance > MUCH_WORN {
+    if !is_worn && checks.depth_over_clearance.is_finite() && checks.depth_over_clearance > MUCH_WORN {
         let worn = writer.percent(checks.depth_over_clearance, Rounding::Nearest);
         sentences.push(format!(
             "{joint}: the depths are {worn} of the radial clearance. The worn shape changes forces and pressure; this is a \

@@ -5,6 +5,7 @@ mod drawing;
 mod measured;
 mod motion_kind;
 mod spectrum;
+mod life;
 mod wear;
 
 use crate::repeat::Repeat;
@@ -17,6 +18,7 @@ pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
+pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use wear::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
@@ -84,6 +86,9 @@ pub struct SimulationRecord {
     /// Wear of the joints that wear; empty, and not written, where there are none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub wear: Vec<JointWearRecord>,
+    /// Wear over the cycles, where the worn shape acts back.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub life: Option<WearLifeRecord>,
     /// How far flexible bodies bend; empty, and not written, where there are none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bending: Vec<BendingRecord>,

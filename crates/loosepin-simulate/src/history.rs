@@ -522,6 +522,7 @@ impl<'a> Recorder<'a> {
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
             wear,
+            life: self.wear.life_record(self.mechanism),
             bending: self.bending.records(self.mechanism),
         };
         Simulation { record, states: self.states, report, failure: None }

@@ -88,5 +88,5 @@ pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spect
 pub use turns::Turns;
 pub use wear::{
     Cycle as WearCycle, Depths, JumpLength, Life, LifePlan, LifePoint, WearProfile, WearRecorder, WearingJoint,
-    life as life_by_jumps, wear_csv, worn_life,
+    life as life_by_jumps, wear_csv, wear_life_csv, wear_profiles_csv, worn_life,
 };

@@ -7,9 +7,10 @@ use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings,
-    Step, WearRecorder, Window, conduct,
+    LifePlan, Step, WearRecorder, Window, conduct, worn_life,
 };
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 impl StudyResponse {
@@ -53,7 +54,7 @@ impl StudyResponse {
         epistemic: &[f64],
     ) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
-        let sample = Sample::new(mechanism, &values)?;
+        let mut sample = Sample::new(mechanism, &values)?;
         let input = mechanism.model.input(self.span, &values);
         let window = window(&input, self.transient_turns, self.recorded_turns)?;
         let turn_s = (window.end_s - window.start_s) / self.recorded_turns;
@@ -67,7 +68,14 @@ impl StudyResponse {
         };
         let followed = self.shared.followed(curve.clone(), &window, turn_s);
         let references = References { own, curve, nominal, nominal_window: self.nominal_window };
-        let wear = self.shared.needs_wear.then(|| WearRecorder::new(mechanism, &values));
+        // The row is that of the last cycle; where the worn shape acts back, those before it are run here.
+        let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
+        let life = LifePlan { values: &values, window, turns: self.recorded_turns, settings: &settings };
+        let life = worn_life(mechanism, &mut sample, &life, &AtomicBool::new(false))?;
+        let mut wear = self.shared.needs_wear.then(|| WearRecorder::new(mechanism, &values));
+        if let Some(wear) = &mut wear {
+            wear.life = life;
+        }
         let recorder = Recorder::new(&self.shared, (arms.clone(), wear), references, &window, turn_s);
         let contacts = sample
             .plays
@@ -117,6 +125,10 @@ impl StudyResponse {
         run.recorder.finish(report);
         if let Some(failure) = run.recorder.failure.take() {
             return Err(failure.into());
+        }
+        if let Some(joint) = run.recorder.wear_not_finite() {
+            let joint = self.mechanism().model.joints[joint.0].name.clone();
+            return Err(RunFailure::WearNotFinite { joint });
         }
         let change = run.recorder.change_over_last_turn(self.mechanism().size_m);
         let joint = |(play, contact): (&PlaySummary, &ContactNumbers)| JointExtras {

@@ -13,7 +13,7 @@ use loosepin_result::study::PathError;
 use loosepin_simulate::{
     Arms, DeviationRange, Follow, FollowedDeviation, FollowedPath, FollowedRun, FreeMotion, GAUSS, IdealCurve,
     IdealReference, Observer, Reading, RunReport, Step, WearRecorder, Window, extremes_within, path_error,
-    points_within, wear_value,
+    points_within,
 };
 use std::sync::Arc;
 
@@ -312,15 +312,23 @@ impl<'r> Recorder<'r> {
 
     /// The wear of a joint.
     fn wear_value(&self, joint: JointId, measure: WearMeasure, report: &RunReport) -> f64 {
-        let Some(wear) = &self.wear else { return f64::NAN };
-        let place = wear.joints.iter().position(|own| own.joint == joint);
-        place.map_or(f64::NAN, |place| wear_value(&wear.joints[place], measure, report, Some(&wear.profiles[place])))
+        self.wear.as_ref().map_or(f64::NAN, |wear| wear.value(joint, measure, report))
+    }
+
+    /// The joint of a column of wear that is no finite number.
+    pub fn wear_not_finite(&self) -> Option<JointId> {
+        self.shared.origins.iter().zip(&self.values).find_map(|(origin, value)| match *origin {
+            Origin::Wear { joint, .. } if !value.is_finite() => Some(joint),
+            _ => None,
+        })
     }
 
     /// Whether every step is looked at for wear: for depths, and of an ideal joint for its friction path too.
     fn looks_for_wear(&self) -> bool {
         let has_ideal = |wear: &WearRecorder| wear.joints.iter().any(|joint| joint.play.is_none());
-        self.wear.as_ref().is_some_and(|wear| self.shared.needs_depths || has_ideal(wear))
+        // With the worn shape all of it is known before the run.
+        let looks = |wear: &WearRecorder| wear.life.is_none() && (self.shared.needs_depths || has_ideal(wear));
+        self.wear.as_ref().is_some_and(looks)
     }
 
     /// A part of the error of a point whose coordinates are the readings `own`, and which is at `actual`, at a share of the recorded part.

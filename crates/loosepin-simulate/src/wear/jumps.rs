@@ -186,3 +186,91 @@ impl Life {
         Some((bracket[0] + share * (bracket[1] - bracket[0]), bracket))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Cycle, Depths, JumpLength, Life, life};
+    use crate::failure::RunFailure;
+
+    /// Growth over h where the pressure falls with the depth: dh/dN = r_s (d_s - h), h = d_s (1 - exp(-r_s N)).
+    const RATES: [f64; 3] = [1e-3, 4e-4, 2.5e-3];
+    const ENDS_M: [f64; 3] = [8e-6, 5e-6, 3e-6];
+    const CYCLES: f64 = 900.0;
+
+    fn relaxing(depths_m: &Depths) -> Result<Cycle, RunFailure> {
+        let growth_m: Vec<f64> = (0..3).map(|k| RATES[k] * (ENDS_M[k] - depths_m[0][0][k])).collect();
+        Ok(Cycle {
+            paths_j: vec![growth_m.iter().sum::<f64>() / 1e-14],
+            growth_m: vec![[growth_m, vec![0.0; 3]]],
+            stable_cycles: 1.0 / RATES[2],
+            noise: 0.0,
+            deviations_si: vec![1e-4 + depths_m[0][0][0]],
+            clearances_m: vec![[1e-4; 2]],
+            patch_sectors: vec![3.0],
+        })
+    }
+
+    fn run(length: JumpLength) -> Life {
+        life(CYCLES, length, vec![[vec![0.0; 3], vec![0.0; 3]]], &mut relaxing).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    fn error_m(life: &Life) -> f64 {
+        let exact_m = |k: usize| ENDS_M[k] * (1.0 - (-RATES[k] * CYCLES).exp());
+        (0..3).map(|k| (life.last().depths_m[0][0][k] - exact_m(k)).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn analytic_equal_jumps_are_of_second_order_and_their_weights_give_the_path() {
+        let errors_m = [8, 16, 32, 64].map(|count| {
+            let life = run(JumpLength::Equal(count));
+            assert_eq!((life.points.len(), life.runs, life.last().cycles), (count + 1, 2 * count + 1, CYCLES));
+            let sum_m: f64 = life.last().depths_m[0][0].iter().sum();
+            assert!((1e-14 * life.paths_j[0] / sum_m - 1.0).abs() < 1e-13);
+            error_m(&life)
+        });
+        for pair in errors_m.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((1.95..2.4).contains(&order), "{order} {errors_m:?}");
+        }
+    }
+
+    #[test]
+    fn analytic_controlled_jumps_keep_their_error_and_converge() {
+        let mut before_m = f64::INFINITY;
+        for tolerance_m in [1e-7, 1e-8, 1e-9] {
+            let life = run(JumpLength::Controlled { tolerance_m });
+            assert!(life.largest_error_m <= tolerance_m && life.longest_over_stable <= 1.0, "{life:?}");
+            assert_eq!(life.last().cycles, CYCLES);
+            // Heun's error is far below the estimate, which is that of Euler's method.
+            assert!(error_m(&life) < tolerance_m && error_m(&life) < 0.3 * before_m, "{}", error_m(&life));
+            before_m = error_m(&life);
+        }
+    }
+
+    #[test]
+    fn identity_noise_does_not_shorten_jumps() {
+        let mut sign = 1.0;
+        let mut noisy = |depths_m: &Depths| {
+            sign = -sign;
+            let mut cycle = relaxing(depths_m)?;
+            cycle.growth_m[0][0].iter_mut().for_each(|growth_m| *growth_m *= 1.0 + 0.02 * sign);
+            cycle.noise = 0.05;
+            Ok(cycle)
+        };
+        let start = vec![[vec![0.0; 3], vec![0.0; 3]]];
+        let length = JumpLength::Controlled { tolerance_m: 1e-11 };
+        let life = life(CYCLES, length, start, &mut noisy).unwrap_or_else(|e| panic!("{e}"));
+        assert!(life.points.len() < 40 && life.largest_noise_m > 1e-8, "{}", life.points.len());
+    }
+
+    #[test]
+    fn analytic_a_life_ends_between_two_jumps() {
+        let life = run(JumpLength::Equal(64));
+        // 1e-4 + h_0 passes 1.02e-4 where exp(-N/1000) = 3/4.
+        let (cycles, [from, to]) = life.until(0, 1.02e-4).expect("it ends");
+        assert!((cycles - 1000.0 * (4.0_f64 / 3.0).ln()).abs() < 0.1, "{cycles}");
+        assert!(from < cycles && cycles < to && (to - from - CYCLES / 64.0).abs() < 1e-9);
+        assert_eq!(life.until(0, 2e-4), None);
+        assert_eq!(life.until(0, 0.9e-4), Some((0.0, [0.0; 2])));
+    }
+}

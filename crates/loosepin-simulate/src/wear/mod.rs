@@ -4,12 +4,14 @@
 mod joint;
 mod jumps;
 mod life;
+mod life_record;
 mod profile;
 mod recorder;
 mod result;
 
 pub use joint::WearingJoint;
 pub use jumps::{Cycle, Depths, JumpLength, Life, LifePoint, life};
+pub use life_record::{wear_life_csv, wear_profiles_csv};
 pub use life::{LifePlan, worn_life};
 pub use profile::WearProfile;
 pub use recorder::WearRecorder;

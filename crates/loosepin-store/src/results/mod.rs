@@ -35,3 +35,7 @@ pub const IMPACTS_FILE: &str = "impacts.csv";
 pub const SPECTRUM_FILE: &str = "spectrum.csv";
 /// Name of the file with one sector of a worn surface a row.
 pub const WEAR_FILE: &str = "wear.csv";
+/// Wear over the cycles, and deviations of the outputs.
+pub const WEAR_LIFE_FILE: &str = "wear_life.csv";
+/// Depths of all sectors over the cycles.
+pub const WEAR_PROFILES_FILE: &str = "wear_profiles.csv";

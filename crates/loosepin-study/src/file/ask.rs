@@ -12,7 +12,7 @@ use super::words::{
 use crate::outputs::{COMPONENTS, Seen, StudyOutput};
 use crate::runs::named_angle_rad;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_mechanics::model::OutputKind;
+use loosepin_mechanics::model::{OutputKind, WearMeasure};
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
 use loosepin_text::document::{Entry, Reader, Table, Written};
@@ -175,7 +175,10 @@ impl StudyReader {
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
-        if self.is_wear(Some(output)) && !(location == Where::Cycle && matches!(limit, Limit::Below(_))) {
+        // A life is to be long, everything else of wear small.
+        let is_life = matches!(self.outputs[output].seen, Seen::Wear(_, WearMeasure::Life));
+        let is_on_its_side = if is_life { matches!(limit, Limit::Above(_)) } else { matches!(limit, Limit::Below(_)) };
+        if self.is_wear(Some(output)) && !(location == Where::Cycle && is_on_its_side) {
             let problem = StudyProblem::LimitOfWear { entry: table.path.describe() };
             return self.refused(&problem, table.span);
         }

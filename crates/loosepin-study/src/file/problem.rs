@@ -208,7 +208,7 @@ problems! {
             hint("wear grows through the recorded part: its maximum is the wear after all cycles");
         /// A requirement of wear that is no upper limit.
         LimitOfWear { entry: String } => Code::AskNotPossible,
-            says("{entry}: wear has an upper limit over the cycle only"),
+            says("{entry}: wear has an upper limit over the cycle only, and a life a lower one"),
             hint("write over = \"cycle\" and below = \"0.2 mm^3\"");
         /// The same question again.
         AskedTwice { entry: String, what: String } => Code::AskNotPossible,

@@ -129,6 +129,7 @@ pub fn worn_pin() -> SimulationRecord {
         quasi_static_check: Vec::new(),
         measured: Vec::new(),
         wear: Vec::new(),
+        life: None,
         bending: Vec::new(),
         time_s,
     }
