@@ -168,8 +168,8 @@ pub struct SimulateArguments {
 #[derive(Debug, Clone, Args)]
 #[command(
     after_help = "Needs a joint with [joint.NAME.wear] in the model. Shows the friction path of a cycle, and worn volumes and \
-    greatest depths after the cycles of [wear], with the unworn geometry. Makes the same run and files as loosepin simulate; wear.csv \
-    holds the depth of every sector.\n\n\
+    greatest depths after the cycles of [wear]: with the unworn geometry, or over the cycles where geometry = \"worn\". Makes the same \
+    run and files as loosepin simulate; wear.csv holds the depth of every sector.\n\n\
     Examples:\n  loosepin wear model.toml\n  loosepin wear model.toml --set wear.cycles=1e6 --turns 4"
 )]
 pub struct WearArguments {

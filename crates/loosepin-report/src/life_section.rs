@@ -216,12 +216,7 @@ fn outline(surface: &SurfaceLifeRecord, row: usize, per_m: f64) -> String {
     for (sector, depth_m) in depths_m.iter().enumerate() {
         let worn = radius(surface.surface) + sign * depth_m * per_m;
         let (sine, cosine) = ((sector as f64 + 0.5) * TAU / depths_m.len() as f64).sin_cos();
-        path.push_str(&format!(
-            "{}{:.1} {:.1}",
-            if path.is_empty() { "M" } else { "L" },
-            worn * cosine,
-            worn * sine
-        ));
+        path.push_str(&format!("{}{:.1} {:.1}", if path.is_empty() { "M" } else { "L" }, worn * cosine, worn * sine));
     }
     path + "Z"
 }

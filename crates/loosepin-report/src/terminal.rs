@@ -7,6 +7,7 @@ use super::answer::{answer, treatment_sentences, verdict_headline};
 use super::bound_words::{bound_error, bound_value};
 use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
+use super::life_section::{life_sentences, life_table};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
@@ -14,7 +15,6 @@ use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
-use super::life_section::{life_sentences, life_table};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,

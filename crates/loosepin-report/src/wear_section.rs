@@ -1,7 +1,7 @@
 //! Wear of the joints of a run: numbers, checks, and profiles around the pin.
 
-use super::life_section::life_part;
 use super::figure::{Picture, csv_number, name_of};
+use super::life_section::life_part;
 use super::number::NumberWriter;
 use super::page::cards;
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
@@ -34,7 +34,8 @@ pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
     });
     let heads =
         ["Surface", "#Coefficient", "#Friction path of a cycle", "#Volume", "#Greatest depth", "#In the sector from"];
-    let told: Vec<String> = record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), &writer)).collect();
+    let told: Vec<String> =
+        record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), &writer)).collect();
     html! {
         @if let Some(wear) = record.wear.first() { p { (life_words(record, wear, &writer)) } }
         (cards(heads, rows))

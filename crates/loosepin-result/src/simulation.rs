@@ -2,10 +2,10 @@
 
 mod control;
 mod drawing;
+mod life;
 mod measured;
 mod motion_kind;
 mod spectrum;
-mod life;
 mod wear;
 
 use crate::repeat::Repeat;
@@ -14,11 +14,11 @@ pub use drawing::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
     JournalOrbit, PointReference, PoseTable,
 };
+pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
-pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use wear::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};

@@ -26,8 +26,7 @@ use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
-    JournalOrbit,
-    OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
+    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
 };
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;

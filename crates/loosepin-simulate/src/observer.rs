@@ -152,7 +152,11 @@ impl<'a> Step<'_, 'a> {
         let foundation = dynamics.sample().plays[play].foundation.clone()?;
         let motion = foundation_motion(&dynamics.plays()[play]);
         let (Source::Integrated { view, .. } | Source::Kinematic { motion: view, .. }) = &self.source;
-        Some(FoundationAt { foundation, motion, inverse_impact_speed_s_m: view.states[contact].inverse_impact_speed_s_m })
+        Some(FoundationAt {
+            foundation,
+            motion,
+            inverse_impact_speed_s_m: view.states[contact].inverse_impact_speed_s_m,
+        })
     }
 
     /// Where the step ends, for another run to go on from; none where the motion is solved instead of integrated.

@@ -6,8 +6,8 @@ use super::recorder::{Recorder, References};
 use super::response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
-    Arms, Execution, IdealCurve, IdealReference, Observer, PlaySummary, Queue, Run, RunFailure, RunReport, Settings,
-    LifePlan, Step, WearRecorder, Window, conduct, worn_life,
+    Arms, Execution, IdealCurve, IdealReference, LifePlan, Observer, PlaySummary, Queue, Run, RunFailure, RunReport,
+    Settings, Step, WearRecorder, Window, conduct, worn_life,
 };
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;

@@ -13,7 +13,9 @@ use loosepin_result::simulation::{Override, SimulationRecord};
 use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
 use loosepin_simulate::measured::{MeasuredTable, lay_over};
-use loosepin_simulate::{Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv, wear_profiles_csv};
+use loosepin_simulate::{
+    Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv, wear_profiles_csv,
+};
 use loosepin_store::results::{
     HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
     WEAR_FILE, WEAR_LIFE_FILE, WEAR_PROFILES_FILE,

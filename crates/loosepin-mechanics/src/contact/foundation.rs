@@ -317,9 +317,7 @@ impl Foundation {
         let [spin_i, spin_j] = motion.spins_rad_s;
         let [slope, bend] = deepest.journal_slopes;
         let across_m = motion.eccentricity_m.dot(tangent);
-        acceleration_m_s2.dot(normal)
-            + 2.0 * spin_i * motion.rate_m_s.dot(tangent)
-            + change_i * across_m
+        acceleration_m_s2.dot(normal) + 2.0 * spin_i * motion.rate_m_s.dot(tangent) + change_i * across_m
             - spin_i * spin_i * motion.eccentricity_m.dot(normal)
             - bend * (spin_i - spin_j) * (spin_i - spin_j)
             - slope * (change_i - change_j)
@@ -347,8 +345,6 @@ impl Foundation {
         self.normals.iter().map(reach_m).fold([f64::INFINITY, 0.0], |[low, high], own| [low.min(own), high.max(own)])
     }
 }
-
-
 
 #[cfg(test)]
 mod tests;

@@ -53,11 +53,7 @@ pub(super) fn stored_energy_j<T: Real>(motion: &PlayMotion<T>, foundation: &Foun
 
 /// The force of all sectors, zero in flight.
 #[inline(never)]
-pub(super) fn force<T: Real>(
-    motion: &PlayMotion<T>,
-    foundation: &Foundation,
-    state: &PlayState<T>,
-) -> ContactForce<T> {
+pub(super) fn force<T: Real>(motion: &PlayMotion<T>, foundation: &Foundation, state: &PlayState<T>) -> ContactForce<T> {
     let own = foundation_motion(motion);
     let is_closed = state.contact.to_f64() > 0.0;
     let inverse_impact_speed_s_m = state.inverse_impact_speed_s_m.to_f64();

@@ -16,8 +16,8 @@ use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
 use crate::contact::{
-    Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw, PointContact,
-    compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
+    Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw,
+    PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
     restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
 use crate::model::{Clearance, Contact, JointId, JointKind, PlayId, QuantityId, SlidingVelocity, Stiffness, Values};

@@ -11,7 +11,7 @@ use super::load::Load;
 use super::output::Output;
 use super::quantity::{QuantityId, QuantityTable};
 use super::spring::Spring;
-use super::wear::{JointWear, WearLife};
+use super::wear::{JointWear, WearGeometry, WearLife};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -65,6 +65,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// Whether the worn shape of joints acts back.
+    pub fn has_worn_geometry(&self) -> bool {
+        self.wear.is_some_and(|life| life.geometry != WearGeometry::Fixed)
+    }
+
     /// How numbers are shown to people: as usual, but those of the dimension of an output in the unit that it states; of several
     /// outputs of a dimension the first one that states another unit than the usual one decides.
     pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {

@@ -1,7 +1,6 @@
 //! Wear of joints by Archard's law.
 
 use super::quantity::QuantityId;
-use super::topology::Model;
 use loosepin_text::units::Dimension;
 
 /// Wear of a revolute joint: dV = k F_N |v_T| dt on each surface.
@@ -148,12 +147,5 @@ impl WearMeasure {
     /// Whether it needs the depths of all sectors, not the friction path alone.
     pub const fn is_depth(self) -> bool {
         matches!(self, Self::BearingDepth | Self::JournalDepth)
-    }
-}
-
-impl Model {
-    /// Whether the worn shape of joints acts back.
-    pub fn has_worn_geometry(&self) -> bool {
-        self.wear.is_some_and(|life| life.geometry != WearGeometry::Fixed)
     }
 }

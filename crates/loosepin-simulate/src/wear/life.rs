@@ -130,19 +130,24 @@ fn run_cycle(
         let coefficients = joint.coefficients_m2_n.iter().flatten().sum::<f64>();
         stiffening = stiffening.max(coefficients * foundation.stiffness_pa_m * slid_m);
         let [least_rad, most_rad] = profile.turns_rad;
-        let turn_rad =
-            |k: usize| if least_rad < most_rad { least_rad + (most_rad - least_rad) * k as f64 / (TURNS - 1) as f64 } else { 0.0 };
+        let turn_rad = |k: usize| {
+            if least_rad < most_rad { least_rad + (most_rad - least_rad) * k as f64 / (TURNS - 1) as f64 } else { 0.0 }
+        };
         let ranges = (0..TURNS).map(|k| foundation.effective_clearances_m(turn_rad(k)));
         let range = ranges.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], own| [low.min(own[0]), high.max(own[1])]);
         cycle.clearances_m.push(range);
-        cycle.patch_sectors.push(2.0 * profile.widest_m / (joint.radii_m[0] * std::f64::consts::TAU / joint.sectors as f64));
+        cycle
+            .patch_sectors
+            .push(2.0 * profile.widest_m / (joint.radii_m[0] * std::f64::consts::TAU / joint.sectors as f64));
     }
     if stiffening > 0.0 {
         cycle.stable_cycles = 1.0 / stiffening;
     }
-    if let Some(index) = joints.iter().zip(&cycle.growth_m).position(|(_, growth_m)| {
-        growth_m.iter().flatten().any(|growth_m| !growth_m.is_finite())
-    }) {
+    if let Some(index) = joints
+        .iter()
+        .zip(&cycle.growth_m)
+        .position(|(_, growth_m)| growth_m.iter().flatten().any(|growth_m| !growth_m.is_finite()))
+    {
         return Err(RunFailure::WearNotFinite { joint: mechanism.model.joints[joints[index].joint.0].name.clone() });
     }
     Ok(cycle)

@@ -11,8 +11,8 @@ mod result;
 
 pub use joint::WearingJoint;
 pub use jumps::{Cycle, Depths, JumpLength, Life, LifePoint, life};
-pub use life_record::{wear_life_csv, wear_profiles_csv};
 pub use life::{LifePlan, worn_life};
+pub use life_record::{wear_life_csv, wear_profiles_csv};
 pub use profile::WearProfile;
 pub use recorder::WearRecorder;
 pub use result::wear_csv;

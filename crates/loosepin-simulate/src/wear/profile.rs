@@ -40,7 +40,14 @@ impl WearProfile {
     /// Nothing worn.
     pub fn new(joint: &WearingJoint) -> Self {
         let none = vec![0.0; joint.sectors];
-        Self { path_j: [none.clone(), none], total_j: 0.0, capped_j: 0.0, widest_m: 0.0, slid_m: vec![0.0; joint.sectors], turns_rad: [f64::INFINITY, f64::NEG_INFINITY] }
+        Self {
+            path_j: [none.clone(), none],
+            total_j: 0.0,
+            capped_j: 0.0,
+            widest_m: 0.0,
+            slid_m: vec![0.0; joint.sectors],
+            turns_rad: [f64::INFINITY, f64::NEG_INFINITY],
+        }
     }
 
     /// Takes in the load of an elastic foundation that stands for `weight_s`: each sector of the bearing its own, and the journal's

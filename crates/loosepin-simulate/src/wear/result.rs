@@ -138,8 +138,9 @@ impl WearRecorder {
                 None => joint.record(name, report, profile),
             };
             let surfaces = record.surfaces.iter();
-            let is_finite =
-                surfaces.clone().all(|own| own.volume_m3.is_finite() && own.depth_m.iter().all(|depth| depth.is_finite()));
+            let is_finite = surfaces
+                .clone()
+                .all(|own| own.volume_m3.is_finite() && own.depth_m.iter().all(|depth| depth.is_finite()));
             if is_finite { Ok(record) } else { Err(RunFailure::WearNotFinite { joint: name.to_owned() }) }
         });
         records.collect()

@@ -1,12 +1,14 @@
 //! Wear of joints, and for how long it is stated.
 
 use super::reader::ModelReader;
+use crate::contact::{FrictionLaw, NormalDescription};
 use crate::model::keys::wear::{JOINT_WEAR_KEYS, LIFE_KEYS, SURFACE_KEYS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::topology::{Clearance, SlidingVelocity, Stiffness};
-use crate::contact::{FrictionLaw, NormalDescription};
-use crate::model::wear::{FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure};
+use crate::model::wear::{
+    FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
+};
 use crate::model::{Contact, JointKind, Output, OutputKind};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Op, Rule};
@@ -66,7 +68,13 @@ impl ModelReader {
         }
         let coefficients: [Option<QuantityId>; 2] = coefficients?.try_into().ok()?;
         let bearing_length_m = clearance.bearing_length_m?;
-        Some(Some(JointWear { coefficients_m2_n: coefficients, bearing_length_m, sectors, pressure, foundation: foundation? }))
+        Some(Some(JointWear {
+            coefficients_m2_n: coefficients,
+            bearing_length_m,
+            sectors,
+            pressure,
+            foundation: foundation?,
+        }))
     }
 
     /// The wear coefficient of a surface: as written, or Archard's number over the hardness.
@@ -96,8 +104,8 @@ impl ModelReader {
                 let table = self.reader.table(&entry, &LIFE_KEYS)?;
                 self.remember(&entry);
                 self.uses_life = wears;
-                let is_worn = self.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
                 let cycles = self.quantity_or(&table, "cycles", 1.0);
+                let is_worn = self.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
                 let geometry = if is_worn? { self.worn_geometry(&table) } else { self.fixed_geometry(&table) };
                 let limit = self.limit(&table, outputs);
                 (cycles?, geometry?, limit?)

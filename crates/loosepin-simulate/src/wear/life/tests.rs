@@ -100,8 +100,7 @@ impl Observer for Beside {
             let dynamics = step.evaluate(row[0]);
             let (coordinates, rates) = dynamics.free_state();
             let found = [coordinates[1], coordinates[0], rates[1]];
-            for (largest, (found, expected)) in
-                self.largest.iter_mut().zip(found.iter().zip([row[1], row[2], row[3]]))
+            for (largest, (found, expected)) in self.largest.iter_mut().zip(found.iter().zip([row[1], row[2], row[3]]))
             {
                 *largest = largest.max((found - expected).abs());
             }
@@ -159,7 +158,10 @@ fn peer_four_thousand_cycles() {
     println!("{} jumps, {} cycles run, {sectors} sectors", life.points.len() - 1, life.runs);
     println!("volumes {volumes_m3:?} m³ (7.119146e-10, 3.559573e-10)");
     println!("greatest depths {greatest_m:?} m (7.0821e-6, 2.0773e-6)");
-    println!("friction path of the first and the last cycle {:?} {:?} J (8.80006664, 8.98343)", life.points[0].cycle.paths_j, last.cycle.paths_j);
+    println!(
+        "friction path of the first and the last cycle {:?} {:?} J (8.80006664, 8.98343)",
+        life.points[0].cycle.paths_j, last.cycle.paths_j
+    );
     println!("error of a jump {:e} m, longest over N_s {:.2}", life.largest_error_m, life.longest_over_stable);
     let mut off_m = [0.0_f64; 2];
     let profile = rows(PROFILE);
