@@ -264,7 +264,6 @@ fn push_life(text: &mut String, life: &WearLifeRecord, writer: &NumberWriter) {
     rows.into_iter().for_each(|row| {
         table.add_row(row);
     });
-    text.push('\n');
     push_table(text, &table);
     for sentence in life_sentences(life, writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
