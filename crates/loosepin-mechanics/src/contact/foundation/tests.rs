@@ -68,8 +68,10 @@ fn identity_sums_over_sectors_converge_and_a_worn_joint_without_depth_is_the_unw
         (0..97).map(|k| of(k).abs()).fold(0.0, f64::max)
     };
     let errors = [45, 90, 180, 360].map(error);
-    for pair in errors.windows(2) {
-        assert!(pair[0] > 3.0 * pair[1], "{errors:?}");
+    // Where the edge of the patch lies in its sector moves the error by a bounded factor: over a fourfold refinement second order
+    // gives 16, first order 4.
+    for k in [0, 1] {
+        assert!(errors[k] > 8.0 * errors[k + 2], "{errors:?}");
     }
     let (foundation, none) = (steel(180, 0.0), [0.0; 180]);
     let again = foundation.worn([&none, &none]);
