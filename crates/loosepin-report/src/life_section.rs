@@ -63,7 +63,7 @@ pub(super) fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Ve
         let cycles = |cycles: f64| writer.value_trimmed(cycles.round(), &SiUnit::NONE);
         let all = life.cycles.last().copied().unwrap_or(0.0);
         sentences.push(match (limit.cycles, limit.between) {
-            (Some(_), Some([_, to])) if to == 0.0 => {
+            (Some(_), Some([_, 0.0])) => {
                 format!("Life: none. The largest deviation of {output} is beyond {most} without wear.")
             }
             (Some(own), Some([from, to])) => format!(
