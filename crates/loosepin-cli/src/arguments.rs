@@ -433,13 +433,14 @@ pub struct ExportArguments {
     pub force: bool,
 }
 
-/// Bound the play in joints from readings of a backlash test
+/// Bound the play in joints from readings of a backlash test, or unknowns from a measured motion
 #[derive(Debug, Args)]
 #[command(
     after_help = "The study has [[measured]] tables: with the drives locked an output is pushed to and fro, and its dead travel is read. \
-    Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most.\n\n\
+    Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most. \
+    Tables of kind = \"motion\" hold features of a motion: prints which values of all inputs under [epistemic] are consistent with them.\n\n\
     Exit status: 0 the readings are explained; 1 no values of the plays explain them; 2 error.\n\n\
-    Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml"
+    Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml\n  loosepin identify study.toml --plan"
 )]
 pub struct IdentifyArguments {
     /// Study file with [[measured]] tables
@@ -454,6 +455,15 @@ pub struct IdentifyArguments {
     /// Probability with which all bounds of a specimen hold together
     #[arg(long, value_name = "SHARE", default_value = "0.99", value_parser = share)]
     pub confidence: f64,
+    /// Say what features of the motion would tell, before anything is measured
+    #[arg(long, conflicts_with = "write")]
+    pub plan: bool,
+    /// Values of the unknowns at which a motion is tested, about at most
+    #[arg(long, value_name = "N", default_value = "400", value_parser = points)]
+    pub points: usize,
+    /// Number of threads for the runs of a motion, 1 to 1024 [default: all of the machine]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
+    pub threads: Option<u32>,
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
@@ -521,6 +531,14 @@ fn recorded_turns(text: &str) -> Result<f64, String> {
 
 fn transient_turns(text: &str) -> Result<f64, String> {
     number(text, Rule::Turns)
+}
+
+/// A number of points.
+fn points(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        Ok(points) if (1..=1_000_000).contains(&points) => Ok(points),
+        _ => Err("must be a whole number from 1 to 1000000".to_owned()),
+    }
 }
 
 fn share(text: &str) -> Result<f64, String> {

@@ -7,6 +7,7 @@ use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
 use super::misfit::misfit;
+use super::motion::{MotionValues, identify_motion};
 use super::rig::Rig;
 use super::states::States;
 use loosepin_result::identification::{
@@ -19,6 +20,9 @@ use loosepin_uncertainty::{normal_quantile, student_factor};
 
 /// Confidence of all bounds together, where none is stated.
 pub const CONFIDENCE: f64 = 0.99;
+
+/// Values of the unknowns at which a motion is tested, about at most, where no number is stated.
+pub const POINTS: usize = 400;
 
 /// Boxes of the plays, each smaller than the one before, at most.
 const ROUNDS: usize = 6;
@@ -37,11 +41,15 @@ pub struct Options {
     pub specimen: Option<String>,
     /// Whether the reading that would narrow most is looked for (default: yes).
     pub looks_further: bool,
+    /// Values of the unknowns at which a motion is tested, about at most (default: 400).
+    pub points: usize,
+    /// Number of threads that runs of a motion are made on (default: all).
+    pub threads: usize,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { confidence: CONFIDENCE, specimen: None, looks_further: true }
+        Self { confidence: CONFIDENCE, specimen: None, looks_further: true, points: POINTS, threads: 0 }
     }
 }
 
@@ -54,11 +62,26 @@ pub fn identify(study: &Study, options: &Options) -> Result<Identification, Comp
     if !(0.5..1.0).contains(&confidence) {
         return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
     }
-    if study.measured.is_empty() {
+    if study.measured.is_empty() && study.motion.is_empty() {
         let place = Place::new(study.source(), 0..0);
         return Err(Complaint::error(&IdentifyProblem::NoReadings, Some(place)).into());
     }
-    let specimens = specimens(study, options)?;
+    let wanted = specimens(study, options)?;
+    let asked = MotionValues { confidence, points: options.points, threads: options.threads };
+    let motion = identify_motion(study, options.specimen.as_ref(), &asked)?;
+    let answer = |random_inputs, specimens| Identification {
+        study: study.name.clone(),
+        model: study.model.name.clone(),
+        version: loosepin_text::VERSION.to_owned(),
+        confidence,
+        random_inputs,
+        display_units: study.model.shown_in(DisplayUnits::default()),
+        specimens,
+        motion,
+    };
+    if study.measured.is_empty() {
+        return Ok(answer(Vec::new(), Vec::new()));
+    }
     let has_scatter = |reading: &&Measured| reading.scatter != ReadingScatter::Known(0.0);
     let scattering = study.measured.iter().filter(has_scatter).count();
     // What may go wrong is shared between random inputs and readings, and among each of them evenly (Bonferroni's inequality).
@@ -70,23 +93,13 @@ pub fn identify(study: &Study, options: &Options) -> Result<Identification, Comp
         let scattering = readings.iter().copied().filter(|reading| has_scatter(reading)).count();
         of_readings(&rig, name, &readings, share / scattering.max(1) as f64, options.looks_further)
     };
-    let specimens = specimens.iter().map(of_specimen).collect::<Result<_, Complaints>>()?;
-    let random = rig.others.iter().filter(|other| other.is_random);
-    Ok(Identification {
-        study: study.name.clone(),
-        model: study.model.name.clone(),
-        version: loosepin_text::VERSION.to_owned(),
-        confidence,
-        random_inputs: random
-            .map(|other| InputRange {
-                path: other.path.clone(),
-                unit: other.unit.clone(),
-                interval_si: other.interval_si,
-            })
-            .collect(),
-        display_units: study.model.shown_in(DisplayUnits::default()),
-        specimens,
-    })
+    let specimens = wanted.iter().map(of_specimen).collect::<Result<_, Complaints>>()?;
+    let random = rig.others.iter().filter(|other| other.is_random).map(|other| InputRange {
+        path: other.path.clone(),
+        unit: other.unit.clone(),
+        interval_si: other.interval_si,
+    });
+    Ok(answer(random.collect(), specimens))
 }
 
 /// The specimens of the readings, in the order of the file, or the one that is asked for.
@@ -98,6 +111,10 @@ fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Co
         }
     }
     let Some(wanted) = &options.specimen else { return Ok(found) };
+    let of_motion = study.motion.iter().map(|feature| &feature.specimen);
+    if of_motion.flatten().any(|known| known == wanted) && !found.iter().flatten().any(|known| known == wanted) {
+        return Ok(Vec::new());
+    }
     if found.iter().flatten().any(|known| known == wanted) {
         return Ok(vec![Some(wanted.clone())]);
     }

@@ -50,11 +50,24 @@ problems! {
         SeveralSpecimens { found: usize } => Code::AskNotPossible,
             says("the readings are of {found} specimens; a study is narrowed to one of them"),
             hint("name it: --specimen NAME");
+        Contradiction { path: String } => Code::AskNotPossible,
+            says("the dead travels and the motion leave no value of '{path}' in common"),
+            hint("no study is narrowed by what contradicts itself");
         NoJson { reason: String } => Code::ResultNotStorable,
             says("the result has no form in JSON: {reason}");
         LiftOff { play: String } => Code::NoQuasiStaticAnswer,
             says("{play} may lift off its cam, and goes then as far as it is pushed"),
             hint("hold the follower with a groove, which has backlash");
+        Unknowns { found: usize, most: usize } => Code::NothingUncertain,
+            says("the study has {found} inputs under [epistemic]; an identification from motion needs 1 to {most}"),
+            hint("name what is to be identified, with its interval; give everything else a value or a distribution");
+        NotMeasured { feature: String } => Code::AskNotPossible,
+            says("'{feature}' has no value"),
+            hint("write value = ... or file = ..., or ask with --plan what it would tell");
+        NoRuns { reason: String } => Code::AskNotPossible,
+            says("the runs cannot be made: {reason}");
+        MotionConfidence { found: f64 } => Code::BadProbability,
+            says("the confidence is {found}; must be between 0.5 and 0.99998: of a higher one more than 100000 runs at each value would be needed");
         Confidence { found: f64 } => Code::BadProbability,
             says("the confidence is {found}; must be between 0.5 and 1, and below 1");
         Locked { reading: String, error: AccuracyError } => error.code(),

@@ -10,13 +10,16 @@ mod influence;
 mod linear_program;
 mod locked;
 mod misfit;
+mod motion;
 mod narrowed;
 mod nominal;
 mod rig;
 mod states;
 mod yielding;
 
-pub use conduct::{CONFIDENCE, Options, identify};
+pub use conduct::{CONFIDENCE, Options, POINTS, identify};
 pub use error::IdentifyProblem;
 pub use loosepin_result::identification as record;
-pub use narrowed::{Narrowed, narrowed, write_narrowed};
+pub use loosepin_result::motion_identification as motion_record;
+pub use motion::{MotionRig, MotionValues, plan_motion};
+pub use narrowed::{Narrowed, known_bounds, narrowed, write_narrowed};

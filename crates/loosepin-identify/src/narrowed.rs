@@ -1,7 +1,7 @@
 //! From the answer back to the input: the study file with narrower intervals.
 
 use super::error::IdentifyProblem;
-use loosepin_result::identification::Consistent;
+use loosepin_result::identification::{Identification, Outcome, PlayBounds};
 use loosepin_study::{Study, number_and_unit};
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::document::parse_toml;
@@ -29,11 +29,11 @@ pub struct Narrowed {
 ///
 /// Ends are rounded outwards. An end that the readings do not narrow stays as it is written, and so does everything that is not stated as
 /// `interval = [...]`.
-pub fn narrowed(study: &Study, known: &Consistent) -> (String, Vec<Narrowed>) {
+pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) {
     let text = study.source().text();
     let mut changes: Vec<(Range<usize>, String)> = Vec::new();
     let mut all = Vec::new();
-    for play in known.plays.iter().filter(|play| play.is_interval) {
+    for play in known.iter().filter(|play| play.is_interval) {
         let Some(written) = written_ends(study, &play.path) else { continue };
         let dimension = study.model.quantities.id(&play.path).map(|id| study.model.quantities[id].dimension);
         let Some(dimension) = dimension else { continue };
@@ -68,6 +68,37 @@ pub fn narrowed(study: &Study, known: &Consistent) -> (String, Vec<Narrowed>) {
     }
     changed.push_str(&text[from..]);
     (changed, all)
+}
+
+/// What is known of the inputs of the one specimen of `answer`: by its dead travels, by its motion, or by both together.
+///
+/// # Errors
+/// Several specimens, or one that nothing explains.
+pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Complaints> {
+    let mut names: Vec<&Option<String>> = answer.specimens.iter().map(|specimen| &specimen.name).collect();
+    names.extend(answer.motion.iter().map(|specimen| &specimen.name));
+    names.dedup();
+    if names.len() != 1 {
+        return Err(Complaints::one(&IdentifyProblem::SeveralSpecimens { found: names.len() }, None));
+    }
+    let mut known: Vec<PlayBounds> = Vec::new();
+    for specimen in &answer.specimens {
+        if let Outcome::Consistent(consistent) = &specimen.outcome {
+            known.extend(consistent.plays.iter().cloned());
+        }
+    }
+    for bounds in answer.motion.iter().flat_map(|specimen| &specimen.unknowns) {
+        let Some(same) = known.iter_mut().find(|same| same.path == bounds.path) else {
+            known.push(bounds.clone());
+            continue;
+        };
+        let both = [same.after_si[0].max(bounds.after_si[0]), same.after_si[1].min(bounds.after_si[1])];
+        if both[0] > both[1] {
+            return Err(Complaints::one(&IdentifyProblem::Contradiction { path: same.path.clone() }, None));
+        }
+        same.after_si = both;
+    }
+    Ok(known)
 }
 
 /// Both ends of `interval` as they are written, with their places.

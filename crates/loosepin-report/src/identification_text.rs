@@ -1,5 +1,6 @@
 //! The answer of an identification for a terminal: readings, plays, sums that are fixed, what to measure next; or the misfit.
 
+use super::motion_identification_text::push_motion;
 use super::number::{NumberWriter, Rounding};
 use super::terminal_table::{push_table, table, wrapped};
 use loosepin_result::identification::{
@@ -25,7 +26,15 @@ pub fn identification_text(answer: &Identification) -> String {
         }
         push_specimen(&mut text, specimen, &writer);
     }
-    text.push('\n');
+    for specimen in &answer.motion {
+        if let Some(name) = &specimen.name {
+            text.push_str(&format!("\nSpecimen {name}, motion\n"));
+        }
+        push_motion(&mut text, specimen, &writer);
+    }
+    if !answer.specimens.is_empty() {
+        text.push('\n');
+    }
     for sentence in grounds(answer, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }
@@ -321,10 +330,17 @@ fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter
 
 /// What the bounds rest on.
 fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
+    let percent = writer.percent(answer.confidence, Rounding::Nearest);
+    let of_motion = || {
+        let scatter = "lengths, independent errors and whatever of the motion the runs do not tell apart";
+        format!("the set of a motion holds the true values with {percent} confidence over {scatter}")
+    };
+    if answer.specimens.is_empty() {
+        return vec![of_motion()];
+    }
     let readings = || answer.specimens.iter().flat_map(|specimen| &specimen.readings);
     let has_scatter = readings().any(|reading| reading.independent_error_si > 0.0);
     let has_random = !answer.random_inputs.is_empty();
-    let percent = writer.percent(answer.confidence, Rounding::Nearest);
     let inputs = counted(answer.random_inputs.len(), "random input");
     let mut words = vec![match (has_scatter, has_random) {
         (false, false) => "all bounds hold for every value within the stated errors".to_owned(),
@@ -341,6 +357,9 @@ fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
          bounds, and doubled; the bounds include it",
         writer.rounded(100.0 * share, &SiUnit::NONE, ERROR_DIGITS, Rounding::Up)
     ));
+    if !answer.motion.is_empty() {
+        words.push(of_motion());
+    }
     if answer.specimens.len() > 1 {
         words.push("each specimen stands for itself: its plays and lengths are its own".to_owned());
     }

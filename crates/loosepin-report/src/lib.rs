@@ -11,7 +11,7 @@
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
-//! | what readings of a rig say of the plays | `identification_text.rs` |
+//! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
@@ -49,6 +49,7 @@ mod mechanism_figure;
 mod mechanism_labels;
 mod mechanism_shapes;
 mod mechanism_signs;
+mod motion_identification_text;
 mod motion_kind_section;
 mod motion_page;
 mod number;
@@ -88,6 +89,7 @@ pub use figure::{Figure, figures};
 pub use identification_text::identification_text;
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
+pub use motion_identification_text::motion_plan_text;
 pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;

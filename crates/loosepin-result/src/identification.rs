@@ -1,5 +1,6 @@
 //! The record of an identification: what readings of a rig say of the plays of a mechanism.
 
+use crate::motion_identification::MotionSpecimen;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 
@@ -19,8 +20,11 @@ pub struct Identification {
     pub random_inputs: Vec<InputRange>,
     /// Units in which it is shown.
     pub display_units: DisplayUnits,
-    /// The specimens, in the order of the file.
+    /// The specimens of backlash tests, in the order of the file.
     pub specimens: Vec<Specimen>,
+    /// The specimens whose motion was measured, in the order of the file.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub motion: Vec<MotionSpecimen>,
 }
 
 /// The interval of an input that is no play.

@@ -5,6 +5,7 @@ pub mod cases;
 pub mod identification;
 pub mod json;
 pub mod motion;
+pub mod motion_identification;
 pub mod repeat;
 pub mod simulation;
 pub mod study;

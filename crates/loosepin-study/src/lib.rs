@@ -48,6 +48,7 @@ pub use loosepin_result::study as result;
 mod run_rows;
 pub mod runs;
 mod runs_table;
+mod sampled_feature;
 mod saved_surrogates;
 mod sheet;
 mod simulate_command;
@@ -64,10 +65,10 @@ pub use error::{StudyError, TooManyFailed};
 pub use export::{ExportError, export_networks};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
-    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredProblem, Push, RandomInput,
-    RandomProblem, RareMethod, ReadingScatter, Reduction, Requirement, Sampling, StatedCorrelation, Study,
-    StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study, signed_parts,
-    study_schema,
+    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredMotion, MeasuredProblem,
+    MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem, RareMethod, ReadingScatter, Reduction,
+    Requirement, SampledFeature, Sampling, StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter,
+    Where, named_model, number_and_unit, says_study, signed_parts, study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::{Foreseen, ForeseenPromise, foresee};
@@ -76,10 +77,12 @@ pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};
 pub use iso_286::FitError;
 pub use memory_at_hand::STATED_BYTES;
+pub use outputs::Seen;
 pub use part::{OpenRound, Part};
 pub use plans::{plan_runs, plan_shards};
 pub use response::MOST_COLUMNS;
 pub use run_rows::RunRows;
+pub use sampled_feature::sampled_feature;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use sheet::Progress;
 pub use single_run::{FinishedRun, run_inputs, run_into, witness_run};

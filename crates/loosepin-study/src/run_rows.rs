@@ -63,6 +63,24 @@ impl RunRows {
         Ok(rows.into_iter().flatten().collect())
     }
 
+    /// Columns of each ask in a row, in the order of the asks.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn asked_columns(&self) -> Result<Vec<Vec<usize>>, StudyError> {
+        let response = self.response(&[])?;
+        Ok(response.shared.plan.asks.iter().map(|planned| planned.columns.clone()).collect())
+    }
+
+    /// Contacts that began in the recorded turns of the run of `row`, for each joint with play.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn contacts(&self, row: &[f64]) -> Result<Vec<f64>, StudyError> {
+        let extras = self.response(&[])?.extras(row);
+        Ok(extras.joints.iter().map(|joint| joint.contacts).collect())
+    }
+
     /// The compiled study with these inputs loosened.
     fn response(&self, loosened: &[(usize, f64)]) -> Result<Arc<StudyResponse>, StudyError> {
         let find = |ready: &[Ready]| {

@@ -1,13 +1,16 @@
 //! `loosepin identify`.
 
-use loosepin::diagnostics::Complaints;
-use loosepin::identify::record::{Consistent, Identification, Outcome};
-use loosepin::identify::{IdentifyProblem, Options, identify, narrowed, write_narrowed};
-use loosepin::report::identification_text;
+use loosepin::identify::record::{Identification, Outcome};
+use loosepin::identify::{
+    IdentifyProblem, MotionValues, Options, identify, known_bounds, narrowed, plan_motion, write_narrowed,
+};
+use loosepin::report::{identification_text, motion_plan_text};
 use loosepin::result::json::to_json;
 use loosepin::study::Study;
+use loosepin::units::DisplayUnits;
 
 use super::inputs::read_study;
+use super::threads::threads;
 use crate::arguments::IdentifyArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -15,16 +18,30 @@ use crate::ending::{Done, Ending, Failure};
 /// Shows what the readings of a study say of its plays, and writes the narrowed study where that is asked for.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
     let study = read_study(&arguments.study)?;
-    let options =
-        Options { confidence: arguments.confidence, specimen: arguments.specimen.clone(), ..Options::default() };
-    let answer = identify(&study, &options)?;
-    let text = if arguments.json {
-        to_json(&answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))?
-    } else {
-        identification_text(&answer)
+    let threads = threads(arguments.threads);
+    if arguments.plan {
+        let asked = MotionValues { confidence: arguments.confidence, points: arguments.points, threads };
+        let plan = plan_motion(&study, &asked)?;
+        let text = if arguments.json {
+            json(&plan)?
+        } else {
+            motion_plan_text(&plan, &study.model.shown_in(DisplayUnits::default()))
+        };
+        console::print(&text)?;
+        return Ok(Done::Well);
+    }
+    let options = Options {
+        confidence: arguments.confidence,
+        specimen: arguments.specimen.clone(),
+        points: arguments.points,
+        threads,
+        ..Options::default()
     };
+    let answer = identify(&study, &options)?;
+    let text = if arguments.json { json(&answer)? } else { identification_text(&answer) };
     console::print(&text)?;
-    let is_misfit = answer.specimens.iter().any(|specimen| matches!(specimen.outcome, Outcome::Misfit(_)));
+    let is_misfit = answer.specimens.iter().any(|specimen| matches!(specimen.outcome, Outcome::Misfit(_)))
+        || answer.motion.iter().any(|specimen| specimen.misfit.is_some());
     if let Some(path) = &arguments.write {
         // What is not explained is no ground for narrowing.
         if is_misfit {
@@ -39,9 +56,13 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
     Ok(if is_misfit { Done::Misfit } else { Done::Well })
 }
 
+fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
+    to_json(answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))
+}
+
 fn write(study: &Study, answer: &Identification, path: &std::path::Path) -> Result<(), Failure> {
-    let known = only_specimen(answer)?;
-    let (text, changes) = narrowed(study, known);
+    let known = known_bounds(answer)?;
+    let (text, changes) = narrowed(study, &known);
     write_narrowed(study, path, &text)?;
     console::message(&format!(
         "wrote {}: {}",
@@ -56,16 +77,4 @@ fn write(study: &Study, answer: &Identification, path: &std::path::Path) -> Resu
         console::message(&console::indented(&format!("{}: {after}, before {before}", change.path)));
     }
     Ok(())
-}
-
-/// The one specimen that a study can be narrowed to.
-fn only_specimen(answer: &Identification) -> Result<&Consistent, Complaints> {
-    let mut known = answer.specimens.iter().filter_map(|specimen| match &specimen.outcome {
-        Outcome::Consistent(known) => Some(known),
-        Outcome::Misfit(_) => None,
-    });
-    match (known.next(), known.next()) {
-        (Some(only), None) => Ok(only),
-        _ => Err(Complaints::one(&IdentifyProblem::SeveralSpecimens { found: answer.specimens.len() }, None)),
-    }
 }

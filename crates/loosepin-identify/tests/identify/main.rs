@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod misfits;
+mod motion;
 mod repetitions;
 mod uncertain;
 mod written;

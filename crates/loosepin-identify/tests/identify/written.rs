@@ -14,7 +14,7 @@ fn identity_a_narrowed_study_differs_in_its_ends_alone() {
     let (model, before) = (text_of("model.toml"), text_of("study.toml"));
     let study_before = study(&model, &before);
     let known = consistent(&study_before);
-    let (after, changes) = narrowed(&study_before, &known);
+    let (after, changes) = narrowed(&study_before, &known.plays);
     assert_eq!(changes.len(), 3);
     for (old, new) in before.lines().zip(after.lines()) {
         let is_end = old.contains("radial_clearance");
@@ -47,7 +47,7 @@ fn analytic_ends_that_the_readings_do_not_prove_stay_as_written() {
     let first = study(&model, &before);
     let known = consistent(&first);
     assert!(known.plays.iter().all(|play| !play.is_identifiable));
-    let (after, changes) = narrowed(&first, &known);
+    let (after, changes) = narrowed(&first, &known.plays);
     // The sum proves an upper end for each, and no lower one.
     assert_eq!(changes.len(), 3);
     for change in &changes {
@@ -59,7 +59,7 @@ fn analytic_ends_that_the_readings_do_not_prove_stay_as_written() {
     // Twice the play: every end stays.
     let wide = before.replace("[\"0.2060 deg\", \"0.2066 deg\", \"0.2064 deg\"]", "\"0.55 deg\"");
     let wide = study(&model, &wide);
-    let (after, changes) = narrowed(&wide, &consistent(&wide));
+    let (after, changes) = narrowed(&wide, &consistent(&wide).plays);
     assert!(changes.is_empty() && after == wide.source().text());
 }
 

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::between::interpolated;
 use super::problem::MeasuredProblem;
 use super::table::MeasuredTable;
 use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
@@ -93,17 +94,4 @@ fn check_range(table: &MeasuredTable, axis: &[f64], at_si: &[f64]) -> Result<(),
     let [found, from, to] = format_apart([at_si[row], from, to], dimension);
     let problem = MeasuredProblem::OutsideRecord { name: table.name.clone(), found, from, to };
     Err(Complaint::error(&problem, Some(Place::new(&table.source, table.places[row]))).into())
-}
-
-/// The value at `at` on the line through `values` over `axis`, which goes up or down; the end values outside.
-fn interpolated(axis: &[f64], values: &[f64], at: f64) -> f64 {
-    if axis.len() < 2 {
-        return values.first().copied().unwrap_or(f64::NAN);
-    }
-    let goes_up = axis.last() >= axis.first();
-    let behind = axis.partition_point(|&place| if goes_up { place <= at } else { place >= at });
-    let high = behind.clamp(1, axis.len() - 1);
-    let (low, width) = (high - 1, axis[high] - axis[high - 1]);
-    let share = if width == 0.0 { 0.0 } else { ((at - axis[low]) / width).clamp(0.0, 1.0) };
-    values[low] + share * (values[high] - values[low])
 }

@@ -1,5 +1,6 @@
 //! Measured curves: a table with units in its header, laid over the outputs of a run, with what is left between them.
 
+mod between;
 mod compare;
 mod problem;
 mod sample;

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use super::between::interpolated;
 use super::problem::MeasuredProblem;
 use loosepin_result::simulation::Abscissa;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span, nearest_name};
@@ -41,7 +42,7 @@ pub struct MeasuredColumn {
 impl MeasuredColumn {
     /// Whether it was measured of this output. The two columns of a path, `tracer x` and `tracer y`, may be written with `_` as
     /// in `history.csv`.
-    pub(super) fn is_of(&self, output: &str) -> bool {
+    pub fn is_of(&self, output: &str) -> bool {
         self.name == output || self.name == output.replace(' ', "_")
     }
 }
@@ -86,13 +87,22 @@ impl MeasuredTable {
         Self::from_source(&Source::new(name, text))
     }
 
-    fn from_source(source: &Arc<Source>) -> Result<Self, Complaints> {
+    /// Reads a table from a source that was read already.
+    ///
+    /// # Errors
+    /// As [`Self::from_path`].
+    pub fn from_source(source: &Arc<Source>) -> Result<Self, Complaints> {
         let mut reader = TableReader { source: Arc::clone(source), complaints: Complaints::new() };
         let table = reader.table();
         match table {
             Some(table) if !reader.complaints.has_errors() => Ok(table),
             _ => Err(reader.complaints),
         }
+    }
+
+    /// Value of one of its columns at `at`, on the line between its rows; that of the first or the last row outside.
+    pub fn value(&self, column: &MeasuredColumn, at: f64) -> f64 {
+        interpolated(&self.at_si, &column.values_si, at)
     }
 
     /// The text of the file.

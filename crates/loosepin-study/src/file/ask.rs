@@ -212,7 +212,7 @@ impl StudyReader {
     }
 
     /// Which deviation of an output, where that is known.
-    fn deviation(&mut self, table: &Table<'_>, output: Option<usize>) -> Option<Deviation> {
+    pub(super) fn deviation(&mut self, table: &Table<'_>, output: Option<usize>) -> Option<Deviation> {
         let entry = table.get("of")?;
         let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
         if deviation == Deviation::Value

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::measurement::Measured;
+use super::measurement::{Measured, MeasuredMotion};
 use super::target::AccuracyTarget;
 use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
@@ -54,6 +54,8 @@ pub struct Study {
     pub requirements: Vec<Requirement>,
     /// Readings of a backlash test, in file order: what `loosepin identify` narrows intervals by. A study does not look at them.
     pub measured: Vec<Measured>,
+    /// Features of measured motions, in file order. A study does not look at them.
+    pub motion: Vec<MeasuredMotion>,
     /// What may be loosened as far as the requirements allow, in file order.
     pub allowances: Vec<Allowance>,
     /// How they are loosened together; nothing where each is by itself, the others as stated.

@@ -6,6 +6,7 @@ use loosepin_text::document::{Key, Keys, Kind, optional, required};
 use loosepin_text::units::Rule;
 
 use super::measured_keys::MEASURED_KEYS;
+use super::motion_keys::MOTION_KEYS;
 use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
 use super::words::{
     self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
@@ -629,9 +630,9 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
         optional("require", Kind::List(&Kind::Table(&REQUIRE_KEYS)), "", "requirements"),
         optional(
             "measured",
-            Kind::List(&Kind::Table(&MEASURED_KEYS)),
+            Kind::List(&Kind::AnyOf(&[Kind::Table(&MEASURED_KEYS), Kind::Table(&MOTION_KEYS)])),
             "",
-            "readings of a backlash test, from which `loosepin identify` narrows the intervals of the plays",
+            "readings of a backlash test, or features of a motion, from which `loosepin identify` narrows intervals",
         ),
         optional(
             "allow",

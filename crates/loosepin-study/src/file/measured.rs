@@ -1,11 +1,11 @@
 //! Readings of a backlash test.
 
 use super::measured_keys::MEASURED_KEYS;
-use super::measurement::{Measured, Push, ReadingScatter};
+use super::measurement::{Measured, MeasuredMotion, Push, ReadingScatter};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use crate::outputs::Seen;
-use loosepin_mechanics::model::{Axis, BodyId, CycleSpan, PointId, Position};
+use loosepin_mechanics::model::{Axis, BodyId, Cycle, CycleSpan, PointId, Position};
 use loosepin_simulate::Reading;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, listed};
@@ -80,16 +80,21 @@ problems! {
 }
 
 impl StudyReader {
-    /// Reads the readings.
-    pub fn read_measured(&mut self, root: &Table<'_>) -> Vec<Measured> {
+    /// Reads readings of backlash tests, and features of motions.
+    pub fn read_measured(&mut self, root: &Table<'_>, cycle: &Cycle) -> (Vec<Measured>, Vec<MeasuredMotion>) {
         let entries = self.double_brackets(root, "measured");
         if let Some(surplus) = entries.get(MOST_READINGS) {
             let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
             self.reader.complain(&problem, surplus.span);
-            return Vec::new();
+            return (Vec::new(), Vec::new());
         }
-        let mut read: Vec<Measured> = Vec::new();
+        let (mut read, mut motion): (Vec<Measured>, Vec<MeasuredMotion>) = (Vec::new(), Vec::new());
         for (index, entry) in entries.iter().enumerate() {
+            if entry.holds("kind") {
+                let feature = self.motion_feature(entry, cycle, &motion);
+                motion.extend(feature);
+                continue;
+            }
             let reading = self.reader.table(entry, &MEASURED_KEYS).and_then(|table| {
                 let reading = self.reading_of_test(&table, index)?;
                 self.refuse_another_error(&table, &reading, &read);
@@ -97,7 +102,7 @@ impl StudyReader {
             });
             read.extend(reading);
         }
-        read
+        (read, motion)
     }
 
     /// That all readings of a specimen by one instrument have its error: of two errors that differ the common part would be known to be zero.

@@ -15,6 +15,8 @@ mod keys;
 mod measured;
 mod measured_keys;
 mod measurement;
+mod motion;
+mod motion_keys;
 mod parameter;
 mod parameter_keys;
 mod plausible;
@@ -44,7 +46,8 @@ pub use keys::{MOST_POSES, MOST_RUNS};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
 pub use measured::MeasuredProblem;
-pub use measurement::{Measured, Push, ReadingScatter};
+pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
+pub use motion::MotionProblem;
 pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
@@ -224,7 +227,7 @@ fn read(
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
-    let measured = file.read_measured(&root);
+    let (measured, motion) = file.read_measured(&root, &cycle);
     let allowances = file.read_allowances(&root, &requirements);
     let together = file.together(&root, &allowances);
     let promise = file.promise(&root, &asks, &requirements);
@@ -258,6 +261,7 @@ fn read(
         asks,
         requirements,
         measured,
+        motion,
         allowances,
         together,
         accuracy,

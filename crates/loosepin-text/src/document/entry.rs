@@ -129,6 +129,11 @@ impl<'t> Entry<'t> {
         self.value.is_table()
     }
 
+    /// Whether a table with this key stands here.
+    pub fn holds(&self, key: &str) -> bool {
+        self.value.as_table().is_some_and(|table| table.contains_key(key))
+    }
+
     /// Whether a list stands here.
     pub fn is_list(&self) -> bool {
         self.value.is_array()

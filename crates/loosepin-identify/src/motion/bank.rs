@@ -1,0 +1,173 @@
+//! Runs at values of the unknowns, reduced to the features that were measured.
+
+use loosepin_study::{
+    Ask, Deviation, MeasuredMotion, MotionSubject, Reduction, RunRows, Study, StudyError, Where, sampled_feature,
+};
+use loosepin_uncertainty::{QuantileLevel, hash, normal, uniform};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Numbers of rows that are held at once, at most.
+const MOST_NUMBERS: usize = 8_000_000;
+/// Streams of random numbers of the seed of the study.
+const LENGTHS: u64 = 0x6d6f_7469_6f6e;
+const ERRORS: u64 = 0x6572_726f_7273;
+
+/// Features of the runs at one point: of each run one number a feature, not a number where it failed.
+pub(crate) type Runs = Rc<Vec<Vec<f64>>>;
+
+/// Runs of one study, made when they are asked for and kept.
+pub(crate) struct Bank<'s> {
+    pub study: &'s Study,
+    pub features: Vec<&'s MeasuredMotion>,
+    /// Runs at each point.
+    pub runs: usize,
+    /// The study that records each stretch of turns.
+    stretches: Vec<RunRows>,
+    /// Of each feature its columns in a row; none for impacts.
+    columns: Vec<Vec<usize>>,
+    known: HashMap<Vec<u64>, Runs>,
+}
+
+impl<'s> Bank<'s> {
+    /// # Errors
+    /// The study cannot begin.
+    pub fn new(
+        study: &'s Study,
+        features: &[&'s MeasuredMotion],
+        runs: usize,
+        threads: usize,
+    ) -> Result<Self, StudyError> {
+        let mut asked = study.clone();
+        asked.asks = Vec::new();
+        asked.requirements = Vec::new();
+        let mut asks: Vec<Option<usize>> = Vec::new();
+        for feature in features {
+            let (output, deviation, location) = match feature.subject {
+                MotionSubject::Located { output, deviation, reduction } => {
+                    (output, deviation, Where::Reduced(reduction))
+                }
+                MotionSubject::Sampled { output, .. } => (output, Deviation::Value, Where::Cycle),
+                MotionSubject::Impacts { .. } => {
+                    asks.push(None);
+                    continue;
+                }
+            };
+            asks.push(Some(asked.asks.len()));
+            asked.asks.push(ask(output, deviation, location));
+        }
+        if asked.asks.is_empty() {
+            // A row of impacts alone still needs a column.
+            asked.asks.push(ask(0, Deviation::Value, Where::Reduced(Reduction::Mean)));
+        }
+        let most = features.iter().map(|feature| feature.repeats).max().unwrap_or(1);
+        let stretches = (0..most).map(|stretch| {
+            let mut later = asked.clone();
+            later.cycle.transient_turns += stretch as f64 * later.cycle.recorded_turns;
+            RunRows::new(later, threads)
+        });
+        let stretches = stretches.collect::<Result<Vec<_>, StudyError>>()?;
+        let columns = match stretches.first() {
+            Some(first) => first.asked_columns()?,
+            None => Vec::new(),
+        };
+        let columns = asks.into_iter().map(|ask| ask.map_or_else(Vec::new, |ask| columns[ask].clone())).collect();
+        Ok(Self { study, features: features.to_vec(), runs, stretches, columns, known: HashMap::new() })
+    }
+
+    /// Features of the runs at each point, each with its own independent error.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn at(&mut self, points: &[Vec<f64>]) -> Result<Vec<Runs>, StudyError> {
+        let key = |point: &Vec<f64>| -> Vec<u64> { point.iter().map(|value| value.to_bits()).collect() };
+        let mut new: Vec<&Vec<f64>> = Vec::new();
+        for point in points {
+            if !self.known.contains_key(&key(point)) && !new.contains(&point) {
+                new.push(point);
+            }
+        }
+        let width = self.columns.iter().map(Vec::len).sum::<usize>() + 64;
+        let together = (MOST_NUMBERS / (width * self.runs)).max(1);
+        for batch in new.chunks(together) {
+            let made = self.made(batch)?;
+            self.known.extend(batch.iter().copied().map(key).zip(made));
+        }
+        Ok(points.iter().filter_map(|point| self.known.get(&key(point)).cloned()).collect())
+    }
+
+    fn made(&self, points: &[&Vec<f64>]) -> Result<Vec<Runs>, StudyError> {
+        let inputs: Vec<[Vec<f64>; 2]> = points
+            .iter()
+            .flat_map(|point| (0..self.runs).map(move |run| [self.random(point, run), point.to_vec()]))
+            .collect();
+        let mut sums = vec![vec![0.0; self.features.len()]; inputs.len()];
+        for (stretch, rows) in self.stretches.iter().enumerate() {
+            for (row, sums) in rows.make(&[], inputs.iter().cloned())?.into_iter().zip(&mut sums) {
+                let row = row.ok();
+                for (place, feature) in self.features.iter().enumerate().filter(|(_, known)| stretch < known.repeats) {
+                    let value = match &row {
+                        Some(row) => self.feature(rows, row, place)?,
+                        None => f64::NAN,
+                    };
+                    sums[place] += value / feature.repeats as f64;
+                }
+            }
+        }
+        for (index, values) in sums.iter_mut().enumerate() {
+            let run = (index % self.runs) as u64;
+            for (place, (value, feature)) in values.iter_mut().zip(&self.features).enumerate() {
+                let deviation = feature.scatter.size / (feature.repeats as f64).sqrt();
+                let key = hash(hash(self.study.seed, ERRORS), run);
+                let error = deviation * normal(key, place as u64);
+                *value += if feature.scatter.is_share { *value * error } else { error };
+            }
+        }
+        Ok(sums.chunks(self.runs).map(|runs| Rc::new(runs.to_vec())).collect())
+    }
+
+    fn feature(&self, rows: &RunRows, row: &[f64], place: usize) -> Result<f64, StudyError> {
+        let turns = self.study.cycle.recorded_turns;
+        let columns = &self.columns[place];
+        Ok(match self.features[place].subject {
+            MotionSubject::Impacts { play } => rows.contacts(row)?[play] / turns,
+            MotionSubject::Located { .. } => row[columns[0]],
+            MotionSubject::Sampled { feature, highest_order, .. } => {
+                let samples: Vec<f64> = columns.iter().map(|column| row[*column]).collect();
+                sampled_feature(&samples, turns as usize, feature, highest_order)
+            }
+        })
+    }
+
+    /// Random inputs of a run: the same levels at every point.
+    fn random(&self, point: &[f64], run: usize) -> Vec<f64> {
+        let key = hash(hash(self.study.seed, LENGTHS), run as u64);
+        let random = &self.study.random;
+        let cube: Vec<f64> = (0..random.len()).map(|input| uniform(key, input as u64)).collect();
+        let levels = match &self.study.correlation {
+            Some(correlation) => correlation.copula.levels(&cube),
+            None => cube.into_iter().map(QuantileLevel::Probability).collect(),
+        };
+        let value = |(input, level): (&loosepin_study::RandomInput, QuantileLevel)| {
+            let parameters = input.parameters.iter().map(|known| (known.parameter, point[known.epistemic]));
+            match input.variable.with_parameters(parameters) {
+                Ok(variable) => variable.at(level),
+                Err(_) => f64::NAN,
+            }
+        };
+        random.iter().zip(levels).map(value).collect()
+    }
+}
+
+fn ask(output: usize, deviation: Deviation, location: Where) -> Ask {
+    Ask {
+        output,
+        deviation,
+        location,
+        statistics: Vec::new(),
+        contributors: false,
+        rare: Vec::new(),
+        simultaneous_bands: Vec::new(),
+        promised: Vec::new(),
+    }
+}

@@ -1,0 +1,252 @@
+//! Inversion of the joint test: the values of the unknowns at which it keeps the measurement.
+
+use super::bank::{Bank, Runs};
+use super::grid::{Axis, Grid};
+use super::joint_test::{Observation, Verdict, joint_test};
+use super::unknowns::{axis, bounds, value};
+use crate::error::IdentifyProblem;
+use loosepin_result::motion_identification::{MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint};
+use loosepin_study::{MeasuredMotion, Study};
+use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+
+/// Unknowns, at most: cells grow as a power of them.
+const MOST_UNKNOWNS: usize = 6;
+/// Runs at each value, over the fewest that can reject at all.
+const RUNS_OVER_FEWEST: f64 = 2.0;
+/// Runs at each value, at most.
+const MOST_RUNS: f64 = 100_000.0;
+
+/// What is asked of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionValues {
+    /// Probability with which the set holds the true values, at least.
+    pub confidence: f64,
+    /// Values of the unknowns that are tested, about at most.
+    pub points: usize,
+    /// Number of threads; the result is the same for any.
+    pub threads: usize,
+}
+
+/// A study whose runs are made once, for any number of measurements of the same features.
+pub struct MotionRig<'s> {
+    pub(super) bank: Bank<'s>,
+    pub(super) axes: Vec<Axis>,
+    alpha: f64,
+    points: usize,
+}
+
+impl<'s> MotionRig<'s> {
+    /// A study with the features of one specimen; `beside` further runs at each value take no part in the test.
+    ///
+    /// # Errors
+    /// Nothing is unknown or too much, a confidence that needs too many runs, a study that cannot begin.
+    pub fn new(
+        study: &'s Study,
+        features: &[&'s MeasuredMotion],
+        asked: &MotionValues,
+        beside: usize,
+    ) -> Result<Self, Complaints> {
+        let alpha = 1.0 - asked.confidence;
+        let runs = (RUNS_OVER_FEWEST / alpha).round() - 1.0;
+        if !(0.5..1.0).contains(&asked.confidence) || !(runs <= MOST_RUNS) {
+            return Err(Complaints::one(&IdentifyProblem::MotionConfidence { found: asked.confidence }, None));
+        }
+        let axes: Vec<Axis> = study.epistemic.iter().map(axis).collect();
+        if axes.is_empty() || axes.len() > MOST_UNKNOWNS {
+            let place = Place::new(study.source(), 0..0);
+            let problem = IdentifyProblem::Unknowns { found: axes.len(), most: MOST_UNKNOWNS };
+            return Err(Complaint::error(&problem, Some(place)).into());
+        }
+        let is_fixed = study.random.is_empty() && features.iter().all(|feature| feature.scatter.size == 0.0);
+        let runs = if is_fixed { 1 } else { runs as usize };
+        let bank = Bank::new(study, features, runs + beside, asked.threads).map_err(|error| refused(study, &error))?;
+        Ok(Self { bank, axes, alpha, points: asked.points })
+    }
+
+    /// Values of the unknowns at shares of the box.
+    pub(super) fn values(&self, shares: &[f64]) -> Vec<f64> {
+        self.bank.study.epistemic.iter().zip(shares).map(|(input, share)| value(input, *share)).collect()
+    }
+
+    pub(super) fn runs_at(&mut self, points: &[Vec<f64>]) -> Result<Vec<Runs>, Complaints> {
+        let study = self.bank.study;
+        self.bank.at(points).map_err(|error| refused(study, &error))
+    }
+
+    pub(super) fn test(&self, runs: &[Vec<f64>], places: &[usize], seen: &Observation) -> Verdict {
+        joint_test(runs, places, seen, self.alpha)
+    }
+
+    /// The measurement of the features with these mean values over their repeats, SI.
+    pub(super) fn observation(&self, values_si: Vec<f64>) -> Observation {
+        let mut names: Vec<&str> = Vec::new();
+        let instruments = self.bank.features.iter().map(|feature| {
+            let known = names.iter().position(|name| *name == feature.instrument);
+            known.unwrap_or_else(|| {
+                names.push(&feature.instrument);
+                names.len() - 1
+            })
+        });
+        let instruments = instruments.collect();
+        Observation { values_si, errors: self.bank.features.iter().map(|feature| feature.error).collect(), instruments }
+    }
+
+    /// The consistent values where the features were measured as `values_si`, means over their repeats.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn invert(&mut self, name: Option<String>, values_si: &[f64]) -> Result<MotionSpecimen, Complaints> {
+        let seen = self.observation(values_si.to_vec());
+        let places: Vec<usize> = (0..values_si.len()).collect();
+        let mut tested: Vec<(Vec<f64>, Verdict, Runs)> = Vec::new();
+        let counts = Grid::counts_at_start(&self.axes);
+        let untested = Verdict { is_consistent: false, distance: f64::INFINITY };
+        let cells = vec![untested; counts.iter().product()];
+        let mut grid = Grid { axes: self.axes.clone(), counts, cells };
+        let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
+        let is_coarse = loop {
+            let points: Vec<Vec<f64>> = waiting.iter().map(|cell| self.values(&grid.middle(*cell))).collect();
+            let all = self.runs_at(&points)?;
+            for ((cell, point), runs) in waiting.into_iter().zip(points).zip(all) {
+                let verdict = self.test(&runs, &places, &seen);
+                grid.cells[cell] = verdict;
+                tested.push((point, verdict, runs));
+            }
+            let Some((finer, open)) = grid.finer() else { break false };
+            if tested.len() + open.len() > self.points {
+                break true;
+            }
+            grid = finer;
+            waiting = open;
+        };
+        Ok(self.specimen(name, &seen, &grid, &tested, is_coarse))
+    }
+
+    fn specimen(
+        &self,
+        name: Option<String>,
+        seen: &Observation,
+        grid: &Grid,
+        tested: &[(Vec<f64>, Verdict, Runs)],
+        is_coarse: bool,
+    ) -> MotionSpecimen {
+        let study = self.bank.study;
+        let of_axis = |(k, axis): (usize, &Axis)| {
+            let count = grid.counts[k] as f64;
+            let input = &study.epistemic[k];
+            let after_si = match (grid.extent(k), axis) {
+                (None, _) => input.variable.ends(),
+                // As far as the middle of the next cell, which the test rejects.
+                (Some([first, last]), Axis::Continuous) => {
+                    [first as f64 - 0.5, last as f64 + 1.5].map(|end| value(input, (end / count).clamp(0.0, 1.0)))
+                }
+                (Some(_), Axis::Members(_)) => {
+                    let kept: Vec<f64> =
+                        grid.consistent().map(|cell| value(input, grid.place(cell)[k] as f64)).collect();
+                    [
+                        kept.iter().copied().fold(f64::INFINITY, f64::min),
+                        kept.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                    ]
+                }
+            };
+            bounds(study, input, after_si)
+        };
+        let consistent: Vec<usize> = grid.consistent().collect();
+        let mut widened: Vec<usize> =
+            consistent.iter().flat_map(|cell| grid.beside(*cell)).chain(consistent.clone()).collect();
+        widened.sort_unstable();
+        widened.dedup();
+        let cells = grid.cells.len() as f64;
+        let range = |place: usize, is_kept: &dyn Fn(&Verdict) -> bool| {
+            let runs = tested.iter().filter(|(_, verdict, _)| is_kept(verdict)).flat_map(|(_, _, runs)| runs.iter());
+            let values = runs.map(|run| run[place]).filter(|value| value.is_finite());
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+        };
+        let features: Vec<MotionFeature> = self
+            .bank
+            .features
+            .iter()
+            .enumerate()
+            .map(|(place, feature)| MotionFeature {
+                name: feature.name.clone(),
+                unit: feature.unit.clone(),
+                measured_si: seen.values_si[place],
+                repeats: feature.repeats,
+                found_si: seen.found_si(place),
+                predicted_before_si: range(place, &|_| true),
+                predicted_after_si: (!consistent.is_empty()).then(|| range(place, &|verdict| verdict.is_consistent)),
+            })
+            .collect();
+        let misfit = consistent.is_empty().then(|| {
+            let apart = |(place, feature): (usize, &MotionFeature)| {
+                let [least, largest] = feature.predicted_before_si;
+                let [low, high] = feature.found_si;
+                let apart_si = if low > largest {
+                    low - largest
+                } else if high < least {
+                    high - least
+                } else {
+                    0.0
+                };
+                (apart_si != 0.0).then_some(MotionCulprit { feature: place, apart_si })
+            };
+            let least_distance = tested.iter().map(|(_, verdict, _)| verdict.distance).fold(f64::INFINITY, f64::min);
+            MotionMisfit { least_distance, culprits: features.iter().enumerate().filter_map(apart).collect() }
+        });
+        let failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
+        MotionSpecimen {
+            name,
+            unknowns: grid.axes.iter().enumerate().map(of_axis).collect(),
+            share_of_box: [consistent.len() as f64 / cells, widened.len() as f64 / cells],
+            points: tested
+                .iter()
+                .map(|(values, verdict, _)| TestedPoint {
+                    values_si: values.clone(),
+                    is_consistent: verdict.is_consistent,
+                    distance: verdict.distance,
+                })
+                .collect(),
+            runs_per_point: self.bank.runs,
+            failed: tested.iter().map(|(_, _, runs)| runs.iter().filter(failed).count()).sum(),
+            is_coarse,
+            misfit,
+            features,
+        }
+    }
+}
+
+/// Why the runs of a study cannot be made.
+fn refused(study: &Study, error: &loosepin_study::StudyError) -> Complaints {
+    let problem = IdentifyProblem::NoRuns { reason: error.to_string() };
+    Complaint::error(&problem, Some(Place::new(study.source(), 0..0))).into()
+}
+
+/// The consistent values of each specimen of `study`, in the order of the file, or of the one that is named.
+///
+/// # Errors
+/// A feature without a value, and what [`MotionRig::new`] refuses.
+pub(crate) fn identify_motion(
+    study: &Study,
+    specimen: Option<&String>,
+    asked: &MotionValues,
+) -> Result<Vec<MotionSpecimen>, Complaints> {
+    let mut names: Vec<&Option<String>> = Vec::new();
+    for feature in &study.motion {
+        let is_asked = specimen.is_none_or(|wanted| feature.specimen.as_ref() == Some(wanted));
+        if is_asked && !names.contains(&&feature.specimen) {
+            names.push(&feature.specimen);
+        }
+    }
+    let of_specimen = |name: &Option<String>| {
+        let features: Vec<&MeasuredMotion> = study.motion.iter().filter(|feature| feature.specimen == *name).collect();
+        let values = features.iter().map(|feature| {
+            feature.mean_si().ok_or_else(|| {
+                let problem = IdentifyProblem::NotMeasured { feature: feature.name.clone() };
+                Complaints::from(Complaint::error(&problem, Some(feature.place.clone())))
+            })
+        });
+        let values: Vec<f64> = values.collect::<Result<_, _>>()?;
+        MotionRig::new(study, &features, asked, 0)?.invert(name.clone(), &values)
+    };
+    names.into_iter().map(of_specimen).collect()
+}

@@ -1,0 +1,231 @@
+//! The joint test of all features at one value of the unknowns.
+//!
+//! Under the true value the measurement is one further draw among `n` runs. The Mahalanobis distance of each of the n + 1 from their
+//! common mean, with their common covariance, treats all alike, so that the rank of the measurement is uniform: the share of draws at
+//! least as far off is below α with probability α at most, whatever the distribution of the features (full conformal inference; V. Vovk,
+//! A. Gammerman, G. Shafer, "Algorithmic Learning in a Random World", 2005).
+
+use loosepin_study::MotionError;
+
+/// Least share of the mean that counts as a standard deviation: what does not scatter must be met to this.
+const LEAST_DEVIATION: f64 = 1e-6;
+/// Rounds in which the common errors are fitted one after the other.
+const ROUNDS: usize = 20;
+/// Steps of a golden section.
+const SECTIONS: usize = 60;
+
+/// What was measured.
+#[derive(Debug, Clone)]
+pub(crate) struct Observation {
+    /// Mean over the repeats of each feature, SI.
+    pub values_si: Vec<f64>,
+    /// Common error of each feature.
+    pub errors: Vec<MotionError>,
+    /// Instrument of each feature.
+    pub instruments: Vec<usize>,
+}
+
+impl Observation {
+    /// The true values where the common error of each instrument is `shares` of its largest.
+    fn without_error(&self, shares: &[f64]) -> Vec<f64> {
+        let of = |place: usize| self.true_value(place, shares[self.instruments[place]]);
+        (0..self.values_si.len()).map(of).collect()
+    }
+
+    fn true_value(&self, place: usize, share: f64) -> f64 {
+        let (value_si, error) = (self.values_si[place], self.errors[place]);
+        if error.is_share { value_si / (1.0 + share * error.size) } else { value_si - share * error.size }
+    }
+
+    /// True values of a feature that its common error allows, SI.
+    pub fn found_si(&self, place: usize) -> [f64; 2] {
+        let ends = [-1.0, 1.0].map(|share| self.true_value(place, share));
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    }
+
+    /// The observation of these features alone.
+    pub fn of(&self, places: &[usize]) -> Self {
+        Self {
+            values_si: places.iter().map(|place| self.values_si[*place]).collect(),
+            errors: places.iter().map(|place| self.errors[*place]).collect(),
+            instruments: places.iter().map(|place| self.instruments[*place]).collect(),
+        }
+    }
+}
+
+/// Outcome of the test.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Verdict {
+    pub is_consistent: bool,
+    /// Distance of the measurement over the distance that is just kept.
+    pub distance: f64,
+}
+
+/// Tests whether `seen` may be a draw like `runs`, at the level `alpha`; places choose the features that count.
+pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation, alpha: f64) -> Verdict {
+    let rows: Vec<Vec<f64>> = runs
+        .iter()
+        .map(|run| places.iter().map(|place| run[*place]).collect::<Vec<f64>>())
+        .filter(|run| run.iter().all(|value| value.is_finite()))
+        .collect();
+    let failed = runs.len() - rows.len();
+    let seen = seen.of(places);
+    if rows.is_empty() {
+        return Verdict { is_consistent: true, distance: 0.0 };
+    }
+    // A share of an error is a difference of logarithms; all draws are treated alike.
+    let is_positive: Vec<bool> = (0..places.len())
+        .map(|place| {
+            rows.iter().all(|row| row[place] > 0.0) && seen.found_si(place)[0] > 0.0 && seen.values_si[place] > 0.0
+        })
+        .collect();
+    let scaled = |values: &[f64]| -> Vec<f64> {
+        values.iter().zip(&is_positive).map(|(value, is_log)| if *is_log { value.ln() } else { *value }).collect()
+    };
+    let rows: Vec<Vec<f64>> = rows.iter().map(|row| scaled(row)).collect();
+    let form = Form::new(&rows, &is_positive);
+    let shares = nearest_shares(&form, &seen, &scaled);
+    let nearest = scaled(&seen.without_error(&shares));
+    let own = form.distance(&nearest);
+    if rows.len() < 2 {
+        return Verdict { is_consistent: own <= 1.0, distance: own };
+    }
+    let mut distances: Vec<f64> = rows.iter().map(|row| form.distance(row)).collect();
+    distances.sort_by(|a, b| b.total_cmp(a));
+    // With so many draws further off the measurement is kept.
+    let due = (alpha * (runs.len() + 1) as f64).floor() as usize;
+    let kept = distances[due.saturating_sub(1 + failed).min(distances.len() - 1)];
+    let distance = own / kept;
+    let mut all = rows;
+    all.push(nearest);
+    let form = Form::new(&all, &is_positive);
+    let own = form.distance(&all[all.len() - 1]);
+    let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
+    let is_consistent = further + 1 > due;
+    // Both distances order alike but for ties of the rank.
+    let distance = if is_consistent { distance.min(1.0) } else { distance.max(1.0 + f64::EPSILON) };
+    Verdict { is_consistent, distance }
+}
+
+/// Shares of the common errors, in [-1, 1], at which the measurement is nearest to the runs: one after the other, since the distance is
+/// convex in each.
+fn nearest_shares(form: &Form, seen: &Observation, scaled: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+    let count = seen.instruments.iter().max().map_or(0, |last| last + 1);
+    let mut shares = vec![0.0; count];
+    let has_error = |instrument: usize| {
+        (0..seen.errors.len()).any(|k| seen.instruments[k] == instrument && seen.errors[k].size > 0.0)
+    };
+    let movable: Vec<usize> = (0..count).filter(|instrument| has_error(*instrument)).collect();
+    for _ in 0..if movable.len() > 1 { ROUNDS } else { 1 } {
+        let before = shares.clone();
+        for &instrument in &movable {
+            let mut at = |share: f64| {
+                shares[instrument] = share;
+                form.distance(&scaled(&seen.without_error(&shares)))
+            };
+            let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+            let [mut low, mut high] = [-1.0, 1.0];
+            for _ in 0..SECTIONS {
+                let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
+                if at(left) <= at(right) { high = right } else { low = left }
+            }
+            let best = [-1.0, 0.5 * (low + high), 1.0].into_iter().min_by(|a, b| at(*a).total_cmp(&at(*b)));
+            shares[instrument] = best.unwrap_or(0.0);
+        }
+        if shares == before {
+            break;
+        }
+    }
+    shares
+}
+
+/// Mean and covariance of draws, the covariance as its Cholesky factor.
+struct Form {
+    mean: Vec<f64>,
+    factor: Vec<Vec<f64>>,
+}
+
+impl Form {
+    fn new(rows: &[Vec<f64>], is_log: &[bool]) -> Self {
+        let (count, size) = (rows.len() as f64, is_log.len());
+        let mean: Vec<f64> = (0..size).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / count).collect();
+        let mut factor = vec![vec![0.0; size]; size];
+        for i in 0..size {
+            let least = LEAST_DEVIATION * if is_log[i] { 1.0 } else { mean[i].abs() } + f64::MIN_POSITIVE.sqrt();
+            for j in 0..=i {
+                let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
+                let covariance = sum / (count - 1.0).max(1.0) + if i == j { least * least } else { 0.0 };
+                let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+                factor[i][j] = if i == j {
+                    (covariance - inner).max(least * least).sqrt()
+                } else {
+                    (covariance - inner) / factor[j][j]
+                };
+            }
+        }
+        Self { mean, factor }
+    }
+
+    /// Mahalanobis distance.
+    fn distance(&self, values: &[f64]) -> f64 {
+        let mut solved: Vec<f64> = Vec::with_capacity(values.len());
+        for (i, row) in self.factor.iter().enumerate() {
+            let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();
+            solved.push((values[i] - self.mean[i] - inner) / row[i]);
+        }
+        solved.iter().map(|value| value * value).sum::<f64>().sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Observation, joint_test};
+    use loosepin_study::MotionError;
+    use loosepin_uncertainty::{hash, normal, uniform};
+
+    const NONE: MotionError = MotionError { size: 0.0, is_share: false };
+
+    /// Two features that go together, one of them with a long tail.
+    fn draw(key: u64) -> Vec<f64> {
+        let z = normal(key, 0);
+        vec![z + 0.1 * normal(key, 1), (0.8 * z).exp() + 0.05 * uniform(key, 2)]
+    }
+
+    fn rejected(trials: u64, errors: [MotionError; 2], wrong: impl Fn(&mut [f64], u64)) -> usize {
+        let is_rejected = |trial: &u64| {
+            let runs: Vec<Vec<f64>> = (0..199).map(|run| draw(hash(*trial, run))).collect();
+            let mut values_si = draw(hash(*trial, 1_000_000));
+            wrong(&mut values_si, *trial);
+            let seen = Observation { values_si, errors: errors.to_vec(), instruments: vec![0, 0] };
+            !joint_test(&runs, &[0, 1], &seen, 0.01).is_consistent
+        };
+        (0..trials).filter(is_rejected).count()
+    }
+
+    #[test]
+    fn analytic_the_truth_is_rejected_once_in_a_hundred() {
+        // 2/200 of draws: 40 of 4000, standard deviation 6.3.
+        let found = rejected(4000, [NONE; 2], |_, _| {});
+        assert!((15..=65).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn identity_a_common_error_within_its_interval_is_no_ground_for_more_rejections() {
+        let error = MotionError { size: 0.3, is_share: false };
+        let found = rejected(1000, [error; 2], |values, trial| {
+            let share = 2.0 * uniform(hash(trial, 7), 0) - 1.0;
+            values.iter_mut().for_each(|value| *value += 0.3 * share);
+        });
+        assert!(found <= 20, "{found}");
+    }
+
+    #[test]
+    fn analytic_two_features_contradict_each_other_where_each_alone_is_usual() {
+        // The first is 0 and the second e^0.8: one standard deviation each, ten of their difference.
+        let found = rejected(200, [NONE; 2], |values, _| values.copy_from_slice(&[0.0, 0.8_f64.exp()]));
+        assert!(found > 190, "{found}");
+        // A common error that moves both alike cannot explain it.
+        let error = MotionError { size: 0.3, is_share: false };
+        assert!(rejected(200, [error; 2], |values, _| values.copy_from_slice(&[0.0, 0.8_f64.exp()])) > 100);
+    }
+}

@@ -1,0 +1,12 @@
+//! From features of a measured motion to the values of the unknowns that are consistent with them.
+
+mod bank;
+mod grid;
+mod invert;
+mod joint_test;
+mod plan;
+mod unknowns;
+
+pub(crate) use invert::identify_motion;
+pub use invert::{MotionRig, MotionValues};
+pub use plan::plan_motion;

@@ -1,0 +1,156 @@
+//! What features would tell, before anything is measured.
+
+use super::grid::{Axis, Grid, place};
+use super::invert::{MotionRig, MotionValues};
+use super::unknowns::name;
+use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
+use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, Reduction, Seen, Study};
+use loosepin_text::diagnostics::{Complaints, Place};
+use loosepin_text::units::SiUnit;
+use loosepin_uncertainty::{hash, uniform};
+
+/// Measurements that are imagined at each value of the unknowns.
+const IMAGINED: usize = 4;
+/// Common error of a feature that the study does not name.
+const USUAL_ERROR: MotionError = MotionError { size: 0.05, is_share: true };
+/// Stream of the common errors of imagined measurements.
+const ERRORS: u64 = 0x706c_616e;
+/// Share of measurements in which a wrong member of a list is told, below which the two count as not distinguishable.
+const TOLD: f64 = 0.95;
+
+/// The features of a study, or where it names none the largest magnitude and the rms of each output and the impacts of each joint,
+/// with 5 % error.
+fn candidates(study: &Study) -> Vec<MeasuredMotion> {
+    if !study.motion.is_empty() {
+        return study.motion.clone();
+    }
+    let feature = |name: String, of: &str, subject: MotionSubject, unit: SiUnit| MeasuredMotion {
+        name,
+        specimen: None,
+        instrument: of.to_owned(),
+        subject,
+        unit,
+        values_si: Vec::new(),
+        repeats: 1,
+        error: USUAL_ERROR,
+        scatter: MotionError { size: 0.0, is_share: false },
+        place: Place::new(study.source(), 0..0),
+    };
+    let mut all = Vec::new();
+    for (output, known) in study.outputs.iter().enumerate() {
+        if !matches!(known.seen, Seen::Reading(_)) {
+            continue;
+        }
+        for reduction in [Reduction::MaximumAbsolute, Reduction::RootMeanSquare] {
+            let subject = MotionSubject::Located { output, deviation: Deviation::Value, reduction };
+            let words = format!("{}, {}", known.name, reduction.word().replace('_', " "));
+            all.push(feature(words, &known.name, subject, known.unit.clone()));
+        }
+    }
+    for (play, id) in study.model.plays().enumerate() {
+        let joint = study.model.play_name(id);
+        all.push(feature(format!("{joint}, impacts"), joint, MotionSubject::Impacts { play }, SiUnit::NONE));
+    }
+    all
+}
+
+/// What each feature of `study` alone, and all together, would leave of the box: the mean over measurements that are imagined at values
+/// spread evenly over it.
+///
+/// # Errors
+/// As of an identification.
+pub fn plan_motion(study: &Study, asked: &MotionValues) -> Result<MotionPlan, Complaints> {
+    let candidates = candidates(study);
+    let features: Vec<&MeasuredMotion> = candidates.iter().collect();
+    let mut rig = MotionRig::new(study, &features, asked, IMAGINED)?;
+    let axes = rig.axes.clone();
+    let counts = Grid::counts_at_start(&axes);
+    let cells: usize = counts.iter().product();
+    let grid = Grid { axes: axes.clone(), counts: counts.clone(), cells: Vec::new() };
+    let points: Vec<Vec<f64>> = (0..cells).map(|cell| rig.values(&grid.middle(cell))).collect();
+    let all = rig.runs_at(&points)?;
+    let counted = all.first().map_or(0, |runs| runs.len()) - IMAGINED;
+    // Whether each value is kept, by the true value, the measurement, and the value.
+    let kept_by = |places: &[usize]| -> Vec<(usize, Vec<bool>)> {
+        let mut kept = Vec::new();
+        for (truth, runs) in all.iter().enumerate() {
+            for imagined in 0..IMAGINED {
+                let run = &runs[counted + imagined];
+                if run.iter().any(|value| !value.is_finite()) {
+                    continue;
+                }
+                let mut seen = rig.observation(run.clone());
+                let key = hash(hash(study.seed, ERRORS), (truth * IMAGINED + imagined) as u64);
+                for (place, value) in seen.values_si.iter_mut().enumerate() {
+                    let share = 2.0 * uniform(key, seen.instruments[place] as u64) - 1.0;
+                    let error = seen.errors[place];
+                    *value =
+                        if error.is_share { *value * (1.0 + share * error.size) } else { *value + share * error.size };
+                }
+                let verdict = |runs: &super::bank::Runs| rig.test(&runs[..counted], places, &seen).is_consistent;
+                kept.push((truth, all.iter().map(verdict).collect()));
+            }
+        }
+        kept
+    };
+    let left = |name: String, kept: &[(usize, Vec<bool>)]| {
+        let count = kept.len().max(1) as f64;
+        let width = |unknown: usize| {
+            let of = |(_, kept): &(usize, Vec<bool>)| {
+                let along = |cell: usize| place(&counts, cell)[unknown];
+                let mut hit: Vec<usize> = (0..cells).filter(|cell| kept[*cell]).map(along).collect();
+                hit.sort_unstable();
+                hit.dedup();
+                let held = match (axes[unknown], hit.first(), hit.last()) {
+                    (Axis::Continuous, Some(first), Some(last)) => last - first + 1,
+                    _ => hit.len(),
+                };
+                held as f64 / counts[unknown] as f64
+            };
+            kept.iter().map(of).sum::<f64>() / count
+        };
+        let share =
+            |(_, kept): &(usize, Vec<bool>)| kept.iter().filter(|is_kept| **is_kept).count() as f64 / cells as f64;
+        PlannedFeature {
+            name,
+            share_of_box: kept.iter().map(share).sum::<f64>() / count,
+            shares_of_width: (0..axes.len()).map(width).collect(),
+        }
+    };
+    let mut planned: Vec<PlannedFeature> =
+        features.iter().enumerate().map(|(k, feature)| left(feature.name.clone(), &kept_by(&[k]))).collect();
+    planned.sort_by(|a, b| a.share_of_box.total_cmp(&b.share_of_box));
+    let everything = kept_by(&(0..features.len()).collect::<Vec<usize>>());
+    let mut alike = Vec::new();
+    for (unknown, axis) in axes.iter().enumerate() {
+        let Axis::Members(members) = axis else { continue };
+        for truth in 0..*members {
+            for other in (0..*members).filter(|other| *other != truth) {
+                let along = |cell: usize| place(&counts, cell)[unknown];
+                let own: Vec<&(usize, Vec<bool>)> =
+                    everything.iter().filter(|(cell, _)| along(*cell) == truth).collect();
+                let is_told =
+                    |(_, kept): &&&(usize, Vec<bool>)| !(0..cells).any(|cell| kept[cell] && along(cell) == other);
+                let told = own.iter().filter(is_told).count() as f64 / own.len().max(1) as f64;
+                if told < TOLD {
+                    let value = |member: usize| super::unknowns::value(&study.epistemic[unknown], member as f64);
+                    alike.push(AlikeMembers { unknown, members: [value(truth), value(other)], told });
+                }
+            }
+        }
+    }
+    let unknowns = study.epistemic.iter().zip(&axes).map(|(input, axis)| PlannedUnknown {
+        path: input.path.clone(),
+        name: name(&input.path),
+        is_list: matches!(axis, Axis::Members(_)),
+    });
+    Ok(MotionPlan {
+        study: study.name.clone(),
+        unknowns: unknowns.collect(),
+        features: planned,
+        together: left("all together".to_owned(), &everything),
+        not_distinguishable: alike,
+        points: cells,
+        runs_per_point: counted,
+    })
+}

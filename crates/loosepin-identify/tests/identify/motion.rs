@@ -1,0 +1,116 @@
+//! Identification from motion: sets that are known in closed form, misfits, and what a plan says.
+
+use super::study;
+use loosepin_identify::motion_record::MotionSpecimen;
+use loosepin_identify::{MotionValues, Options, identify, known_bounds, narrowed, plan_motion};
+use loosepin_study::Study;
+
+/// The worn pin without its play: the stroke of the slider is twice the crank.
+fn ideal_model() -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/slider_crank_worn_pin/model.toml");
+    let text = std::fs::read_to_string(path).expect("the case is there");
+    let is_play =
+        |line: &&str| !["bearing_radius", "radial_clearance", "contact = "].iter().any(|key| line.starts_with(key));
+    let kept: Vec<&str> = text.lines().filter(is_play).collect();
+    assert_eq!(kept.len() + 3, text.lines().count());
+    kept.join("\n")
+}
+
+/// A study of the crank between 49 and 51 mm, with these tables.
+fn of_crank(tables: &str) -> Study {
+    let text = format!(
+        "name = \"crank\"\nmodel = \"model.toml\"\n\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\
+         samples_per_turn = 360\n\n[random]\n\
+         \"parameter.rod_length\" = {{ normal = {{ mean = \"120 mm\", standard_deviation = \"0.03 mm\" }} }}\n\n\
+         [epistemic]\n\"parameter.crank_length\" = {{ interval = [\"49 mm\", \"51 mm\"] }} # of the shop\n\n{tables}"
+    );
+    study(&ideal_model(), &text)
+}
+
+fn stroke(value: &str, errors: &str) -> String {
+    format!("[[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"range\"\nvalue = {value}\n{errors}\n")
+}
+
+fn only(study: &Study) -> MotionSpecimen {
+    let mut answer = identify(study, &Options::default()).unwrap_or_else(|complaints| panic!("{complaints}"));
+    assert_eq!(answer.motion.len(), 1);
+    answer.motion.remove(0)
+}
+
+#[test]
+fn analytic_a_stroke_fixes_the_crank_within_its_common_error() {
+    // 2 r = 100.3 mm ± 0.2 mm, whatever the rod: r is 50.05 to 50.25 mm.
+    let found = only(&of_crank(&stroke("\"100.3 mm\"", "error = \"± 0.2 mm\"")));
+    assert_eq!(found.misfit, None);
+    let [lower, upper] = found.unknowns[0].after_si.map(|end_si| 1e3 * end_si);
+    // The set ends at the middle of the cell that is rejected: at most a cell and a half of 1/20 of the set.
+    let most = 1.5 * 0.2 / 20.0 + 1e-9;
+    assert!(lower <= 50.05 && lower > 50.05 - most, "{lower}");
+    assert!(upper >= 50.25 && upper < 50.25 + most, "{upper}");
+    // Repeats do not make a common error smaller.
+    let three = only(&of_crank(&stroke("[\"100.3 mm\", \"100.3 mm\", \"100.3 mm\"]", "error = \"± 0.2 mm\"")));
+    assert_eq!(three.unknowns[0].after_si, found.unknowns[0].after_si);
+}
+
+#[test]
+fn analytic_scatter_counts_with_the_root_of_the_repeats() {
+    // The rank of a normal error among 199 is near |z| = 2.58 of its standard deviation, 0.04 mm; of nine repeats a third.
+    let width = |value: &str, most: f64, least: f64| {
+        let found = only(&of_crank(&stroke(value, "scatter = \"0.04 mm\"")));
+        let [lower, upper] = found.unknowns[0].after_si.map(|end_si| 1e3 * end_si);
+        assert!(lower < 50.15 && 50.15 < upper, "{lower} {upper}");
+        assert!((least..most).contains(&(upper - lower)), "{value}: {}", upper - lower);
+    };
+    // 2 z σ / 2 = 0.103 mm; the distance of the 198th of 199 runs scatters by 0.2 of 2.58, and cells widen it by a tenth.
+    width("\"100.3 mm\"", 0.103 * 1.35, 0.103 * 0.8);
+    width("\"100.3 mm\"\nrepeats = 9", 0.0343 * 1.35, 0.0343 * 0.8);
+}
+
+#[test]
+fn analytic_a_stroke_that_no_crank_has_is_a_misfit_with_its_distance() {
+    let found = only(&of_crank(&stroke("\"103 mm\"", "error = \"± 0.2 mm\"")));
+    let misfit = found.misfit.expect("2 r is at most 102 mm");
+    assert!(misfit.least_distance > 1.0);
+    // 102.8 mm is the least that the error allows; the longest tested crank is half a cell below 51 mm.
+    let apart_mm = 1e3 * misfit.culprits[0].apart_si;
+    assert!(apart_mm > 0.8 && apart_mm < 0.8 + 2.0 / 16.0 + 1e-9, "{apart_mm}");
+    assert_eq!(found.unknowns[0].after_si, found.unknowns[0].before_si);
+}
+
+#[test]
+fn a_motion_narrows_the_study_as_written() {
+    let study = of_crank(&stroke("\"100.3 mm\"", "error = \"± 0.2 mm\""));
+    let answer = identify(&study, &Options::default()).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let known = known_bounds(&answer).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let (text, changes) = narrowed(&study, &known);
+    assert_eq!(changes.len(), 1);
+    assert!(text.contains("# of the shop") && !text.contains("49 mm"), "{text}");
+}
+
+#[test]
+fn identity_the_set_is_the_same_for_any_number_of_threads() {
+    let study = of_crank(&stroke("\"100.3 mm\"", "scatter = \"0.1 mm\""));
+    let with = |threads: usize| {
+        let options = Options { threads, ..Options::default() };
+        identify(&study, &options).unwrap_or_else(|complaints| panic!("{complaints}"))
+    };
+    assert_eq!(with(1), with(3));
+}
+
+#[test]
+fn a_plan_says_which_feature_tells() {
+    let at = |feature: &str, more: &str| {
+        format!(
+            "[[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"{feature}\"\nerror = \"± 0.2 mm\"\n{more}\n"
+        )
+    };
+    // The mean of the drive's turn counts the rod, whose length is known far better than the error; the stroke counts the crank.
+    let study = of_crank(&format!("{}{}", at("range", ""), at("order", "order = 7")));
+    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0 };
+    let plan = plan_motion(&study, &asked).unwrap_or_else(|complaints| panic!("{complaints}"));
+    assert_eq!(plan.features[0].name, "slider, range");
+    assert!(plan.features[0].share_of_box < 0.5, "{plan:?}");
+    assert!(plan.features[1].share_of_box > 0.99, "{plan:?}");
+    let refused = identify(&study, &Options::default()).expect_err("nothing was measured").to_string();
+    assert!(refused.contains("'slider, range' has no value"), "{refused}");
+}

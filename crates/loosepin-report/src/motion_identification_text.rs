@@ -1,0 +1,191 @@
+//! The answer of an identification from motion for a terminal: what is consistent, or the misfit; and what features would tell.
+
+use super::number::{NumberWriter, Rounding};
+use super::terminal_table::{push_table, table, wrapped};
+use loosepin_result::identification::PlayBounds;
+use loosepin_result::motion_identification::{MotionFeature, MotionMisfit, MotionPlan, MotionSpecimen, PlannedFeature};
+use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
+
+/// Digits of a bound.
+const DIGITS: usize = 4;
+/// Digits of a share and of a distance.
+const SHARE_DIGITS: usize = 2;
+/// A feature that leaves more than this share of each unknown tells nothing.
+const TELLS_NOTHING: f64 = 0.95;
+
+/// Appends what the motion of a specimen says.
+pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: &NumberWriter<'_>) {
+    let features = counted(specimen.features.len(), "feature");
+    let runs = format!(
+        "{} values of the unknowns were tested with {} runs each",
+        specimen.points.len(),
+        specimen.runs_per_point
+    );
+    let mut sentences = vec![runs];
+    match &specimen.misfit {
+        None => {
+            let share = |share: f64| writer.percent(share, Rounding::Up);
+            let head = format!(
+                "{features} of the motion: {} of the box is consistent, {} with the cells beside it.",
+                share(specimen.share_of_box[0]),
+                share(specimen.share_of_box[1])
+            );
+            text.push_str(&format!("\n{}\n", wrapped(&head, "")));
+            push_table(text, &unknowns_table(&specimen.unknowns, writer));
+        }
+        Some(misfit) => {
+            let which = if specimen.features.len() == 1 { "the feature".to_owned() } else { format!("all {features}") };
+            text.push_str(&format!("\nMISFIT: no values of the unknowns explain {which} of the motion\n\n"));
+            for sentence in misfit_words(misfit, &specimen.features, writer) {
+                text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+            }
+        }
+    }
+    text.push_str("\nFeatures, measured and predicted\n");
+    push_table(text, &features_table(&specimen.features, writer));
+    if specimen.failed > 0 {
+        let failed = counted(specimen.failed, "run");
+        sentences.push(format!("{failed} failed: each counts as if it lay further off than the measurement"));
+    }
+    if specimen.is_coarse {
+        sentences.push("the search ended at its number of points: more of them (--points) narrow further".to_owned());
+    }
+    text.push('\n');
+    for sentence in sentences {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+}
+
+fn unknowns_table(unknowns: &[PlayBounds], writer: &NumberWriter<'_>) -> comfy_table::Table {
+    let mut table = table(&["unknown", "before", "after", "narrowed"], &[]);
+    for unknown in unknowns {
+        let narrowed = match unknown.is_narrowed() {
+            [true, true] => "both ends",
+            [true, false] => "lower end",
+            [false, true] => "upper end",
+            [false, false] => "no",
+        };
+        table.add_row(vec![
+            unknown.name.clone(),
+            range(unknown.before_si, &unknown.unit, writer),
+            range(unknown.after_si, &unknown.unit, writer),
+            narrowed.to_owned(),
+        ]);
+    }
+    table
+}
+
+fn features_table(features: &[MotionFeature], writer: &NumberWriter<'_>) -> comfy_table::Table {
+    let head = ["feature", "measured", "repeats", "with its common error", "predicted before", "predicted after"];
+    let mut table = table(&head, &[1, 2]);
+    for feature in features {
+        let unit = &feature.unit;
+        table.add_row(vec![
+            feature.name.clone(),
+            writer.rounded(feature.measured_si, unit, DIGITS, Rounding::Nearest),
+            feature.repeats.to_string(),
+            range(feature.found_si, unit, writer),
+            range(feature.predicted_before_si, unit, writer),
+            feature.predicted_after_si.map_or_else(|| "none".to_owned(), |ends_si| range(ends_si, unit, writer)),
+        ]);
+    }
+    table
+}
+
+fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &NumberWriter<'_>) -> Vec<String> {
+    let mut words: Vec<String> = misfit
+        .culprits
+        .iter()
+        .map(|culprit| {
+            let feature = &features[culprit.feature];
+            let side = if culprit.apart_si > 0.0 { "above" } else { "below" };
+            format!(
+                "'{}' is {}, and no run of any value reaches it: {} {side} {}, its common error included",
+                feature.name,
+                writer.rounded(feature.measured_si, &feature.unit, DIGITS, Rounding::Nearest),
+                writer.rounded(culprit.apart_si.abs(), &feature.unit, SHARE_DIGITS, Rounding::Nearest),
+                range(feature.predicted_before_si, &feature.unit, writer)
+            )
+        })
+        .collect();
+    if misfit.culprits.is_empty() {
+        words.push(
+            "each feature by itself is within what some runs predict, but no values explain them together".to_owned(),
+        );
+    }
+    words.push(format!(
+        "at the tested values the measurement is at least {} times as far from the runs as the test allows",
+        writer.rounded(misfit.least_distance, &SiUnit::NONE, 3, Rounding::Down)
+    ));
+    words.push(
+        "the nearest values are not given: they would explain nothing. A joint that is ideal in the model may have play, friction or \
+         another input may lie outside its interval, or a value may be wrong"
+            .to_owned(),
+    );
+    words
+}
+
+/// What features would tell, as text.
+pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
+    let writer = NumberWriter::for_terminal(units);
+    let mut text = format!("{}\n\n", plan.study);
+    let head = format!(
+        "What each feature would leave: mean over measurements that are imagined at {} values of the unknowns, {} runs each.",
+        plan.points, plan.runs_per_point
+    );
+    text.push_str(&format!("{}\n", wrapped(&head, "")));
+    let names: Vec<String> = plan.unknowns.iter().map(|unknown| format!("{} left", unknown.name)).collect();
+    let head: Vec<&str> = ["feature", "box left"].into_iter().chain(names.iter().map(String::as_str)).collect();
+    let numbers: Vec<usize> = (1..head.len()).collect();
+    let mut rows = table(&head, &numbers);
+    for feature in plan.features.iter().chain([&plan.together]) {
+        let shares = std::iter::once(&feature.share_of_box).chain(&feature.shares_of_width);
+        let shares = shares.map(|share| writer.percent(*share, Rounding::Up));
+        rows.add_row(std::iter::once(feature.name.clone()).chain(shares).collect::<Vec<String>>());
+    }
+    push_table(&mut text, &rows);
+    text.push('\n');
+    for sentence in plan_words(plan, &writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+    text
+}
+
+fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
+    let tells = |feature: &PlannedFeature| feature.share_of_box < TELLS_NOTHING;
+    let (telling, silent): (Vec<&PlannedFeature>, Vec<&PlannedFeature>) =
+        plan.features.iter().partition(|feature| tells(feature));
+    let mut words = Vec::new();
+    match telling.first() {
+        Some(first) => words.push(format!("most telling alone: {}", first.name)),
+        None => words.push("no feature tells anything of the unknowns by itself".to_owned()),
+    }
+    if !silent.is_empty() && !telling.is_empty() {
+        let names: Vec<String> = silent.iter().map(|feature| feature.name.clone()).collect();
+        words.push(format!("tells nothing by itself: {}", listed(&names, "and")));
+    }
+    for (place, unknown) in plan.unknowns.iter().enumerate() {
+        let is_open = plan.together.shares_of_width[place] >= TELLS_NOTHING;
+        if is_open && !unknown.is_list {
+            words.push(format!("not distinguishable: values of {}, with all of these features", unknown.name));
+        }
+    }
+    for alike in &plan.not_distinguishable {
+        words.push(format!(
+            "not distinguishable: where {} is {} of its list, {} is told to be wrong in {} of the measurements",
+            plan.unknowns[alike.unknown].name,
+            alike.members[0],
+            alike.members[1],
+            writer.percent(alike.told, Rounding::Up)
+        ));
+    }
+    words
+}
+
+/// Both ends, rounded outwards.
+fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+    let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
+        if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
+    });
+    format!("{lower} to {upper}")
+}

@@ -1,0 +1,128 @@
+//! The record of an identification from motion: which values of the unknowns are consistent with measured features.
+
+use crate::identification::PlayBounds;
+use loosepin_text::units::SiUnit;
+use serde::{Deserialize, Serialize};
+
+/// What the features of a measured motion say of a specimen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionSpecimen {
+    /// Its name; nothing where the file does not say.
+    pub name: Option<String>,
+    /// Its features, in the order of the file.
+    pub features: Vec<MotionFeature>,
+    /// The unknowns: interval of the study, and outer interval of the consistent set. Of an empty set both are that of the study.
+    pub unknowns: Vec<PlayBounds>,
+    /// Share of the box that is consistent: cells whose middle is, and these with all cells beside them.
+    pub share_of_box: [f64; 2],
+    /// Values that were tested, with what came out.
+    pub points: Vec<TestedPoint>,
+    /// Runs at each of them.
+    pub runs_per_point: usize,
+    /// Runs that failed: each counts as if it lay further off than the measurement.
+    pub failed: usize,
+    /// Whether the refinement ended at its budget of points and not at its resolution.
+    pub is_coarse: bool,
+    /// Why no value is consistent; nothing where some are.
+    pub misfit: Option<MotionMisfit>,
+}
+
+/// A feature, measured and predicted.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionFeature {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Mean over the repeats, SI.
+    pub measured_si: f64,
+    /// Number of repeats.
+    pub repeats: usize,
+    /// True values that its common error allows, SI.
+    pub found_si: [f64; 2],
+    /// Least and largest of all runs at all tested values, independent error included, SI.
+    pub predicted_before_si: [f64; 2],
+    /// The same at the consistent values; nothing where there are none.
+    pub predicted_after_si: Option<[f64; 2]>,
+}
+
+/// Values of the unknowns that were tested.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TestedPoint {
+    /// The values, SI, in the order of the unknowns; of a law its place in the list.
+    pub values_si: Vec<f64>,
+    /// Whether the test keeps them.
+    pub is_consistent: bool,
+    /// Distance of the measurement from the runs over that of the run at the confidence; above 1 where the test rejects.
+    pub distance: f64,
+}
+
+/// Features that no value of the unknowns explains.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionMisfit {
+    /// The least distance of all tested values, in distances of the run at the confidence: > 1.
+    pub least_distance: f64,
+    /// Features that lie outside all predictions by themselves.
+    pub culprits: Vec<MotionCulprit>,
+}
+
+/// A feature that lies outside the predictions at all tested values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionCulprit {
+    /// Its place among the features.
+    pub feature: usize,
+    /// How far the measurement, with its common error, lies from the nearest prediction, SI: below it where negative.
+    pub apart_si: f64,
+}
+
+/// What features would tell, before anything is measured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionPlan {
+    /// Name of the study.
+    pub study: String,
+    /// The unknowns.
+    pub unknowns: Vec<PlannedUnknown>,
+    /// What each feature alone would leave, the most telling first.
+    pub features: Vec<PlannedFeature>,
+    /// What all features together would leave.
+    pub together: PlannedFeature,
+    /// Pairs of members of a list that the features do not tell apart.
+    pub not_distinguishable: Vec<AlikeMembers>,
+    /// Values that were tried.
+    pub points: usize,
+    /// Runs at each of them.
+    pub runs_per_point: usize,
+}
+
+/// An unknown of a plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlannedUnknown {
+    /// Its path.
+    pub path: String,
+    /// Its name in sentences.
+    pub name: String,
+    /// Whether it is one of a list.
+    pub is_list: bool,
+}
+
+/// What a feature would leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlannedFeature {
+    /// Its name.
+    pub name: String,
+    /// Mean share of the box that would be left.
+    pub share_of_box: f64,
+    /// Mean share of the width of each unknown that would be left.
+    pub shares_of_width: Vec<f64>,
+}
+
+/// Two members of a list that imitate each other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AlikeMembers {
+    /// Place of the unknown.
+    pub unknown: usize,
+    /// Values of the true member and of the one that is taken for it.
+    pub members: [f64; 2],
+    /// Share of measurements of the true one in which the other one is told to be wrong.
+    pub told: f64,
+}

@@ -1,0 +1,330 @@
+//! Features of a measured motion.
+
+use super::measurement::{FEATURES, FeatureWord, MeasuredMotion, MotionError, MotionSubject, SampledFeature};
+use super::motion_keys::MOTION_KEYS;
+use super::problem::StudyProblem;
+use super::reader::{StudyReader, adopt};
+use crate::outputs::Seen;
+use crate::sampled_feature::sampled_feature;
+use loosepin_mechanics::model::Cycle;
+use loosepin_result::simulation::Abscissa;
+use loosepin_result::study::{Deviation, Reduction};
+use loosepin_simulate::measured::MeasuredTable;
+use loosepin_text::diagnostics::{Code, nearest_name, problems};
+use loosepin_text::document::{Entry, Table, listed, read_beside};
+use loosepin_text::units::{Dimension, Rule, SiUnit};
+use std::f64::consts::TAU;
+
+/// Repeats of a motion, at most: each is a stretch of recorded turns that is simulated.
+const MOST_STRETCHES: usize = 20;
+/// Share of a turn by which a table may end early: its last sample stands one sample before the end.
+const ROUND_OFF: f64 = 1e-9;
+
+problems! {
+    /// What can be wrong with a feature of a motion. `entry` is a path in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum MotionProblem {
+        NoSubject { entry: String, key: &'static str, feature: String } => Code::AskNotPossible,
+            says("{entry}: the feature '{feature}' needs '{key}'"),
+            hint("impacts are those of a joint, everything else is a feature of an output");
+        Beside { entry: String, feature: String } => Code::AskNotPossible,
+            says("{entry} says nothing of the feature '{feature}'"),
+            hint("leave it out");
+        NotSampled { entry: String, why: &'static str } => Code::AskNotPossible,
+            says("{entry}: {why} has no samples"),
+            hint("leave out 'of', 'file', 'highest_order' and sampled = \"samples\"");
+        NoJointWithPlay { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: no joint with play is called '{found}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!("there is {}", listed(known, "and")),
+            }));
+        PartOfTurn { entry: String, turns: f64 } => Code::AskNotPossible,
+            says("{entry}: samples are of whole turns, and {turns} turns are recorded"),
+            hint("write a whole number of recorded_turns under [cycle] of the study");
+        TooHigh { entry: String, order: usize, samples: usize } => Code::AskNotPossible,
+            says("{entry}: order {order} needs more than {} samples a turn; there are {samples}", 2 * order),
+            hint("write a larger samples_per_turn under [cycle] of the study");
+        TooShort { entry: String, found: f64, due: f64 } => Code::AskNotPossible,
+            says("{entry}: the table holds {found:.6} turns; the study records {due}"),
+            hint("record fewer turns under [cycle] of the study, or measure longer");
+        NoColumn { entry: String, output: String, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: the table has no column '{output}'"),
+            hint("there is {}", listed(known, "and"));
+        ColumnDimension { entry: String, found: Dimension, due: Dimension } => Code::WrongDimension,
+            says("{entry}: the column is {found}; the output is {due}");
+        Gap { entry: String } => Code::AskNotPossible,
+            says("{entry}: the column has empty cells"),
+            hint("cut the table to where everything was measured");
+        Twice { entry: String } => Code::AskNotPossible,
+            says("{entry}: a value and a file are both given"),
+            hint("leave one of them out");
+        TooManyStretches { entry: String, found: usize } => Code::TooMany,
+            says("{entry}: {found} repeats; must be at most {MOST_STRETCHES}, each of which is simulated"),
+            hint("record more turns in place of more repeats");
+        WithoutError { entry: String } => Code::AskNotPossible,
+            says("{entry} has no error"),
+            hint("write error = \"± 5 %\" beside it (calibration) or scatter = \"2 %\" (standard deviation)");
+        ErrorTooLarge { entry: String } => Code::AskNotPossible,
+            says("{entry} is a share of 100 % or more"),
+            hint("write a share below 50 %");
+        AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
+            says("{entry} is another common error than that of an earlier value of the instrument '{instrument}'"),
+            hint("write the same error, or instrument = \"another sensor\" beside it");
+        NotPositive { entry: String } => Code::AskNotPossible,
+            says("{entry}: no value with this sign is possible for the feature");
+    }
+}
+
+impl StudyReader {
+    /// Reads one feature.
+    pub(super) fn motion_feature(
+        &mut self,
+        entry: &Entry<'_>,
+        cycle: &Cycle,
+        known: &[MeasuredMotion],
+    ) -> Option<MeasuredMotion> {
+        let table = self.reader.table(entry, &MOTION_KEYS)?;
+        let words = || table.path.describe();
+        let feature_entry = table.get("feature")?;
+        let feature_word = self.reader.text(&feature_entry)?.to_owned();
+        let feature = self.reader.choice(&feature_entry, &FEATURES)?;
+        let (needed, others): (&'static str, &[&str]) = match feature {
+            FeatureWord::Impacts => {
+                ("joint", &["output", "component", "of", "order", "within", "highest_order", "sampled", "file"])
+            }
+            FeatureWord::Order => ("order", &["joint", "within"]),
+            FeatureWord::Dwell => ("within", &["joint", "order"]),
+            FeatureWord::Reduced(_) => ("output", &["joint", "order", "within"]),
+        };
+        for key in [needed, if feature == FeatureWord::Impacts { "joint" } else { "output" }] {
+            if !table.has(key) {
+                let problem = MotionProblem::NoSubject { entry: words(), key, feature: feature_word };
+                return self.refused(&problem, table.span);
+            }
+        }
+        if let Some(surplus) = others.iter().find_map(|key| table.get(key)) {
+            let problem = MotionProblem::Beside { entry: surplus.path.describe(), feature: feature_word };
+            return self.refused(&problem, surplus.key_span);
+        }
+        let (subject, unit, dimension, of) = if feature == FeatureWord::Impacts {
+            let (play, name) = self.joint_with_play(&table.get("joint")?)?;
+            (MotionSubject::Impacts { play }, SiUnit::NONE, Dimension::NUMBER, name)
+        } else {
+            let output = self.output(&table)?;
+            let known = self.outputs[output].clone();
+            let subject = self.subject_of_output(&table, output, feature, cycle)?;
+            let (unit, dimension) = match feature {
+                FeatureWord::Dwell => (SiUnit::ANGLE, Dimension::ANGLE),
+                _ => (known.unit, known.dimension),
+            };
+            (subject, unit, dimension, known.name)
+        };
+        let (values_si, repeats) = self.feature_values(&table, subject, dimension, cycle)?;
+        let [error, scatter] = ["error", "scatter"].map(|key| self.motion_error(&table, key, dimension));
+        let (error, scatter) = (error?, scatter?);
+        if !values_si.is_empty() && error.size == 0.0 && scatter.size == 0.0 {
+            return self.refused(&MotionProblem::WithoutError { entry: words() }, table.span);
+        }
+        let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
+            let entry = table.get(key)?;
+            self.reader.text(&entry).map(str::to_owned)
+        });
+        let instrument = instrument.unwrap_or_else(|| format!("that of {of}"));
+        let is_of_same = |known: &&MeasuredMotion| (&known.instrument, &known.specimen) == (&instrument, &specimen);
+        if known.iter().find(is_of_same).is_some_and(|known| known.error != error) {
+            let (place, span) = table.get("error").map_or((words(), table.span), |at| (at.path.describe(), at.span));
+            return self.refused(&MotionProblem::AnotherError { entry: place, instrument }, span);
+        }
+        let name = name.unwrap_or_else(|| format!("{of}, {}", feature_word.replace('_', " ")));
+        let place =
+            self.reader.place(table.get("value").or_else(|| table.get("file")).map_or(table.span, |at| at.span));
+        Some(MeasuredMotion { name, specimen, instrument, subject, unit, values_si, repeats, error, scatter, place })
+    }
+
+    fn joint_with_play(&mut self, entry: &Entry<'_>) -> Option<(usize, String)> {
+        let found = self.reader.text(entry)?.to_owned();
+        let names: Vec<String> = self.model.plays().map(|play| self.model.play_name(play).to_owned()).collect();
+        if let Some(play) = names.iter().position(|name| *name == found) {
+            return Some((play, found));
+        }
+        let nearest = nearest_name(&found, names.iter().map(String::as_str)).map(str::to_owned);
+        let known = names.iter().map(|name| format!("'{name}'")).collect();
+        let problem = MotionProblem::NoJointWithPlay { entry: entry.path.describe(), found, nearest, known };
+        self.refused(&problem, entry.span)
+    }
+
+    fn subject_of_output(
+        &mut self,
+        table: &Table<'_>,
+        output: usize,
+        feature: FeatureWord,
+        cycle: &Cycle,
+    ) -> Option<MotionSubject> {
+        let deviation = match table.get("of") {
+            Some(_) => self.deviation(table, Some(output))?,
+            None => Deviation::Value,
+        };
+        let written = match table.get("sampled") {
+            Some(entry) => Some(self.reader.choice(&entry, &[("between", false), ("samples", true)])?),
+            None => None,
+        };
+        let needs = table.has("file") || table.has("highest_order") || !matches!(feature, FeatureWord::Reduced(_));
+        let words = table.path.describe();
+        if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
+            return Some(MotionSubject::Located { output, deviation, reduction });
+        }
+        let why = match (deviation, self.outputs[output].seen) {
+            _ if written == Some(false) => Some("what is located between samples"),
+            (Deviation::Value, Seen::Reading(_)) => None,
+            (Deviation::Value, _) => Some("this output"),
+            _ => Some("a deviation"),
+        };
+        if let Some(why) = why {
+            return self.refused(&MotionProblem::NotSampled { entry: words, why }, table.span);
+        }
+        let turns = cycle.recorded_turns;
+        if turns.fract() != 0.0 || turns < 1.0 {
+            return self.refused(&MotionProblem::PartOfTurn { entry: words, turns }, table.span);
+        }
+        let highest_order = self.reader.count(table, "highest_order").map(|count| count as usize);
+        let feature = match feature {
+            FeatureWord::Order => SampledFeature::Order(self.reader.count(table, "order")? as usize),
+            FeatureWord::Dwell => {
+                let dimension = self.outputs[output].dimension;
+                SampledFeature::Dwell(self.reader.measured(&table.get("within")?, dimension, Rule::Positive)?)
+            }
+            FeatureWord::Reduced(reduction) => SampledFeature::Reduced(reduction),
+            FeatureWord::Impacts => return None,
+        };
+        let order = highest_order.into_iter().chain(match feature {
+            SampledFeature::Order(order) => Some(order),
+            _ => None,
+        });
+        let samples = cycle.samples_per_turn;
+        if let Some(order) = order.max().filter(|order| 2 * order >= samples) {
+            return self.refused(&MotionProblem::TooHigh { entry: words, order, samples }, table.span);
+        }
+        Some(MotionSubject::Sampled { output, feature, highest_order })
+    }
+
+    /// The values of the repeats, or their mean, and the number of repeats.
+    fn feature_values(
+        &mut self,
+        table: &Table<'_>,
+        subject: MotionSubject,
+        dimension: Dimension,
+        cycle: &Cycle,
+    ) -> Option<(Vec<f64>, usize)> {
+        let values_si = match (table.get("value"), table.get("file")) {
+            (Some(entry), Some(_)) => {
+                return self.refused(&MotionProblem::Twice { entry: table.path.describe() }, entry.span);
+            }
+            (None, Some(entry)) => self.values_of_file(&entry, subject, cycle)?,
+            (Some(entry), None) => self.values_as_written(&entry, dimension)?,
+            (None, None) => Vec::new(),
+        };
+        let stated = match table.get("repeats") {
+            Some(entry) if values_si.len() > 1 => {
+                let problem = MotionProblem::Beside { entry: entry.path.describe(), feature: "list".to_owned() };
+                return self.refused(&problem, entry.span);
+            }
+            Some(_) => Some(self.reader.count(table, "repeats")? as usize),
+            None => None,
+        };
+        let repeats = stated.unwrap_or(values_si.len().max(1));
+        if repeats > MOST_STRETCHES {
+            let problem = MotionProblem::TooManyStretches { entry: table.path.describe(), found: repeats };
+            return self.refused(&problem, table.span);
+        }
+        let is_magnitude = match subject {
+            MotionSubject::Impacts { .. } => true,
+            MotionSubject::Located { reduction, .. }
+            | MotionSubject::Sampled { feature: SampledFeature::Reduced(reduction), .. } => {
+                matches!(reduction, Reduction::MaximumAbsolute | Reduction::RootMeanSquare | Reduction::Range)
+            }
+            MotionSubject::Sampled { .. } => true,
+        };
+        if is_magnitude && values_si.iter().any(|value_si| *value_si < 0.0) {
+            return self.refused(&MotionProblem::NotPositive { entry: table.path.describe() }, table.span);
+        }
+        Some((values_si, repeats))
+    }
+
+    fn values_as_written(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Vec<f64>> {
+        if !entry.is_list() {
+            return Some(vec![self.reader.measured(entry, dimension, Rule::Finite)?]);
+        }
+        let entries = self.reader.list(entry)?;
+        if entries.is_empty() {
+            return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
+        }
+        let read: Vec<Option<f64>> =
+            entries.iter().map(|entry| self.reader.measured(entry, dimension, Rule::Finite)).collect();
+        read.into_iter().collect()
+    }
+
+    /// The feature in each whole stretch of recorded turns of a table, at the samples of the study between its rows.
+    fn values_of_file(&mut self, entry: &Entry<'_>, subject: MotionSubject, cycle: &Cycle) -> Option<Vec<f64>> {
+        let MotionSubject::Sampled { output, feature, highest_order } = subject else { return None };
+        let words = || entry.path.describe();
+        let file = self.reader.text(entry)?;
+        let read = read_beside(&self.reader.source, file).and_then(|source| {
+            self.tables.push(source.clone());
+            MeasuredTable::from_source(&source)
+        });
+        let table = match read {
+            Ok(table) => table,
+            Err(complaints) => {
+                adopt(&mut self.reader, &complaints, entry.span);
+                return None;
+            }
+        };
+        let output = self.outputs[output].clone();
+        let Some(column) = table.columns.iter().find(|column| column.is_of(&output.name)) else {
+            let known = table.columns.iter().map(|column| format!("'{}'", column.name)).collect();
+            let problem = MotionProblem::NoColumn { entry: words(), output: output.name, known };
+            return self.refused(&problem, entry.span);
+        };
+        if column.dimension != output.dimension {
+            let (found, due) = (column.dimension, output.dimension);
+            return self.refused(&MotionProblem::ColumnDimension { entry: words(), found, due }, entry.span);
+        }
+        if column.values_si.iter().any(|value| !value.is_finite()) {
+            return self.refused(&MotionProblem::Gap { entry: words() }, entry.span);
+        }
+        let turn = match table.abscissa {
+            Abscissa::Time => self.model.input(cycle.span, &self.model.quantities.nominal()).turn_s(),
+            Abscissa::DriveAngle => TAU,
+        };
+        let turns = cycle.recorded_turns;
+        let (first, last) = (table.at_si.first()?, table.at_si.last()?);
+        let samples = cycle.samples_per_turn;
+        // The sample at the end of the last turn is that at the start of the next one.
+        let found = (last - first) / turn + 1.0 / samples as f64;
+        let stretches = (found / turns + ROUND_OFF).floor() as usize;
+        if stretches == 0 {
+            return self.refused(&MotionProblem::TooShort { entry: words(), found, due: turns }, entry.span);
+        }
+        let stretches = stretches.min(MOST_STRETCHES);
+        let whole = turns as usize;
+        let value = |stretch: usize| {
+            let at = |place: usize| first + turn * (stretch as f64 * turns + place as f64 / samples as f64);
+            let sampled: Vec<f64> = (0..whole * samples).map(|place| table.value(column, at(place))).collect();
+            sampled_feature(&sampled, whole, feature, highest_order)
+        };
+        Some((0..stretches).map(value).collect())
+    }
+
+    /// An error in the unit of the feature, or as a share of its true value; zero where it is left out.
+    fn motion_error(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<MotionError> {
+        let Some(entry) = table.get(key) else { return Some(MotionError { size: 0.0, is_share: false }) };
+        let is_share = entry.is_text() && self.reader.text(&entry)?.trim_end().ends_with('%');
+        let due = if is_share { Dimension::NUMBER } else { dimension };
+        let size = self.reader.measured_beyond(&entry, &["±", "+/-", "+-"], due, Rule::NonNegative)?;
+        if is_share && size >= 1.0 {
+            return self.refused(&MotionProblem::ErrorTooLarge { entry: entry.path.describe() }, entry.span);
+        }
+        Some(MotionError { size, is_share })
+    }
+}
