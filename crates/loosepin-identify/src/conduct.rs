@@ -2,7 +2,7 @@
 
 use super::combinations::{Told, told};
 use super::consistent::{ConsistentSet, End, Row};
-use super::error::{Failure, IdentifyProblem};
+use super::error::{Failure, IdentifyProblem, MOST_CONFIDENCE};
 use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
@@ -59,7 +59,7 @@ impl Default for Options {
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
 pub fn identify(study: &Study, options: &Options) -> Result<Identification, Complaints> {
     let confidence = options.confidence;
-    if !(0.5..1.0).contains(&confidence) {
+    if !(0.5..=MOST_CONFIDENCE).contains(&confidence) {
         return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
     }
     if study.measured.is_empty() && study.motion.is_empty() {
@@ -350,9 +350,9 @@ pub(crate) fn push_words(rig: &Rig<'_>, push: &Push) -> String {
 /// A mechanism that cannot be locked or does not settle, at the reading that asks for it.
 fn locked(reading: &Measured, failure: Failure) -> Complaints {
     let name = reading.name.clone();
-    let problem = match failure {
-        Failure::Accuracy(error) => IdentifyProblem::Locked { reading: name, error },
-        Failure::TooLoaded { joint } => IdentifyProblem::TooLoaded { reading: name, joint },
+    let (problem, place) = match failure {
+        Failure::Accuracy(error) => (IdentifyProblem::Locked { reading: name, error }, &reading.pose_place),
+        Failure::TooLoaded { joint } => (IdentifyProblem::TooLoaded { reading: name, joint }, &reading.place),
     };
-    Complaint::error(&problem, Some(reading.place.clone())).into()
+    Complaint::error(&problem, Some(place.clone())).into()
 }

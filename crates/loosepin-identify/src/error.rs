@@ -6,6 +6,9 @@ use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::listed;
 
+/// Largest confidence: beyond it quantiles of the normal distribution lose their digits, and no error of a reading is known so well.
+pub const MOST_CONFIDENCE: f64 = 0.999_999_999;
+
 /// Why a reading has no linear model.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -69,7 +72,7 @@ problems! {
         MotionConfidence { found: f64 } => Code::BadProbability,
             says("the confidence is {found}; must be between 0.5 and 0.99998: of a higher one more than 100000 runs at each value would be needed");
         Confidence { found: f64 } => Code::BadProbability,
-            says("the confidence is {found}; must be between 0.5 and 1, and below 1");
+            says("the confidence is {found}; must be from 0.5 to {MOST_CONFIDENCE}");
         Locked { reading: String, error: AccuracyError } => error.code(),
             says("{reading}: {error}"),
             hint_of(error.hint());

@@ -122,6 +122,20 @@ impl<'s> MotionRig<'s> {
         Ok(self.specimen(name, &seen, &grid, &tested, is_coarse))
     }
 
+    /// The values that the test keeps among so many along each unknown, evenly over the box: brute force, to hold an inversion against.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn kept(&mut self, counts: &[usize], values_si: &[f64]) -> Result<Vec<Vec<f64>>, Complaints> {
+        let grid = Grid { axes: self.axes.clone(), counts: counts.to_vec(), cells: Vec::new() };
+        let cells = counts.iter().product();
+        let points: Vec<Vec<f64>> = (0..cells).map(|cell| self.values(&grid.middle(cell))).collect();
+        let all = self.runs_at(&points)?;
+        let (seen, places) = (self.observation(values_si.to_vec()), (0..values_si.len()).collect::<Vec<usize>>());
+        let is_kept = |runs: &Runs| self.test(runs, &places, &seen).is_consistent;
+        Ok(points.into_iter().zip(&all).filter(|(_, runs)| is_kept(runs)).map(|(point, _)| point).collect())
+    }
+
     fn specimen(
         &self,
         name: Option<String>,

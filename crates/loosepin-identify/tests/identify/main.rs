@@ -3,6 +3,7 @@
 mod closed_forms;
 mod misfits;
 mod motion;
+mod motion_repetitions;
 mod repetitions;
 mod uncertain;
 mod written;

@@ -22,7 +22,8 @@ fn of_crank(tables: &str) -> Study {
         "name = \"crank\"\nmodel = \"model.toml\"\n\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\
          samples_per_turn = 360\n\n[random]\n\
          \"parameter.rod_length\" = {{ normal = {{ mean = \"120 mm\", standard_deviation = \"0.03 mm\" }} }}\n\n\
-         [epistemic]\n\"parameter.crank_length\" = {{ interval = [\"49 mm\", \"51 mm\"] }} # of the shop\n\n{tables}"
+         [epistemic]\n\"parameter.crank_length\" = {{ interval = [\"49 mm\", \"51 mm\"] }} # of the shop\n\n\
+         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n\n{tables}"
     );
     study(&ideal_model(), &text)
 }
@@ -113,4 +114,26 @@ fn a_plan_says_which_feature_tells() {
     assert!(plan.features[1].share_of_box > 0.99, "{plan:?}");
     let refused = identify(&study, &Options::default()).expect_err("nothing was measured").to_string();
     assert!(refused.contains("'slider, range' has no value"), "{refused}");
+}
+
+#[test]
+fn analytic_two_unknowns_of_a_stroke_and_a_largest_position_form_a_band() {
+    // Stroke 2 r = 100 mm ± 0.4 mm and largest position r + l = 170 mm ± 0.2 mm, by two instruments: r in 49.8 to 50.2 mm, and l in
+    // 169.8 - r to 170.2 - r: 119.6 to 120.4 mm, of which the corners are cut off.
+    let text = "name = \"two\"\nmodel = \"model.toml\"\n\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\n\
+        [epistemic]\n\"parameter.crank_length\" = { interval = [\"49 mm\", \"51 mm\"] }\n\
+        \"parameter.rod_length\" = { interval = [\"118 mm\", \"122 mm\"] }\n\n\
+        [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n\n\
+        [[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"range\"\nvalue = \"100 mm\"\nerror = \"0.4 mm\"\ninstrument = \"a\"\n\
+        [[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"maximum\"\nvalue = \"170 mm\"\nerror = \"0.2 mm\"\ninstrument = \"b\"\n";
+    let found = only(&study(&ideal_model(), text));
+    let [crank, rod] = [0, 1].map(|place: usize| found.unknowns[place].after_si.map(|end_si| 1e3 * end_si));
+    for (name, [low, high], [least, most]) in [("crank", crank, [49.8, 50.2]), ("rod", rod, [119.6, 120.4])] {
+        // The tips of the band are narrower than a cell: a cell and a half of 1/20 of the set may be missed or added.
+        let cell = 1.5 * (most - least) / 20.0;
+        assert!((low - least).abs() <= 2.0 * cell && (high - most).abs() <= 2.0 * cell, "{name} {low} {high}");
+    }
+    // The area of the band is 0.4 mm · 0.4 mm of 2 mm · 4 mm.
+    assert!((found.share_of_box[0] - 0.02).abs() < 0.004, "{:?}", found.share_of_box);
+    assert!(found.share_of_box[1] > found.share_of_box[0]);
 }

@@ -165,6 +165,7 @@ impl StudyReader {
             error_si: error_si.unwrap_or(0.0),
             scatter: scatter.unwrap_or(ReadingScatter::Known(0.0)),
             place: self.reader.place(entry.span),
+            pose_place: self.reader.place(table.get("pose").map_or(table.span, |pose| pose.span)),
         })
     }
 

@@ -4,7 +4,7 @@ use loosepin_text::document::{Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension, Rule};
 
 /// Repeats of a reading, at most.
-pub(super) const MOST_REPEATS: u64 = 1_000_000;
+const MOST_REPEATS: u64 = 1_000_000;
 
 pub(super) static MEASURED_KEYS: Keys = Keys::new(
     "a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two \

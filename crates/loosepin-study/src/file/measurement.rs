@@ -38,6 +38,8 @@ pub struct Measured {
     pub scatter: ReadingScatter,
     /// Place of the dead travel in the file.
     pub place: Place,
+    /// Place of the pose in the file.
+    pub pose_place: Place,
 }
 
 /// What pushes an output to and fro.

@@ -1,7 +1,7 @@
 //! Features of a measured motion.
 
 use super::measurement::{FEATURES, FeatureWord, MeasuredMotion, MotionError, MotionSubject, SampledFeature};
-use super::motion_keys::MOTION_KEYS;
+use super::motion_keys::{MOST_STRETCHES, MOTION_KEYS};
 use super::problem::StudyProblem;
 use super::reader::{StudyReader, adopt};
 use crate::outputs::Seen;
@@ -15,8 +15,6 @@ use loosepin_text::document::{Entry, Table, listed, read_beside};
 use loosepin_text::units::{Dimension, Rule, SiUnit};
 use std::f64::consts::TAU;
 
-/// Repeats of a motion, at most: each is a stretch of recorded turns that is simulated.
-const MOST_STRETCHES: usize = 20;
 /// Share of a turn by which a table may end early: its last sample stands one sample before the end.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -233,7 +231,7 @@ impl StudyReader {
             None => None,
         };
         let repeats = stated.unwrap_or(values_si.len().max(1));
-        if repeats > MOST_STRETCHES {
+        if repeats as u64 > MOST_STRETCHES {
             let problem = MotionProblem::TooManyStretches { entry: table.path.describe(), found: repeats };
             return self.refused(&problem, table.span);
         }
@@ -306,7 +304,7 @@ impl StudyReader {
         if stretches == 0 {
             return self.refused(&MotionProblem::TooShort { entry: words(), found, due: turns }, entry.span);
         }
-        let stretches = stretches.min(MOST_STRETCHES);
+        let stretches = stretches.min(MOST_STRETCHES as usize);
         let whole = turns as usize;
         let value = |stretch: usize| {
             let at = |place: usize| first + turn * (stretch as f64 * turns + place as f64 / samples as f64);

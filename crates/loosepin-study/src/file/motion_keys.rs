@@ -1,10 +1,11 @@
 //! The keys of a feature of a measured motion.
 
-use super::measured_keys::MOST_REPEATS;
 use super::measurement::FEATURES;
 use super::words::{DEVIATIONS, words};
 use loosepin_text::document::{Keys, Kind, optional, required};
 
+/// Repeats of a motion, at most: each is a stretch of recorded turns that is simulated.
+pub(super) const MOST_STRETCHES: u64 = 20;
 /// Highest order of a spectrum, at most: two samples a period.
 const MOST_ORDER: u64 = 1000;
 
@@ -85,9 +86,9 @@ pub(super) static MOTION_KEYS: Keys = Keys::new(
         ),
         optional(
             "repeats",
-            Kind::Count { least: 1, most: MOST_REPEATS },
+            Kind::Count { least: 1, most: MOST_STRETCHES },
             "5",
-            "beside one value: the number of repeats whose mean it is; 1 if left out (to 20)",
+            "beside one value: the number of repeats whose mean it is; 1 if left out",
         ),
         optional(
             "error",

@@ -7,15 +7,20 @@ use serde_json::{Map, Value};
 pub fn find<'s>(schema: &'s Value, path: &str) -> Option<&'s Map<String, Value>> {
     let step = |node: &'s Value, word: &str| match word.split_once('=') {
         Some((tag, kind)) => {
-            let holder = inner(node, &|node| node.get("oneOf").is_some())?;
-            let kinds = holder["oneOf"].as_array()?;
-            kinds.iter().find(|variant| variant["properties"][tag]["enum"][0] == kind)
+            let is_kind = |variant: &&Value| variant["properties"][tag]["enum"][0] == kind;
+            let holder = inner(node, &|node| kinds_of(node).any(|variant| is_kind(&variant)))?;
+            kinds_of(holder).find(is_kind)
         }
         None => inner(node, &|node| properties(node).is_some_and(|keys| keys.contains_key(word)))
             .map(|node| &node["properties"][word]),
     };
     let node = path.split_whitespace().try_fold(schema, step)?;
     inner(node, &|node| properties(node).is_some() && !node["additionalProperties"].is_object())?.as_object()
+}
+
+/// The forms of a node, where it has several.
+fn kinds_of(node: &Value) -> impl Iterator<Item = &Value> {
+    ["oneOf", "anyOf"].into_iter().filter_map(|forms| node.get(forms)?.as_array()).flatten()
 }
 
 fn properties(node: &Value) -> Option<&Map<String, Value>> {
