@@ -7,7 +7,7 @@
 
 use loosepin_study::MotionError;
 
-/// Least share of the mean that counts as a standard deviation: what does not scatter must be met to this.
+/// Least share of the mean, and of the common error, that counts as a standard deviation: what does not scatter must be met to this.
 const LEAST_DEVIATION: f64 = 1e-6;
 /// Rounds in which the common errors are fitted one after the other.
 const ROUNDS: usize = 20;
@@ -83,7 +83,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
         values.iter().zip(&is_positive).map(|(value, is_log)| if *is_log { value.ln() } else { *value }).collect()
     };
     let rows: Vec<Vec<f64>> = rows.iter().map(|row| scaled(row)).collect();
-    let form = Form::new(&rows, &is_positive);
+    let form = Form::new(&rows, &is_positive, &seen.errors);
     let shares = nearest_shares(&form, &seen, &scaled);
     let nearest = scaled(&seen.without_error(&shares));
     let own = form.distance(&nearest);
@@ -98,7 +98,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let distance = own / kept;
     let mut all = rows;
     all.push(nearest);
-    let form = Form::new(&all, &is_positive);
+    let form = Form::new(&all, &is_positive, &seen.errors);
     let own = form.distance(&all[all.len() - 1]);
     let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
     let is_consistent = further + 1 > due;
@@ -146,12 +146,14 @@ struct Form {
 }
 
 impl Form {
-    fn new(rows: &[Vec<f64>], is_log: &[bool]) -> Self {
-        let (count, size) = (rows.len() as f64, is_log.len());
-        let mean: Vec<f64> = (0..size).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / count).collect();
-        let mut factor = vec![vec![0.0; size]; size];
-        for i in 0..size {
-            let least = LEAST_DEVIATION * if is_log[i] { 1.0 } else { mean[i].abs() } + f64::MIN_POSITIVE.sqrt();
+    fn new(rows: &[Vec<f64>], is_log: &[bool], errors: &[MotionError]) -> Self {
+        let (count, features) = (rows.len() as f64, is_log.len());
+        let mean: Vec<f64> = (0..features).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / count).collect();
+        let mut factor = vec![vec![0.0; features]; features];
+        for i in 0..features {
+            let error = if errors[i].is_share { 0.0 } else { errors[i].size };
+            let size = if is_log[i] { 1.0 } else { mean[i].abs().max(error) };
+            let least = LEAST_DEVIATION * size + f64::MIN_POSITIVE.sqrt();
             for j in 0..=i {
                 let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
                 let covariance = sum / (count - 1.0).max(1.0) + if i == j { least * least } else { 0.0 };

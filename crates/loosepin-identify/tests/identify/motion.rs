@@ -16,12 +16,15 @@ fn ideal_model() -> String {
     kept.join("\n")
 }
 
+/// Scatter of the rod, of which the stroke knows nothing.
+const ROD: &str =
+    "[random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n\n";
+
 /// A study of the crank between 49 and 51 mm, with these tables.
 fn of_crank(tables: &str) -> Study {
     let text = format!(
         "name = \"crank\"\nmodel = \"model.toml\"\n\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\
-         samples_per_turn = 360\n\n[random]\n\
-         \"parameter.rod_length\" = {{ normal = {{ mean = \"120 mm\", standard_deviation = \"0.03 mm\" }} }}\n\n\
+         samples_per_turn = 360\n\n\
          [epistemic]\n\"parameter.crank_length\" = {{ interval = [\"49 mm\", \"51 mm\"] }} # of the shop\n\n\
          [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n\n{tables}"
     );
@@ -90,9 +93,9 @@ fn a_motion_narrows_the_study_as_written() {
 
 #[test]
 fn identity_the_set_is_the_same_for_any_number_of_threads() {
-    let study = of_crank(&stroke("\"100.3 mm\"", "scatter = \"0.1 mm\""));
+    let study = of_crank(&format!("{ROD}{}", stroke("\"100.3 mm\"", "scatter = \"0.1 mm\"")));
     let with = |threads: usize| {
-        let options = Options { threads, ..Options::default() };
+        let options = Options { threads, points: 30, ..Options::default() };
         identify(&study, &options).unwrap_or_else(|complaints| panic!("{complaints}"))
     };
     assert_eq!(with(1), with(3));
@@ -106,7 +109,7 @@ fn a_plan_says_which_feature_tells() {
         )
     };
     // The mean of the drive's turn counts the rod, whose length is known far better than the error; the stroke counts the crank.
-    let study = of_crank(&format!("{}{}", at("range", ""), at("order", "order = 7")));
+    let study = of_crank(&format!("{ROD}{}{}", at("range", ""), at("order", "order = 7")));
     let asked = MotionValues { confidence: 0.99, points: 64, threads: 0 };
     let plan = plan_motion(&study, &asked).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(plan.features[0].name, "slider, range");
