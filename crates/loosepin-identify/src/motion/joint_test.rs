@@ -9,6 +9,8 @@ use loosepin_study::MotionError;
 
 /// Least share of the mean, and of the common error, that counts as a standard deviation: what does not scatter must be met to this.
 const LEAST_DEVIATION: f64 = 1e-6;
+/// Standard deviations from the mean within which a measurement is kept whatever its rank: draws that do not scatter differ by round-off.
+const CENTRAL: f64 = 1e-3;
 /// Rounds in which the common errors are fitted one after the other.
 const ROUNDS: usize = 20;
 /// Steps of a golden section.
@@ -101,7 +103,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let form = Form::new(&all, &is_positive, &seen.errors);
     let own = form.distance(&all[all.len() - 1]);
     let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
-    let is_consistent = further + 1 > due;
+    let is_consistent = further + 1 > due || own <= CENTRAL;
     // Both distances order alike but for ties of the rank.
     let distance = if is_consistent { distance.min(1.0) } else { distance.max(1.0 + f64::EPSILON) };
     Verdict { is_consistent, distance }
