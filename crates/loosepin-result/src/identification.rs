@@ -1,6 +1,7 @@
 //! The record of an identification: what readings of a rig say of the plays of a mechanism.
 
 use crate::motion_identification::MotionSpecimen;
+pub use crate::play_bounds::PlayBounds;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 
@@ -113,32 +114,6 @@ pub struct Searched {
     pub candidates: usize,
     /// Number that looked best there and was computed in full.
     pub in_full: usize,
-}
-
-/// A play, before and after.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlayBounds {
-    /// Path in the model, or of the parameter that it follows from.
-    pub path: String,
-    /// Name in sentences.
-    pub name: String,
-    /// Its unit.
-    pub unit: SiUnit,
-    /// Interval of the study, SI.
-    pub before_si: [f64; 2],
-    /// Interval that is consistent with the readings, SI: within the one before.
-    pub after_si: [f64; 2],
-    /// Whether the readings fix it by itself, whatever the other plays are.
-    pub is_identifiable: bool,
-    /// Whether the study states it as a plain interval, which can be narrowed.
-    pub is_interval: bool,
-}
-
-impl PlayBounds {
-    /// Whether the interval after is narrower than the one before, at the lower and at the upper end.
-    pub fn is_narrowed(&self) -> [bool; 2] {
-        [self.after_si[0] > self.before_si[0], self.after_si[1] < self.before_si[1]]
-    }
 }
 
 /// A sum of plays, each times its weight.

@@ -6,6 +6,7 @@ pub mod identification;
 pub mod json;
 pub mod motion;
 pub mod motion_identification;
+mod play_bounds;
 pub mod repeat;
 pub mod simulation;
 pub mod study;

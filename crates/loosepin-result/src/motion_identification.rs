@@ -1,6 +1,6 @@
 //! The record of an identification from motion: which values of the unknowns are consistent with measured features.
 
-use crate::identification::PlayBounds;
+use crate::play_bounds::PlayBounds;
 use loosepin_text::units::SiUnit;
 use serde::{Deserialize, Serialize};
 
