@@ -35,6 +35,7 @@ mod chart_drawing;
 mod chart_figure;
 mod compare;
 mod contributors_text;
+mod draft_band;
 mod draft_text;
 mod figure;
 mod glossary;
@@ -84,6 +85,7 @@ pub use compare::{
     ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison, Weight,
     compare_studies,
 };
+pub use draft_band::{DraftBand, draft_bands};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
 pub use identification_text::identification_text;

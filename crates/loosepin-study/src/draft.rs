@@ -2,10 +2,11 @@
 
 use super::assemble::{Material, asked_bounds, requirements};
 use super::columns::Spot;
-use super::file::Study;
+use super::draft_curves::draft_curves;
+use super::file::{Study, Where};
 use super::response::StudyResponse;
 use super::sheet::{Drafts, PilotRun};
-use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable};
+use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable, Statistic};
 use loosepin_result::study::{Draft, ResponsePoint};
 use loosepin_text::units::DisplayUnits;
 use std::collections::HashSet;
@@ -37,10 +38,20 @@ impl<'s> Drafting<'s> {
     }
 
     fn pilot(&self, plan: &DoubleLoop) -> Option<Pilot> {
-        let plan = plan.draft(|request| self.is_told(request))?.pilot(PILOT_RUNS)?;
+        let plan = self.told(plan)?.pilot(PILOT_RUNS)?;
         let runs = plan.next_round(&SampleTable::new(self.response.row_length())).ok()?;
         let places = runs.iter().map(|run| (run.point, run.replicate, run.index)).collect();
         Some(Pilot { plan, places })
+    }
+
+    /// `plan` for what a draft tells; nothing where there is nothing of it.
+    fn told(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
+        let asks = || self.response.shared.plan.asks.iter();
+        let curve = asks().find(|planned| planned.ask.location == Where::Cycle);
+        // A curve alone needs the runs, but no bound of any of its points.
+        let pose = curve.and_then(|planned| planned.columns.first()).copied();
+        plan.draft(|request| self.is_told(request))
+            .or_else(|| plan.draft(|request| Some(request.column) == pose && request.statistic == Statistic::Mean))
     }
 
     /// Whether a request is of a single number of the whole recorded part.
@@ -61,6 +72,8 @@ impl<'s> Drafting<'s> {
                 .into_iter()
                 .filter(|outcome| outcome.at == ResponsePoint::Whole)
                 .collect(),
+            curves: draft_curves(response, table),
+            drive: study.model.input(study.cycle.span, &response.nominal).name,
             display_units: study.model.shown_in(DisplayUnits::default()),
         })
     }
@@ -81,6 +94,6 @@ impl Drafts for Drafting<'_> {
     }
 
     fn of(&self, plan: &DoubleLoop, table: &SampleTable) -> Option<Draft> {
-        self.draft(&plan.draft(|request| self.is_told(request))?, table).ok()
+        self.draft(&self.told(plan)?, table).ok()
     }
 }

@@ -13,6 +13,7 @@ mod contributors;
 mod distribution_words;
 mod double_loop;
 mod draft;
+mod draft_curves;
 mod elsewhere;
 mod error;
 mod evaluate;

@@ -27,7 +27,7 @@ pub use allowances::{
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessCommand, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use deviation::Deviation;
-pub use draft::Draft;
+pub use draft::{Draft, DraftCurve};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
     SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd, ValueBand,

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 
-use loosepin::report::draft_text;
+use loosepin::report::{draft_bands, draft_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundRecord, Draft, ResponsePoint};
 use loosepin::study::{Conducted, Means, Progress, Study, conduct, plan_runs};
@@ -39,6 +39,7 @@ fn study() -> Study {
         [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n\
         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum_absolute\"\n\
         statistics = [\"mean\", { quantile = 0.9 }]\n\
+        [[ask]]\noutput = \"slider\"\nof = \"total\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n\
         [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"5 mm\"\nover = \"cycle\"\n\
         probability_at_least = 0.75\n";
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/slider_crank_worn_pin/study.toml");
@@ -78,8 +79,23 @@ fn identity_a_study_that_tells_drafts_has_the_bytes_of_one_that_does_not() {
     let bounds: Vec<&BoundRecord> = watched.result.bounds.iter().filter(is_reduced).collect();
     assert_eq!(last.bounds.iter().collect::<Vec<_>>(), bounds);
     assert_eq!(last.requirements, watched.result.requirements);
+    // The band of the page is that of all runs, widened by its error.
+    let band = &watched.result.curves[0].mixed;
+    let so_far = &last.curves[0].band;
+    assert_eq!(so_far.lower_si.len(), band.lower_si.len());
+    for (own, whole) in so_far.lower_si.iter().zip(&band.lower_si) {
+        assert!(own >= whole, "{own} {whole}");
+    }
+    for (own, whole) in so_far.upper_si.iter().zip(&band.upper_si) {
+        assert!(own <= whole, "{own} {whole}");
+    }
     for draft in &drafts {
         assert!(draft_text(draft).starts_with("so far: slider within ±"), "{}", draft_text(draft));
+        // Each picture has the poses of a quarter turn, and says how many runs it is of.
+        let bands = draft_bands(draft);
+        let [curve] = &draft.curves[..] else { panic!("{} curves", draft.curves.len()) };
+        assert_eq!((curve.pose_rad.len(), bands.len()), (10, 1));
+        assert!(curve.unknown_values >= 3 && bands[0].figure.contains("runs so far"), "{}", bands[0].words);
         // Each is a bound of what the last one has attained.
         for (early, late) in draft.bounds.iter().zip(&last.bounds) {
             assert!(early.upper.widened_si >= late.upper.value_si, "{} runs: {early:?} {late:?}", draft.runs);
