@@ -28,6 +28,10 @@ pub struct ComparedBand {
     pub words: String,
     /// The chart as an SVG document that takes its style from the page.
     pub figure: String,
+    /// Angles of the chart, degrees.
+    pub angle_deg: Vec<f64>,
+    /// From where to where A and B reach at each of them, with units.
+    pub reaches: Vec<[String; 2]>,
 }
 
 /// The pictures in the order of A; and which bands are not compared, in sentences.
@@ -100,7 +104,20 @@ fn band(
     });
     let words = format!("Farthest from zero: {}.", in_both(told));
     chart.alternative = format!("Chart of both bands over one cycle. {title}. {words}");
-    ComparedBand { title, words, figure: chart.document() }
+    let both = curves.map(|curve| ends_at(curve, &angles));
+    let reaches = (0..angles.len()).map(|pose| [0, 1].map(|which| reach_words(&both[which], pose, first, writer)));
+    let angle_deg = angles.iter().map(|angle| angle.to_degrees()).collect();
+    ComparedBand { title, words, reaches: reaches.collect(), angle_deg, figure: chart.document() }
+}
+
+/// Where a band begins and ends at a pose: `-0.15 mm to 0.14 mm`.
+fn reach_words(ends: &[Vec<f64>; 2], pose: usize, curve: &DeviationCurve, writer: &NumberWriter) -> String {
+    let [lower, upper] = [0, 1].map(|which| ends[which][pose]);
+    if !lower.is_finite() || !upper.is_finite() {
+        return "nothing known".to_owned();
+    }
+    let written = |value_si, rounding| writer.rounded(value_si, &curve.unit, DIGITS, rounding);
+    format!("{} to {}", written(lower, Rounding::Down), written(upper, Rounding::Up))
 }
 
 /// Limits over the whole cycle: once where both studies require the same.
