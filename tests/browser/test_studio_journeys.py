@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import time
@@ -149,6 +150,35 @@ def test_a_study_is_followed_after_the_page_was_loaded_again(studio):
     studio.wait(DONE, 300)
     found = list((studio.folder / "results").glob("*/*/summary.json"))
     assert len(found) == 1 and json.loads(found[0].read_text())["counts"]["runs"] > 0
+    assert studio.browser.complaints() == []
+
+
+COARSE = "document.querySelector('.coarse svg.chart .fill')?.getAttribute('d') ?? ''"
+
+
+def test_the_band_of_a_study_is_seen_while_it_runs_and_becomes_finer(studio):
+    """Journey 7: from a few hundred runs first, then from all of each round."""
+    folder = studio.folder / "mine"
+    subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
+    study = folder / "study.toml"
+    study.write_text(study.read_text().replace("inner = 1024", "inner = 256"))
+    studio.open()
+    studio.click("a, button", "four-bar with play")
+    studio.wait("document.querySelector('svg.chart')")
+    studio.click("button", "Save and run")
+    studio.wait(f"({COARSE}) !== ''", 120)
+    first, shown = studio.browser.evaluate(f"[{COARSE}, document.querySelector('.coarse').innerText]")
+    # Words say what it is, and that it is none of the bounds.
+    assert "Deviation of rocker" in shown and "No bound yet: it can still grow." in shown, shown
+    runs = int(re.search(r"from ([0-9,]+) runs", shown)[1].replace(",", ""))
+    assert 32 <= runs <= 1024, shown
+    # It is put away, and stays so while it is refined.
+    studio.click(".coarse summary")
+    assert studio.browser.evaluate("document.querySelector('.coarse')?.open !== true")
+    studio.wait(f"({COARSE}) !== {first!r} || ({DONE})", 300)
+    assert studio.browser.evaluate("document.querySelector('.coarse')?.open !== true")
+    studio.wait(DONE, 300)
+    assert studio.browser.evaluate("document.querySelector('.coarse')") is None, "the report has the band"
     assert studio.browser.complaints() == []
 
 

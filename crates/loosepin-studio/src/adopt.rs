@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::edit;
 use crate::folder::Folder;
-use crate::messages::{Change, Document};
+use crate::messages::Document;
 use crate::places::unquoted;
 use crate::refusal::Refusal;
 use crate::stored::stored_study;
@@ -51,7 +51,7 @@ pub fn adopted(folder: &Folder, texts: &Texts, path: &str, place: usize) -> Resu
         };
         let text = written(&now, path, *value_si)?;
         let changes = edit::know(folder, &now, path, &text)?;
-        let new = |document: Document, old: &str| applied(old, &changes, document);
+        let new = |document: Document, old: &str| edit::applied(old, &changes, document);
         let model = new(Document::Model, now.model.text());
         let study = now.study.as_ref().map(|study| new(Document::Study, study.text()));
         now = now.with(folder, Some(&model), study.as_deref());
@@ -75,43 +75,4 @@ fn written(texts: &Texts, path: &str, value_si: f64) -> Result<String, Refusal> 
     let unit = old.and_then(|text| number_and_unit(text.trim())).map(|(_, unit)| unit);
     let unit = unit.and_then(|unit| ReadableUnit::of_dimension(unit, quantity.dimension));
     Ok(unit.map_or_else(|| format_value(value_si, quantity.dimension), |unit| unit.format(value_si)))
-}
-
-/// A text with the changes that belong to it, which are counted in UTF-16 units.
-fn applied(text: &str, changes: &[Change], document: Document) -> String {
-    let mut own: Vec<&Change> = changes.iter().filter(|change| change.document == document).collect();
-    // Insertions at one place stay in their order.
-    own.sort_by_key(|change| change.from);
-    let units: Vec<u16> = text.encode_utf16().collect();
-    let piece = |from: usize, to: usize| String::from_utf16_lossy(units.get(from..to).unwrap_or_default());
-    let mut new = String::with_capacity(text.len());
-    let mut from = 0;
-    for change in own {
-        new.push_str(&piece(from, change.from));
-        new.push_str(&change.insert);
-        from = change.to;
-    }
-    new.push_str(&piece(from, units.len()));
-    new
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn changes_are_counted_as_browsers_count() {
-        let change = |document, from, to, insert: &str| Change { document, from, to, insert: insert.to_owned() };
-        // α of mathematics has two units.
-        let text = "# 𝛼\na = 1\nb = 2\n";
-        let changes = [
-            change(Document::Model, 15, 16, "4"),
-            change(Document::Study, 0, 1, "x"),
-            change(Document::Model, 9, 10, "3"),
-            change(Document::Model, 17, 17, "c = 5\n"),
-            change(Document::Model, 17, 17, "d = 6\n"),
-        ];
-        assert_eq!(applied(text, &changes, Document::Model), "# 𝛼\na = 3\nb = 4\nc = 5\nd = 6\n");
-        assert_eq!(applied(text, &[], Document::Model), text);
-    }
 }

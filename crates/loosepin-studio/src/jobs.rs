@@ -7,7 +7,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use loosepin::report::draft_text;
+use loosepin::report::{draft_bands, draft_text};
 use loosepin::study::Progress;
 use loosepin::study::result::Draft;
 use tokio::sync::broadcast;
@@ -263,8 +263,10 @@ impl Progress for Teller<'_> {
 
     fn draft(&self, draft: &Draft) {
         let text = draft_text(draft);
-        if !text.is_empty() {
-            self.jobs.change(self.id, |job| job.draft = Some(JobDraft { words: vec![text] }));
-        }
+        let draft = JobDraft {
+            words: Some(text).filter(|text| !text.is_empty()).into_iter().collect(),
+            bands: draft_bands(draft),
+        };
+        self.jobs.change(self.id, |job| job.draft = Some(draft));
     }
 }

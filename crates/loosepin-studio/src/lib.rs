@@ -10,7 +10,7 @@
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
-//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs` |
+//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs`, `forces.rs` |
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
@@ -27,6 +27,7 @@ mod drawn;
 mod edit;
 mod fixes;
 mod folder;
+mod forces;
 mod gallery;
 mod guard;
 mod job;

@@ -14,8 +14,9 @@ use loosepin::units::{Dimension, format_value};
 
 use crate::complaints::seen;
 use crate::dimensions::dimensions;
-use crate::edit::{gripped, refused_drag, shown_angle_deg, why_not};
+use crate::edit::{Gripped, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::folder::Folder;
+use crate::forces::forces;
 use crate::limits::limits;
 use crate::messages::{Look, Outline, Seen, SeenBody, SeenJoint, SeenLimit, SeenOutput, SeenPin, SeenPoint, View};
 use crate::quantities::quantities;
@@ -25,6 +26,8 @@ use crate::texts::Texts;
 const MM_PER_M: f64 = 1e3;
 /// A run that is followed for a drawing is shown at so many instants, at most.
 const CONTROLLED_POSITIONS: usize = 121;
+/// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
+const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";
 /// Fewest and most positions in a turn.
 const POSITIONS: [usize; 2] = [12, 720];
 
@@ -32,21 +35,45 @@ const POSITIONS: [usize; 2] = [12, 720];
 /// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
 pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
     let began = Instant::now();
-    let mut texts = Texts::sent(folder, look);
-    let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&texts.model)) {
-        Ok(model) => gripped(&model, &texts, grip),
+    let before = Texts::sent(folder, look);
+    let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
+        Ok(model) => gripped(&model, &before, grip),
         Err(_) => refused_drag("the model cannot be read: mend its problems first".to_owned()),
     });
-    if let Some(drag) = &drag {
-        texts = texts.with(folder, drag.model.as_deref(), drag.study.as_deref());
+    let (mut seen, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
+    if let (Some(grip), Some(drag), Some(drawing)) = (&look.grip, &drag, &drawing)
+        && let Some(kept) = kept_closure(folder, &before, grip, drag, drawing, stop)
+    {
+        match (kept.drag, &mut seen.reshaped) {
+            (Some(drag), _) => seen = seen_after(folder, look, &before, Some(&drag), stop).0,
+            (None, Some(reshaped)) => reshaped.words.push(OTHER_CLOSURE.to_owned()),
+            (None, None) => {}
+        }
     }
+    seen.cost_ms = began.elapsed().as_secs_f64() * 1e3;
+    seen
+}
+
+/// What is seen of texts after a drag, and the mechanism where it moves.
+fn seen_after(
+    folder: &Folder,
+    look: &Look,
+    before: &Texts,
+    drag: Option<&Gripped>,
+    stop: &AtomicBool,
+) -> (Seen, Option<Drawing>) {
+    let texts = match drag {
+        Some(drag) => before.with(folder, drag.model.as_deref(), drag.study.as_deref()),
+        None => Texts { model: before.model.clone(), study: before.study.clone() },
+    };
     let mut complaints = Complaints::new();
     let file = texts.read().or_else(|found| {
         complaints.extend(found);
         // Reading the model alone: its own complaints are told already.
         Texts { model: texts.model.clone(), study: None }.read()
     });
-    let mut reshaped = drag.as_ref().map(|drag| drag.reshaped.clone());
+    let mut reshaped = drag.map(|drag| drag.reshaped.clone());
+    let mut drawing = None;
     let view = file.ok().and_then(|file| {
         let warnings = match &file {
             InputFile::Model(model) => &model.warnings,
@@ -56,25 +83,30 @@ pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
         match file.ideal_motion_until(positions, &[], stop) {
             Ok(record) => {
-                if let (Some(reshaped), Some(drag)) = (&mut reshaped, &drag) {
-                    reshaped.angle_deg = shown_angle_deg(drag, &record.drawing);
+                if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
+                    reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
                 }
-                Some(view(&file, &record, &texts))
+                let view = view(&file, &record, &texts);
+                drawing = Some(record.drawing);
+                Some(view)
             }
             Err(_) if stop.load(Ordering::Relaxed) => None,
             Err(found) => file
                 .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
                 .map(|drawing| controlled(&file, &drawing, &texts))
                 .or_else(|| {
-                    let view = look.poses.as_ref().map(|poses| incomplete(&file, &found, poses, &texts));
+                    let view = look.poses.as_ref().map(|poses| {
+                        let mut poses = poses.clone();
+                        poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
+                        incomplete(&file, &found, &poses, &texts)
+                    });
                     complaints.extend(found);
                     view
                 }),
         }
     });
     let complaints = seen(&complaints, &texts);
-    let cost_ms = began.elapsed().as_secs_f64() * 1e3;
-    Seen { seq: look.seq, complaints, view, reshaped, cost_ms, is_cut: false }
+    (Seen { seq: look.seq, complaints, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
 }
 
 /// As [`look_until`], to its end.
@@ -173,6 +205,7 @@ fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outlin
         joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
         drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
         outputs,
+        forces: forces(model),
         parts: drawing.bodies.iter().map(part).collect(),
         dimensions: dimensions(model),
     }

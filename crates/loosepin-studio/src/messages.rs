@@ -1,6 +1,6 @@
 //! What the page and the server say to each other, as JSON. `front/src/messages.ts` has the same types.
 
-use loosepin::report::{LiveBand, MovingDrawing};
+use loosepin::report::{DraftBand, LiveBand, MovingDrawing};
 use serde::{Deserialize, Serialize};
 
 use crate::still::NamedPoses;
@@ -25,7 +25,7 @@ pub struct Look {
     pub study: Option<SentText>,
     /// Positions in a turn.
     pub positions: usize,
-    /// The joint that is dragged, where one is: what is looked at are the texts that the drag makes of these.
+    /// What is dragged, where anything is: what is looked at are the texts that the drag makes of these.
     #[serde(default)]
     pub grip: Option<Grip>,
     /// Where bodies were last: a mechanism that does not move yet is drawn there.
@@ -33,12 +33,35 @@ pub struct Look {
     pub poses: Option<NamedPoses>,
 }
 
-/// A joint that is dragged.
+/// What a drag takes.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(tag = "take", rename_all = "snake_case")]
+pub enum Held {
+    /// The centre of a pin.
+    Joint {
+        /// Its name.
+        joint: String,
+    },
+    /// A point that no pin holds.
+    Point {
+        /// Its body; `ground` too.
+        body: String,
+        /// Its name.
+        point: String,
+    },
+    /// The line of a guide or a slot, which turns about its point.
+    Guide {
+        /// Name of the joint.
+        joint: String,
+    },
+}
+
+/// A drag.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Grip {
-    /// Its name.
-    pub joint: String,
-    /// Where its centre is to be, mm.
+    /// What is dragged.
+    pub held: Held,
+    /// Where a centre or point is to be, or a place on the line of a guide, mm.
     pub to_mm: [f64; 2],
     /// Written values are rounded to the next round step that is not below this one, mm.
     pub step_mm: f64,
@@ -276,6 +299,23 @@ pub struct SeenDimension {
     pub path: Option<String>,
 }
 
+/// A spring or a load, with where it stands in the drawing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenForce {
+    /// `spring` or `load`.
+    pub table: &'static str,
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub kind: &'static str,
+    /// Both ends of a spring along a line; the one place of all others; nothing where no point says where.
+    pub ends: Vec<SeenPin>,
+    /// Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees.
+    pub direction_deg: Option<f64>,
+    /// The direction turns with the body.
+    pub turns: bool,
+}
+
 /// An output in the outline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeenOutput {
@@ -296,6 +336,8 @@ pub struct Outline {
     pub drives: Vec<String>,
     /// Outputs.
     pub outputs: Vec<SeenOutput>,
+    /// Springs and loads.
+    pub forces: Vec<SeenForce>,
     /// All bodies with their points, in the order of the drawing.
     pub parts: Vec<SeenBody>,
     /// Dimensions of bodies and joints.
@@ -349,6 +391,8 @@ pub struct Reshaped {
     pub words: Vec<String>,
     /// The angle of the drive at which the joints lie where the drag left them.
     pub angle_deg: Option<f64>,
+    /// Where the bodies are that the drag has moved, by name: so a mechanism is drawn that does not move yet.
+    pub poses: NamedPoses,
     /// Why nothing can be changed.
     pub refusal: Option<String>,
 }
@@ -432,4 +476,6 @@ pub struct Job {
 pub struct JobDraft {
     /// In sentences.
     pub words: Vec<String>,
+    /// Bands over the cycle from the runs so far.
+    pub bands: Vec<DraftBand>,
 }

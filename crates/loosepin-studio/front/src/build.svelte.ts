@@ -102,7 +102,7 @@ export class Build {
   }
 }
 
-function nameOf(taken: Taken): string {
+export function nameOf(taken: Taken): string {
   if ('target' in taken) return taken.target.points.map(({ body, point }) => `${body}.${point}`).join(' = ');
   return 'body' in taken ? taken.body : words.draw.at(round(taken.at[0]), round(taken.at[1]));
 }

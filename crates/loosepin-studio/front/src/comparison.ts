@@ -15,6 +15,16 @@ export interface ChangedInput {
   after: string | null;
 }
 
+/** Both bands of an output over the cycle. */
+export interface ComparedBand {
+  title: string;
+  words: string;
+  figure: string;
+  angle_deg: number[];
+  /** From where to where A and B reach at each angle. */
+  reaches: [string, string][];
+}
+
 export interface Comparison {
   headline: string;
   sides: [ComparedSide, ComparedSide];
@@ -26,7 +36,7 @@ export interface Comparison {
     kept: [string | null, string | null];
     verdicts: [Verdict | null, Verdict | null];
   }[];
-  bands: { title: string; words: string; figure: string }[];
+  bands: ComparedBand[];
   statistics: { response: string; statistic: string; ends: [ComparedEnd, ComparedEnd] }[];
   inputs: ChangedInput[];
 }

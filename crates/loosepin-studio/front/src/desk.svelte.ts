@@ -10,7 +10,7 @@ import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
 import { Looker } from './looker.ts';
-import type { Complaint, Fix, Limit, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
+import type { Complaint, Fix, Held, Limit, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
 import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
@@ -18,6 +18,8 @@ import { ask } from './wire.ts';
 import { words } from './words.ts';
 
 const typingPauseMs = 150;
+/** Texts of the model of which it is remembered where bodies were. */
+const mostPoses = 200;
 
 export interface Reveal {
   document: Which;
@@ -59,7 +61,7 @@ export class Desk {
   built = $state.raw<{ words: string[]; isRefused: boolean } | null>(null);
   /** What is to be taken out, once that is confirmed. */
   removal = $state.raw<Removal | null>(null);
-  /** The pin that is dragged. */
+  /** What is dragged. */
   drag = $state.raw<Drag | null>(null);
   /** What the last drag says: new values, or why there are none. */
   dragged = $state.raw<{ words: string[]; refusal: string | null } | null>(null);
@@ -71,6 +73,8 @@ export class Desk {
   private isRewriting = false;
   /** Where bodies are at the start, by name: what does not move yet is drawn there. */
   private poses: Poses = {};
+  /** The same by the text of the model. */
+  private readonly posesBy = new Map<string, Poses>();
   private confirmed: { answer: Restructured; version: number } | null = null;
 
   constructor(readonly documents: Documents) {
@@ -136,15 +140,14 @@ export class Desk {
     this.change(fix.document, { from: fix.from, to: fix.to, insert: fix.insert }, { name: 'fix', joins: 'never' });
   }
 
-  /** Takes a pin, to be moved in steps of the screen. */
-  take(joint: string, start: Point, stepMm: number, name: string): void {
+  /** Takes something in the drawing, to be moved in steps of the screen. */
+  take(held: Held, start: Point, stepMm: number, name: string): void {
     const model = this.documents.textOf('model');
     const motion = this.view?.drawing?.motion;
-    // What does not move yet has no position at which its pins could be dragged.
-    if (!model || !motion || this.isStale || this.view?.incomplete != null) return;
+    if (!model || !motion || this.isStale) return;
     this.head.run(false);
     this.dragged = null;
-    this.drag = new Drag(joint, { model, study: this.documents.textOf('study') }, posesAt(motion, this.head.angle), start, stepMm, name);
+    this.drag = new Drag(held, { model, study: this.documents.textOf('study') }, posesAt(motion, this.head.angle), start, stepMm, name);
   }
 
   moveDrag(to: Point, isFree: boolean): void {
@@ -152,9 +155,11 @@ export class Desk {
     this.looker.now();
   }
 
-  endDrag(): void {
+  /** Lets go; what is done `then` belongs to the same step to undo. */
+  endDrag(then: Edit | null = null): void {
     if (!this.drag) return;
     this.drag.isEnding = true;
+    this.drag.then = then;
     this.looker.now();
   }
 
@@ -184,7 +189,9 @@ export class Desk {
     }
     if (drag.isEnding && !this.looker.isWaiting) {
       this.drag = null;
-      this.looker.now();
+      if (drag.then && reshaped.refusal === null) {
+        void this.restructure(drag.then, drag.name, reshaped.poses);
+      } else this.looker.now();
     }
   }
 
@@ -270,13 +277,15 @@ export class Desk {
   }
 
   /** Changes links, joints or names, as one step to undo. Says why, where that cannot be. */
-  async restructure(edit: Edit): Promise<string | null> {
+  async restructure(edit: Edit, name: string | null = null, poses: Poses = {}): Promise<string | null> {
     const { version } = this.documents;
-    const answer = await this.asked(edit);
+    const answer = await this.asked(edit, poses);
     if (typeof answer === 'string') return this.refuse(answer);
     // The texts went on meanwhile: the places of the answer are old.
-    if (this.documents.version !== version) return this.restructure(edit);
-    this.takeOver(answer, `${edit.kind} ${version}`);
+    if (this.documents.version !== version) return this.restructure(edit, name, poses);
+    // What no longer moves is drawn where it was left.
+    this.poses = { ...this.poses, ...poses };
+    this.takeOver(answer, name ?? `${edit.kind} ${version}`);
     return null;
   }
 
@@ -310,9 +319,9 @@ export class Desk {
     this.part = what && what.table !== 'joint' ? what : null;
   }
 
-  private async asked(edit: Edit): Promise<Restructured | string> {
+  private async asked(edit: Edit, poses: Poses = {}): Promise<Restructured | string> {
     const { documents } = this;
-    const body = { model: documents.textOf('model'), study: documents.textOf('study'), edit, poses: this.poses };
+    const body = { model: documents.textOf('model'), study: documents.textOf('study'), edit, poses: { ...this.poses, ...poses } };
     try {
       const answer = await ask<Restructured>('POST', '/api/restructure', body);
       return answer.refusal ? [answer.refusal.message, answer.refusal.hint].filter(Boolean).join(': ') : answer;
@@ -343,6 +352,12 @@ export class Desk {
       return pose ? [[name, pose] as const] : [];
     });
     this.poses = { ...this.poses, ...Object.fromEntries(named) };
+    const text = this.documents.model?.text;
+    if (text === undefined) return;
+    // The newest last: the oldest are forgotten.
+    this.posesBy.delete(text);
+    this.posesBy.set(text, this.poses);
+    if (this.posesBy.size > mostPoses) this.posesBy.delete(this.posesBy.keys().next().value ?? '');
   }
 
   show(document: Which, from: number, to: number): void {
@@ -357,13 +372,18 @@ export class Desk {
     if (found) this.show('model', found.index, found.index + found[0].length);
   }
 
+  /** Where the bodies of a model were last; a step to undo takes them back too. */
+  private posesOf(model: string): Poses {
+    return this.posesBy.get(model) ?? this.poses;
+  }
+
   private look() {
     const { drag } = this;
     const { version } = this.documents;
-    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: null }, version };
+    if (drag) return { look: { ...drag.base, grip: drag.grip, poses: this.posesOf(drag.base.model.text) }, version };
     const model = this.documents.textOf('model');
     if (!model) return null;
-    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.poses }, version };
+    return { look: { model, study: this.documents.textOf('study'), grip: null, poses: this.posesOf(model.text) }, version };
   }
 
   private hear(seen: Seen, version: number, isFinest: boolean): void {
@@ -396,7 +416,7 @@ export class Desk {
       this.viewed = version;
       this.limits = seen.view.limits.map((limit) => documents.moved('study', limit, version));
       this.quantities = seen.view.quantities.map((quantity) => documents.moved(quantity.document, quantity, version));
-      this.keepPoses(seen.view);
+      if (version === documents.version) this.keepPoses(seen.view);
       if (seen.view.drawing) this.head.follow(seen.view.drawing.motion);
       if (this.build.isOn) this.head.set(this.head.first);
       if (seen.reshaped?.angle_deg != null) this.head.set(seen.reshaped.angle_deg);

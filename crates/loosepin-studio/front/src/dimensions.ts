@@ -1,6 +1,6 @@
 // Dimensions of what is chosen, on the drawing: a line with its ends, and the length with its tolerance.
 import type { Dimension, Part } from './messages.ts';
-import { element } from './pins.ts';
+import { element } from './element.ts';
 
 /** The side of a line on which a body has less: 1 is to the left of it. */
 function freeSide({ from, to }: Dimension, part: Part | undefined): 1 | -1 {

@@ -1,6 +1,7 @@
-// A pin that is dragged: the texts from which it began, where it is to be, and what the server makes of both.
+// Something that is dragged: the texts from which it began, where it is to be, and what the server makes of both.
 import { applied, type Change } from './history.ts';
-import type { Grip, PathAndText, Reshaped, Which } from './messages.ts';
+import type { Edit } from './edits.ts';
+import type { Grip, Held, PathAndText, Reshaped, Which } from './messages.ts';
 
 export type Point = [number, number];
 
@@ -9,9 +10,11 @@ export class Drag {
   private isFree = false;
   /** It was let go: the answer to its last place ends it. */
   isEnding = false;
+  /** What is done when it has ended, as a part of it. */
+  then: Edit | null = null;
 
   constructor(
-    readonly joint: string,
+    private readonly held: Held,
     readonly base: { model: PathAndText; study: PathAndText | null },
     private readonly poses: Grip['poses'],
     start: Point,
@@ -28,7 +31,7 @@ export class Drag {
   }
 
   get grip(): Grip {
-    return { joint: this.joint, to_mm: this.to, step_mm: this.stepMm, is_free: this.isFree, poses: this.poses };
+    return { held: this.held, to_mm: this.to, step_mm: this.stepMm, is_free: this.isFree, poses: this.poses };
   }
 
   /** What a text of the drag becomes. */

@@ -168,11 +168,23 @@ export interface Dimension {
   path: string | null;
 }
 
+/** A spring or a load; its ends are places in frames of bodies of the drawing, mm. */
+export interface Force {
+  table: 'spring' | 'load';
+  name: string;
+  kind: string;
+  ends: Pin[];
+  direction_deg: number | null;
+  /** The direction turns with the body. */
+  turns: boolean;
+}
+
 export interface Outline {
   bodies: string[];
   joints: JointEntry[];
   drives: string[];
   outputs: { name: string; words: string }[];
+  forces: Force[];
   /** All bodies, the ground too, in the order of the drawing. */
   parts: Part[];
   dimensions: Dimension[];
@@ -202,6 +214,13 @@ export interface View {
   quantities: Quantity[];
 }
 
+/** A band over the cycle from the runs so far. */
+export interface CoarseBand {
+  title: string;
+  words: string;
+  figure: string;
+}
+
 export interface Job {
   id: number | string;
   /** A study, or one mechanism by itself. */
@@ -216,7 +235,7 @@ export interface Job {
   words: string[];
   result: string | null;
   verdict: Verdict | null;
-  draft?: { words: string[] } | null;
+  draft?: { words: string[]; bands: CoarseBand[] } | null;
   complaints?: string[];
 }
 
@@ -225,9 +244,12 @@ export interface PathAndText {
   text: string;
 }
 
-/** A joint that is dragged; poses are x and y in mm and the angle in degrees of each body. */
+/** What a drag takes. */
+export type Held = { take: 'joint' | 'guide'; joint: string } | { take: 'point'; body: string; point: string };
+
+/** A drag; poses are x and y in mm and the angle in degrees of each body. */
 export interface Grip {
-  joint: string;
+  held: Held;
   to_mm: [number, number];
   step_mm: number;
   is_free: boolean;
@@ -239,6 +261,8 @@ export interface Reshaped {
   changes: (Range & { document: Which; insert: string })[];
   words: string[];
   angle_deg: number | null;
+  /** Where the bodies are that it has moved, by name. */
+  poses: Record<string, [number, number, number]>;
   refusal: string | null;
 }
 

@@ -58,11 +58,14 @@ export class Player {
   private readonly bodies: SVGElement[];
   private readonly ghosts: SVGElement[];
   private readonly riders: SVGElement[];
+  /** From (0, 0) to (1, 0) in their own frames. */
+  private readonly spans: SVGElement[];
 
   constructor(svg: SVGSVGElement, private readonly motion: Motion) {
     this.bodies = [...svg.querySelectorAll<SVGElement>('[data-body]')];
     this.ghosts = [...svg.querySelectorAll<SVGElement>('[data-ghost]')];
     this.riders = [...svg.querySelectorAll<SVGElement>('[data-rides]')];
+    this.spans = [...svg.querySelectorAll<SVGElement>('[data-from]')];
   }
 
   show(angle: number): void {
@@ -77,6 +80,17 @@ export class Player {
       const { x, y, a } = at(group.dataset.rides, magnification);
       const [worldX, worldY] = worldOf([x, y, a], Number(group.dataset.x), Number(group.dataset.y));
       group.setAttribute('transform', 'translate(' + worldX.toFixed(4) + ' ' + worldY.toFixed(4) + ')');
+    });
+    const end = (text: string | undefined): [number, number] => {
+      const [body = '0', ownX, ownY] = (text ?? '').split(' ');
+      const { x, y, a } = at(body, magnification);
+      return worldOf([x, y, a], Number(ownX), Number(ownY));
+    };
+    this.spans.forEach((group) => {
+      const [from, to] = [end(group.dataset.from), end(group.dataset.to)];
+      const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+      const across = Number(group.dataset.across) / Math.max(Math.hypot(dx, dy), 1e-9);
+      group.setAttribute('transform', 'matrix(' + [dx, dy, -dy * across, dx * across, from[0], from[1]].map((value) => value.toFixed(4)).join(' ') + ')');
     });
   }
 }

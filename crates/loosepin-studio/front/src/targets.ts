@@ -2,12 +2,17 @@
 import type { End } from './edits.ts';
 import type { Point } from './drag.ts';
 import type { Motion, Part } from './messages.ts';
-import { element } from './pins.ts';
+import { element } from './element.ts';
 import { posesAt, worldOf } from './player.ts';
+
+export interface PointName {
+  body: string;
+  point: string;
+}
 
 export interface Target {
   /** Points of different bodies at one place. */
-  points: { body: string; point: string }[];
+  points: PointName[];
   /** Index of the body that carries the first of them, and where it is in its frame, mm. */
   body: number;
   own: Point;
@@ -51,13 +56,13 @@ export function addTargets(svg: SVGSVGElement, targets: Target[], nameOf: (targe
 }
 
 /** An end at a target: of a body other than `not`, where there is one. */
-export function endAt(target: Target, not: string | null = null): End {
+export function endAt(target: { points: PointName[]; at: Point }, not: string | null = null): End {
   const found = target.points.find(({ body }) => body !== not) ?? target.points[0];
   return found ? { at: 'point', ...found } : { at: 'free', x: target.at[0], y: target.at[1] };
 }
 
 /** Ends at two targets, of two bodies where that can be. */
-export function endsAt(first: Target, second: Target): [End, End] {
+export function endsAt(first: { points: PointName[]; at: Point }, second: { points: PointName[]; at: Point }): [End, End] {
   for (const one of first.points) {
     const other = second.points.find(({ body }) => body !== one.body);
     if (other) return [{ at: 'point', ...one }, { at: 'point', ...other }];

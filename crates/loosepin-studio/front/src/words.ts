@@ -1,7 +1,7 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
 import type { EditTool } from './build.svelte.ts';
 import type { Hold } from './sketch.svelte.ts';
-import type { Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
+import type { Force, Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -125,6 +125,7 @@ export const words = {
 
   outline: {
     heading: 'Outline',
+    forces: 'Springs and loads',
     bodies: 'Bodies',
     joints: 'Joints',
     drives: 'Drives',
@@ -139,6 +140,10 @@ export const words = {
   drawing: {
     heading: 'Drawing',
     pin: (joint: JointEntry): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
+    point: (name: string): string => `${name}, a point that no joint holds. Drag it, or move it with the arrow keys.`,
+    guide: (joint: string, angle: string): string => `Line of ${joint}, ${angle}. Drag it to turn it in steps of 15 degrees, or use the arrow keys.`,
+    force: ({ name, kind }: Force): string => `${name}, ${kind}. Press Enter to choose it, Delete to delete it.`,
+    drop: (name: string): string => `Let go to pin it to ${name}. With Alt it only moves there.`,
     stale: 'The drawing is that of the last text that could be read.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. What is shown is of the texts before.',
     coarse: 'At more positions the analysis took longer than 2 s and was stopped.',
@@ -222,6 +227,7 @@ export const words = {
     lists: 'Pins and links as lists',
     pins: 'Pins',
     links: 'Links',
+    noLinks: 'A link goes from one pin to another: it needs two.',
     holds: { free: 'free', ground: 'on the ground', slider: 'block in a guide' } as Record<Hold['kind'], string>,
     heldBy: (name: string): string => `What holds ${name}`,
     angle: 'at',
@@ -346,6 +352,8 @@ export const words = {
     cancel: 'Cancel',
     open: 'Open the report',
     hide: (title: string): string => `Hide the run of ${title}`,
+    band: 'Band so far',
+    chart: (title: string): string => `Band so far of ${title}`,
     more: (number: number): string => `${count(number, 'more sentence', 'more sentences')}`,
     verdict: (verdict: Verdict): string => `Requirements: ${words.verdict(verdict)}`,
   },
@@ -384,6 +392,8 @@ export const words = {
     reportOf: (side: string): string => `Report of ${side}`,
     bands: 'Bands',
     chartOf: (title: string): string => `Chart: ${title}, both bands`,
+    pointAt: 'Point at a chart, or use the arrow keys in it, to read both bands at one angle.',
+    reaches: (angle: number, a: string, b: string): string => `At ${whole.format(angle)}°: A from ${a}, B from ${b}.`,
     requirements: 'Requirements',
     what: 'Requirement on',
     kept: (share: string): string => `${share} of mechanisms`,

@@ -6,18 +6,18 @@ use std::sync::Arc;
 
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::parse_toml;
-use loosepin::model::{JointKind, Model, PointId, QuantityId, describe_path};
-use loosepin::result::simulation::Drawing;
+use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId, describe_path};
 use loosepin::study::number_and_unit;
 
 use super::behind::{Setting, behind};
-use super::reshape::{Posed, length, minus};
+use super::guide::turned;
+use super::reshape::Posed;
 use super::rewritten::Rewritten;
 use super::structure::Locks;
 use super::written::Written;
-use crate::messages::{Document, Grip, Reshaped};
+use crate::messages::{Document, Grip, Held, Reshaped};
 use crate::places::unquoted;
-use crate::still::Pose;
+use crate::still::{NamedPoses, Pose};
 use crate::texts::Texts;
 
 const M_PER_MM: f64 = 1e-3;
@@ -37,33 +37,106 @@ pub struct Gripped {
     pub model: Option<String>,
     /// The study as it is to be; nothing where it stays.
     pub study: Option<String>,
-    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were.
+    /// Where each joint is to be, m: the dragged one at the pointer, the others where they were. Nothing where a guide turns: all moves.
     expected_m: Vec<[f64; 2]>,
+    /// Poses of all bodies as the drag leaves them.
+    poses: Vec<Pose>,
 }
 
-#[cfg(test)]
 impl Gripped {
+    /// Where each joint is to be, m; nothing where that cannot be said.
     pub fn expected_m(&self) -> &[[f64; 2]] {
         &self.expected_m
+    }
+
+    /// Angle of a body as the drag leaves it, rad.
+    pub fn angle_rad(&self, body: usize) -> Option<f64> {
+        self.poses.get(body).map(|pose| pose.angle_rad)
     }
 }
 
 /// A drag that changes nothing, with the reason.
 pub fn refused_drag(words: String) -> Gripped {
     Gripped {
-        reshaped: Reshaped { changes: Vec::new(), words: Vec::new(), angle_deg: None, refusal: Some(words) },
+        reshaped: Reshaped {
+            changes: Vec::new(),
+            words: Vec::new(),
+            angle_deg: None,
+            poses: NamedPoses::new(),
+            refusal: Some(words),
+        },
         model: None,
         study: None,
         expected_m: Vec::new(),
+        poses: Vec::new(),
     }
+}
+
+/// What a drag moves.
+struct Moved {
+    /// Numbers that change, and their new values, SI.
+    coordinates: Vec<(QuantityId, f64)>,
+    /// Where each joint is to be, m; nothing where that cannot be said.
+    expected_m: Vec<[f64; 2]>,
+    /// Poses of all bodies afterwards.
+    poses: Vec<Pose>,
+    /// Values are taken as they are, and not rounded to the step of the screen.
+    is_exact: bool,
+}
+
+/// What a drag moves in a mechanism at some poses.
+///
+/// # Errors
+/// In words: it holds nothing that can be moved.
+fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
+    let to_m = grip.to_mm.map(|mm| mm * M_PER_MM);
+    let posed = Posed::new(model, poses);
+    let joint_of = |name: &str| {
+        let found = model.joints.iter().position(|joint| joint.name == *name);
+        found.ok_or_else(|| format!("there is no joint '{name}' any more"))
+    };
+    let held = match &grip.held {
+        Held::Guide { joint } => {
+            let coordinates = vec![turned(model, poses, joint_of(joint)?, to_m, grip.is_free)?];
+            return Ok(Moved { coordinates, expected_m: Vec::new(), poses: poses.to_vec(), is_exact: true });
+        }
+        Held::Joint { joint } => {
+            let index = joint_of(joint)?;
+            if !matches!(model.joints[index].kind, JointKind::Revolute { .. }) {
+                return Err(format!("{joint} is no pin: its numbers are changed in the list of numbers"));
+            }
+            posed.together(index)
+        }
+        Held::Point { body, point } => {
+            let index = model.bodies.iter().position(|own| own.name == *body);
+            let found = index.and_then(|index| {
+                let place = model.bodies[index].points.iter().position(|own| own.name == *point)?;
+                Some(PointId { body: BodyId(index), point: place })
+            });
+            vec![found.ok_or_else(|| format!("there is no point '{body}.{point}' any more"))?]
+        }
+    };
+    let to_m = posed.allowed_m(&held, posed.at_m(held[0]), to_m);
+    let expected_m = (0..model.joints.len()).map(|index| {
+        let first = model.joints[index].kind.points()[0];
+        if held.contains(&first) { to_m } else { posed.at_m(first) }
+    });
+    Ok(Moved {
+        coordinates: posed.moved(&held, to_m),
+        expected_m: expected_m.collect(),
+        poses: posed.poses_after(&held, to_m),
+        is_exact: false,
+    })
 }
 
 /// The changes of a drag, or why there are none.
 pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
+    gripped_closing(model, texts, grip, &[])
+}
+
+/// As [`gripped`], with other guesses of how the loops close: numbers of the model, and their values in whole degrees, SI.
+pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(QuantityId, f64)]) -> Gripped {
     let refused = refused_drag;
-    let Some(joint) = model.joints.iter().position(|joint| joint.name == grip.joint) else {
-        return refused(format!("there is no joint '{}' any more", grip.joint));
-    };
     let is_near = |value: &f64| value.is_finite() && value.abs() * M_PER_MM < FURTHEST_M;
     let is_sound = grip.poses.len() == model.bodies.len()
         && grip.poses.iter().flatten().chain(&grip.to_mm).all(is_near)
@@ -72,20 +145,17 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
     if !is_sound {
         return refused("this drag is not of this model".to_owned());
     }
-    if !matches!(model.joints[joint].kind, JointKind::Revolute { .. }) {
-        return refused(format!("{} is no pin: its numbers are changed in the list of numbers", grip.joint));
-    }
     let poses: Vec<Pose> = grip
         .poses
         .iter()
         .map(|[x, y, angle]| Pose { origin_m: [x * M_PER_MM, y * M_PER_MM], angle_rad: angle.to_radians() })
         .collect();
-    let posed = Posed::new(model, &poses);
-    let held = posed.together(joint);
-    let from_m = posed.at_m(held[0]);
-    let to_m = posed.allowed_m(&held, from_m, grip.to_mm.map(|mm| mm * M_PER_MM));
+    let Moved { coordinates, expected_m, poses, is_exact } = match moved(model, grip, &poses) {
+        Ok(moved) => moved,
+        Err(words) => return refused(words),
+    };
     let mut settings: Vec<Setting> = Vec::new();
-    for (coordinate, value_si) in posed.moved(&held, to_m) {
+    for (coordinate, value_si) in coordinates {
         match behind(model, coordinate, value_si) {
             // A number that several lengths share has one value: that of the first of them.
             Ok(setting) if settings.iter().any(|known| known.quantity == setting.quantity) => {}
@@ -107,7 +177,7 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
     let mut text = Rewritten::new(&texts.model);
-    let mut moved: BTreeMap<String, f64> = BTreeMap::new();
+    let mut shifts: BTreeMap<String, f64> = BTreeMap::new();
     let mut words = Vec::new();
     for Setting { quantity, value_si } in settings {
         let Some((range, written)) = number(model, texts, quantity) else {
@@ -116,17 +186,26 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
                 "{place} is not written as a plain number with its unit: it is changed in the text"
             ));
         };
-        let new = written.with_value_si(value_si, step_si);
+        let new = if is_exact {
+            written.moved_by_si(value_si - written.value_si())
+        } else {
+            written.with_value_si(value_si, step_si)
+        };
         let path = &model.quantities[quantity].path;
         if let Some(read) = Written::read(&new).filter(|read| *read != written) {
-            moved.insert(path.clone(), read.value_si() - written.value_si());
+            shifts.insert(path.clone(), read.value_si() - written.value_si());
         }
         words.push(format!("{} {}", short(path), new.trim()));
         text.replace(range, new);
     }
+    for (quantity, value_si) in guesses {
+        if let Some((range, written)) = number(model, texts, *quantity) {
+            text.replace(range, written.moved_by_si(value_si - written.value_si()));
+        }
+    }
     let study = match &texts.study {
         None => None,
-        Some(source) => match shifted(source, &moved) {
+        Some(source) => match shifted(source, &shifts) {
             Ok((shifted, stays)) => {
                 words.extend(stays.iter().map(|path| format!("{} stays as it is in the study", short(path))));
                 shifted.is_changed().then_some(shifted)
@@ -138,18 +217,14 @@ pub fn gripped(model: &Model, texts: &Texts, grip: &Grip) -> Gripped {
     if let Some(shifted) = &study {
         changes.extend(shifted.changes(Document::Study));
     }
-    let expected_m = (0..model.joints.len())
-        .map(|index| {
-            let first = first_point(model, index);
-            let is_held = held.contains(&first);
-            if is_held { to_m } else { posed.at_m(first) }
-        })
-        .collect();
+    let named = model.bodies.iter().zip(&poses).skip(1).map(|(body, pose)| (body.name.clone(), pose.for_page()));
+    let poses_of_page = named.collect();
     Gripped {
-        reshaped: Reshaped { changes, words, angle_deg: None, refusal: None },
+        reshaped: Reshaped { changes, words, angle_deg: None, poses: poses_of_page, refusal: None },
         model: text.text(),
         study: study.and_then(|shifted| shifted.text()),
         expected_m,
+        poses,
     }
 }
 
@@ -157,12 +232,8 @@ fn short(path: &str) -> &str {
     path.strip_prefix("parameter.").unwrap_or(path)
 }
 
-fn first_point(model: &Model, joint: usize) -> PointId {
-    model.joints[joint].kind.points()[0]
-}
-
 /// The number of the text that is a quantity, with its place in bytes.
-fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Range<usize>, Written)> {
+pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Range<usize>, Written)> {
     let range = unquoted(&texts.model, model.quantities[quantity].span?);
     let written = Written::read(&texts.model.text()[range.clone()])?;
     Some((range, written))
@@ -219,59 +290,6 @@ fn nominal_moved(text: &str, by_si: f64) -> Option<String> {
     let moved = Written::read(&format!("{nominal} {}", own_unit.unwrap_or(last_unit)))?.moved_by_si(by_si);
     let digits = moved.split(' ').next()?;
     Some(format!("{digits}{limits}"))
-}
-
-/// The angle of the drive at which joints lie nearest to where they are expected, degrees; between two poses they go straight.
-pub fn shown_angle_deg(gripped: &Gripped, drawing: &Drawing) -> Option<f64> {
-    let poses = &drawing.poses;
-    let joints: Vec<(usize, [f64; 2])> = drawing
-        .joints
-        .iter()
-        .map(|joint| {
-            let point = drawing.bodies.get(joint.first.body)?.points.get(joint.first.point)?;
-            Some((joint.first.body, [point.x_m, point.y_m]))
-        })
-        .collect::<Option<_>>()?;
-    if joints.len() != gripped.expected_m.len() {
-        return None;
-    }
-    let at = |pose: usize| -> Vec<[f64; 2]> {
-        let placed = |(body, local): &(usize, [f64; 2])| {
-            let origin_m = [poses.x_m[*body][pose], poses.y_m[*body][pose]];
-            Pose { origin_m, angle_rad: poses.angle_rad[*body][pose] }.world_m(*local)
-        };
-        joints.iter().map(placed).collect()
-    };
-    let due_m = &gripped.expected_m;
-    let cost = |found: &[[f64; 2]]| -> f64 {
-        (0..due_m.len()).map(|joint| length(minus(found[joint], due_m[joint])).powi(2)).sum()
-    };
-    let count = poses.drive_angle_rad.len();
-    let all: Vec<Vec<[f64; 2]>> = (0..count).map(at).collect();
-    let mut best = (f64::INFINITY, None);
-    for pose in 0..count {
-        let angle_rad = poses.drive_angle_rad[pose];
-        let own = cost(&all[pose]);
-        if own < best.0 {
-            best = (own, Some(angle_rad));
-        }
-        // The least of a parabola: the joints go straight from one pose to the next, and from the last one nowhere.
-        let next = all.get(pose + 1).unwrap_or(&all[pose]);
-        let next_rad = poses.drive_angle_rad.get(pose + 1).copied().unwrap_or(angle_rad);
-        let (mut along, mut square) = (0.0, 0.0);
-        for joint in 0..due_m.len() {
-            let first = all[pose][joint];
-            let (way, missing) = (minus(next[joint], first), minus(due_m[joint], first));
-            along += way[0] * missing[0] + way[1] * missing[1];
-            square += way[0] * way[0] + way[1] * way[1];
-        }
-        let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 };
-        let between = own - share * (2.0 * along - share * square);
-        if between < best.0 {
-            best = (between, Some(angle_rad + share * (next_rad - angle_rad)));
-        }
-    }
-    best.1.map(f64::to_degrees)
 }
 
 #[cfg(test)]

@@ -5,25 +5,35 @@
 //! | a joint that is dragged: which coordinates put it there | `reshape.rs` |
 //! | a coordinate: which number of the text gives it, and what that number becomes | `behind.rs` |
 //! | a number as it is written: its unit stays, its value is round on the screen | `written.rs` |
+//! | a guide that is turned by its line | `guide.rs` |
 //! | a drag as a whole: from the texts and the pointer to new texts | `grip.rs` |
+//! | the position of the new mechanism that a drag leaves on the screen; the closure of its loops | `nearest.rs`, `closure.rs` |
 //! | how well a number is known, as people write it | `knowledge.rs` |
 //! | the same in the texts: play, scatter, what is unknown | `know.rs` |
-//! | a text with pieces that are replaced | `rewritten.rs` |
+//! | a text with pieces that are replaced; changes as the page counts them | `rewritten.rs` |
 //! | links, joints and bodies that come, go, and get other names | `structure` |
 
 mod behind;
+mod closure;
 mod grip;
+mod guide;
 mod know;
 mod knowledge;
+mod nearest;
 mod reshape;
 mod rewritten;
 mod structure;
 mod written;
 
 pub use behind::number_behind;
-pub use grip::{gripped, refused_drag, shown_angle_deg};
+pub use closure::kept_closure;
+pub use grip::{Gripped, gripped, refused_drag};
 pub use know::know;
+pub use nearest::nearest;
+pub use rewritten::applied;
 pub use structure::{Edit, Locks, Restructured, restructured, why_not};
 
+#[cfg(test)]
+mod drag_tests;
 #[cfg(test)]
 pub mod tests;

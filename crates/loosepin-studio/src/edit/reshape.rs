@@ -102,13 +102,9 @@ impl<'a> Posed<'a> {
 
     /// What the coordinates of the bodies at a centre become when it goes to `to_m`.
     pub fn moved(&self, held: &[PointId], to_m: [f64; 2]) -> Vec<Coordinate> {
-        let slides = |body: BodyId| {
-            let kinds = self.model.joints.iter().map(|joint| &joint.kind);
-            kinds.into_iter().any(|kind| matches!(kind, JointKind::Prismatic { slider, .. } if slider.body == body))
-        };
         let mut bodies: Vec<BodyId> = Vec::new();
         let mut changed = Vec::new();
-        for point in held.iter().filter(|point| !slides(point.body)) {
+        for point in held.iter().filter(|point| !self.slides(point.body)) {
             if !bodies.contains(&point.body) {
                 bodies.push(point.body);
                 changed.extend(self.reshaped(*point, held, to_m));
@@ -147,6 +143,41 @@ impl<'a> Posed<'a> {
         }
     }
 
+    /// Poses of all bodies when a centre has gone to `to_m`, as far as the centre says: a link with one other centre turns about that, a
+    /// plate keeps its place, and what nothing else holds goes along.
+    pub fn poses_after(&self, held: &[PointId], to_m: [f64; 2]) -> Vec<Pose> {
+        let mut poses = self.poses.to_vec();
+        for at in held.iter().filter(|point| point.body.0 != 0) {
+            let own_m = self.in_body_m(*at);
+            let pose = self.poses[at.body.0];
+            let from_m = pose.world_m(own_m);
+            let is_origin = own_m == [0.0, 0.0];
+            poses[at.body.0] = match self.other_centres(*at)[..] {
+                _ if self.slides(at.body) => moved_along(pose, from_m, to_m),
+                [] => moved_along(pose, from_m, to_m),
+                [other] => {
+                    let fixed_m = pose.world_m(self.in_body_m(other));
+                    let turn_rad = direction_rad(fixed_m, to_m) - direction_rad(fixed_m, from_m);
+                    let angle_rad = pose.angle_rad + turn_rad;
+                    // The other centre stays, and so does what is written of it in the body, unless this one is the origin.
+                    let turned = Pose { origin_m: [0.0; 2], angle_rad };
+                    let other_m = turned.world_m(self.in_body_m(other));
+                    let origin_m = if is_origin { to_m } else { minus(fixed_m, other_m) };
+                    Pose { origin_m, angle_rad }
+                }
+                _ if is_origin => Pose { origin_m: to_m, ..pose },
+                _ => pose,
+            };
+        }
+        poses
+    }
+
+    /// Whether a body is the block of a guide.
+    fn slides(&self, body: BodyId) -> bool {
+        let mut kinds = self.model.joints.iter().map(|joint| &joint.kind);
+        kinds.any(|kind| matches!(kind, JointKind::Prismatic { slider, .. } if slider.body == body))
+    }
+
     fn placed(&self, point: PointId, [x, y]: [f64; 2]) -> Vec<Coordinate> {
         let coordinates = self.model.bodies[point.body.0].points[point.point].position_m;
         let now = self.in_body_m(point);
@@ -172,6 +203,17 @@ impl<'a> Posed<'a> {
         let points = (0..body.points.len()).map(|point| PointId { body: at.body, point });
         points.filter(|point| self.is_same(*point, at)).collect()
     }
+}
+
+fn moved_along(pose: Pose, from_m: [f64; 2], to_m: [f64; 2]) -> Pose {
+    let way = minus(to_m, from_m);
+    Pose { origin_m: [pose.origin_m[0] + way[0], pose.origin_m[1] + way[1]], ..pose }
+}
+
+/// The direction from one place to another, rad.
+fn direction_rad(from: [f64; 2], to: [f64; 2]) -> f64 {
+    let [x, y] = minus(to, from);
+    y.atan2(x)
 }
 
 pub fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {

@@ -61,3 +61,42 @@ impl<'a> Rewritten<'a> {
         self.pieces.iter().map(change).collect()
     }
 }
+
+/// A text with the changes that belong to it, which are counted in UTF-16 units.
+pub fn applied(text: &str, changes: &[Change], document: Document) -> String {
+    let mut own: Vec<&Change> = changes.iter().filter(|change| change.document == document).collect();
+    // Insertions at one place stay in their order.
+    own.sort_by_key(|change| change.from);
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let piece = |from: usize, to: usize| String::from_utf16_lossy(units.get(from..to).unwrap_or_default());
+    let mut new = String::with_capacity(text.len());
+    let mut from = 0;
+    for change in own {
+        new.push_str(&piece(from, change.from));
+        new.push_str(&change.insert);
+        from = change.to;
+    }
+    new.push_str(&piece(from, units.len()));
+    new
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn changes_are_counted_as_browsers_count() {
+        let change = |document, from, to, insert: &str| Change { document, from, to, insert: insert.to_owned() };
+        // α of mathematics has two units.
+        let text = "# 𝛼\na = 1\nb = 2\n";
+        let changes = [
+            change(Document::Model, 15, 16, "4"),
+            change(Document::Study, 0, 1, "x"),
+            change(Document::Model, 9, 10, "3"),
+            change(Document::Model, 17, 17, "c = 5\n"),
+            change(Document::Model, 17, 17, "d = 6\n"),
+        ];
+        assert_eq!(applied(text, &changes, Document::Model), "# 𝛼\na = 3\nb = 4\nc = 5\nd = 6\n");
+        assert_eq!(applied(text, &[], Document::Model), text);
+    }
+}

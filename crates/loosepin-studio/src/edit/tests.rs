@@ -9,7 +9,7 @@ use loosepin::templates::{TEMPLATES, find_template};
 use super::reshape::{length, minus};
 use super::{gripped, know};
 use crate::folder::Folder;
-use crate::messages::{Change, Document, Grip, Look, SentText};
+use crate::messages::{Change, Document, Grip, Held, Look, SentText};
 use crate::texts::Texts;
 
 /// A quarter of a degree apart, so that no joint goes far from one to the next.
@@ -30,6 +30,10 @@ pub fn texts(folder: &Folder, model: &str, study: &str) -> Texts {
 
 fn record(texts: &Texts) -> Option<MotionRecord> {
     texts.read().and_then(|file| file.ideal_motion(POSITIONS, &[])).ok()
+}
+
+fn pin(joint: &str) -> Held {
+    Held::Joint { joint: joint.to_owned() }
 }
 
 /// Poses of all bodies, mm and degrees, as the page has them.
@@ -88,13 +92,8 @@ fn a_dragged_pin_is_where_it_was_dragged_and_the_others_stay() {
                 continue;
             }
             let to_mm = [here[index][0] + 0.01 * size, here[index][1] - 0.006 * size];
-            let grip = Grip {
-                joint: joint.name.clone(),
-                to_mm,
-                step_mm: 1e-4 * size,
-                is_free: true,
-                poses: poses(&old, pose),
-            };
+            let grip =
+                Grip { held: pin(&joint.name), to_mm, step_mm: 1e-4 * size, is_free: true, poses: poses(&old, pose) };
             let drag = gripped(&model, &texts, &grip);
             if let Some(words) = &drag.reshaped.refusal {
                 refused.push(format!("{}: {words}", template.name));
@@ -124,7 +123,7 @@ fn lengths_become_round_and_the_tolerances_follow() {
     let [x, y] = at_mm(&old, index, pose);
     // Beside the guide, too: the pin stays on its line.
     let grip = Grip {
-        joint: "gudgeon".into(),
+        held: pin("gudgeon"),
         to_mm: [x + 10.2, y + 30.0],
         step_mm: 0.7,
         is_free: false,
@@ -150,7 +149,7 @@ fn a_drag_that_is_of_another_model_is_refused() {
     let texts = texts(&folder, template.model, template.study);
     let model = Model::from_text("model.toml", template.model).unwrap();
     let good = Grip {
-        joint: model.joints[0].name.clone(),
+        held: pin(&model.joints[0].name),
         to_mm: [1.0, 2.0],
         step_mm: 1.0,
         is_free: false,
@@ -158,7 +157,7 @@ fn a_drag_that_is_of_another_model_is_refused() {
     };
     assert_eq!(gripped(&model, &texts, &good).reshaped.refusal, None);
     let wrong = [
-        Grip { joint: "<script>".into(), ..good.clone() },
+        Grip { held: pin("<script>"), ..good.clone() },
         Grip { poses: Vec::new(), ..good.clone() },
         Grip { step_mm: 0.0, ..good.clone() },
         Grip { to_mm: [1e300, 0.0], ..good.clone() },
@@ -181,7 +180,7 @@ fn a_locked_length_stays() {
     let index = model.joints.iter().position(|joint| joint.name == "crank_pin").unwrap();
     let [x, y] = at_mm(&old, index, 100);
     let to_mm = [x + 10.0, y];
-    let grip = Grip { joint: "crank_pin".into(), to_mm, step_mm: 1.0, is_free: false, poses: poses(&old, 100) };
+    let grip = Grip { held: pin("crank_pin"), to_mm, step_mm: 1.0, is_free: false, poses: poses(&old, 100) };
     let drag = gripped(&model, &texts, &grip);
     let words = "parameter 'coupler_length' is locked: unlock it in the list of numbers";
     assert_eq!((drag.reshaped.refusal.as_deref(), drag.model), (Some(words), None));
@@ -189,15 +188,8 @@ fn a_locked_length_stays() {
 
 /// Both texts after some changes, as the page makes them.
 pub fn applied(folder: &Folder, old: &Texts, changes: &[Change]) -> Texts {
-    let changed = |document, text: &str| {
-        let mut units: Vec<u16> = text.encode_utf16().collect();
-        for change in changes.iter().rev().filter(|change| change.document == document) {
-            units.splice(change.from..change.to, change.insert.encode_utf16());
-        }
-        String::from_utf16(&units).unwrap()
-    };
-    let model = changed(Document::Model, old.model.text());
-    let study = old.study.as_ref().map(|study| changed(Document::Study, study.text()));
+    let model = super::applied(old.model.text(), changes, Document::Model);
+    let study = old.study.as_ref().map(|study| super::applied(study.text(), changes, Document::Study));
     old.with(folder, Some(&model), study.as_deref())
 }
 
@@ -405,7 +397,7 @@ fn a_link_that_an_actuator_turns_keeps_its_angle() {
     let length_mm = 1e3 * model.quantities.nominal()[model.quantities.id("parameter.upper_length").unwrap()];
     // The upper link straight up: beside it the elbow does not go, along it the link becomes longer.
     let poses = vec![[0.0; 3], [0.0, 0.0, 90.0], [0.0, length_mm, 0.0]];
-    let grip = Grip { joint: "elbow".into(), to_mm: [50.0, length_mm + 20.0], step_mm: 1.0, is_free: false, poses };
+    let grip = Grip { held: pin("elbow"), to_mm: [50.0, length_mm + 20.0], step_mm: 1.0, is_free: false, poses };
     let drag = gripped(&model, &texts, &grip);
     assert_eq!(
         drag.reshaped.words.first(),

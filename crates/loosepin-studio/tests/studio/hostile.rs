@@ -161,9 +161,16 @@ fn ten_thousand_malformed_requests_read_nothing_outside_and_meet_words() {
             }
             2 => {
                 let value = values[noise.below(values.len())];
-                let target = ["file", "new", "view", "open", "know", "compare", "result", "adopt", "restructure"]
-                    [noise.below(9)];
-                let edit = json!({"kind": "rename", "what": {"table": value, "name": value}, "to": value});
+                let target =
+                    ["file", "new", "view", "open", "know", "compare", "result", "adopt", "restructure", "draw"]
+                        [noise.below(10)];
+                let edit = [
+                    json!({"kind": "rename", "what": {"table": value, "name": value}, "to": value}),
+                    json!({"kind": "remove", "what": {"table": "body", "name": value}}),
+                    json!({"kind": "drive", "joint": value}),
+                    json!({"kind": value}),
+                ][noise.below(4)]
+                .clone();
                 let mut body =
                     json!({"path": value, "text": "x = 1\n", "tag": null, "template": value, "folder": value,
                         "before": value, "after": values[noise.below(values.len())], "place": noise.next(),
@@ -217,9 +224,15 @@ fn malformed_messages_are_refused_with_words() {
         match noise.below(4) {
             3 => {
                 // A drag of numbers that no drawing has.
+                let held = [
+                    json!({"take": "joint", "joint": "crank_pin"}),
+                    json!({"take": "point", "body": "coupler", "point": "tracer"}),
+                    json!({"take": "guide", "joint": "crank_pin"}),
+                ][noise.below(3)]
+                .clone();
                 let mut number = || f64::from_bits(noise.next());
                 let poses: Vec<[f64; 3]> = (0..4).map(|_| [number(), number(), number()]).collect();
-                let grip = json!({"joint": "crank_pin", "to_mm": [number(), number()], "step_mm": number(), "is_free": false,
+                let grip = json!({"held": held, "to_mm": [number(), number()], "step_mm": number(), "is_free": false,
                     "poses": poses});
                 let text = json!({"path": "model.toml", "text": model});
                 live.send(

@@ -34,7 +34,13 @@ fn a_study_runs_in_the_background_and_its_report_is_seen() {
     let mut live = server.live();
     live.send(&json!({"kind": "run", "study": study}));
     let mut drafts = 0;
-    let job = ended(&mut live, |job| drafts += usize::from(job["draft"].is_object()));
+    let job = ended(&mut live, |job| {
+        if let Some(draft) = job["draft"].as_object() {
+            drafts += 1;
+            let band = &draft["bands"][0];
+            assert!(band["figure"].as_str().is_some_and(|figure| figure.contains("runs so far")), "{band}");
+        }
+    });
     assert_eq!(job["state"], "done", "{job}");
     assert!(drafts > 0, "something is known before the end");
     assert!(!job["words"].as_array().unwrap().is_empty() && job["verdict"].is_string(), "{job}");

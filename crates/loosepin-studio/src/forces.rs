@@ -1,0 +1,73 @@
+//! Springs and loads, with their places in the drawing.
+
+use loosepin::model::{BodyId, LoadKind, Model, PointId, SpringKind, Values};
+
+use crate::messages::{SeenForce, SeenPin};
+use crate::still::in_body_m;
+
+const MM_PER_M: f64 = 1e3;
+
+/// The springs of a model, then its loads.
+pub fn forces(model: &Model) -> Vec<SeenForce> {
+    let values = model.quantities.nominal();
+    let pin = |point: PointId| pin(model, &values, point);
+    let springs = model.springs.iter().map(|spring| {
+        let (kind, ends) = match spring.kind {
+            SpringKind::Linear { first, second } => ("spring", vec![pin(first), pin(second)]),
+            SpringKind::Torsional { first, second } => {
+                ("torsion spring", between(model, first, second).map(pin).into_iter().collect())
+            }
+        };
+        SeenForce { table: "spring", name: spring.name.clone(), kind, ends, direction_deg: None, turns: false }
+    });
+    let loads = model.loads.iter().map(|load| {
+        let (kind, ends, direction_deg, turns) = match load.kind {
+            LoadKind::Force { point, direction_rad, follows_body } => {
+                ("force", vec![pin(point)], Some(values[direction_rad].to_degrees()), follows_body)
+            }
+            LoadKind::Torque { body } => ("torque", held(model, body).map(pin).into_iter().collect(), None, false),
+        };
+        SeenForce { table: "load", name: load.name.clone(), kind, ends, direction_deg, turns }
+    });
+    springs.chain(loads).collect()
+}
+
+fn pin(model: &Model, values: &Values, point: PointId) -> SeenPin {
+    let [x, y] = in_body_m(model, values, point).map(|m| m * MM_PER_M);
+    SeenPin { body: point.body.0, x, y }
+}
+
+/// The point of the first body at a joint with the second.
+fn between(model: &Model, first: BodyId, second: BodyId) -> Option<PointId> {
+    let joint = model.joints.iter().find(|joint| {
+        let bodies = joint.kind.bodies();
+        bodies.contains(&first) && bodies.contains(&second)
+    })?;
+    joint.kind.points().into_iter().find(|point| point.body == first)
+}
+
+/// A point at which a joint holds a body.
+fn held(model: &Model, body: BodyId) -> Option<PointId> {
+    model.joints.iter().flat_map(|joint| joint.kind.points()).find(|point| point.body == body)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin::templates::find_template;
+
+    #[test]
+    fn a_load_stands_at_its_point_and_a_spring_between_two() {
+        let text = find_template("toggle-press").unwrap().model.to_owned()
+            + "[spring.back]\nkind = \"linear\"\nfirst = \"ground.top\"\nsecond = \"ram.pin\"\n\
+               stiffness = \"1 N/mm\"\nfree_length = \"300 mm\"\n";
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|found| panic!("{found}"));
+        let found = forces(&model);
+        let [spring, load] = &found[..] else { panic!("{found:?}") };
+        assert_eq!((spring.table, spring.kind, spring.ends.len()), ("spring", "spring", 2));
+        assert_eq!((load.table, load.kind, load.name.as_str()), ("load", "force", "work"));
+        // Upwards, at the pin of the ram.
+        assert!((load.direction_deg.unwrap() - 90.0).abs() < 1e-12 && !load.turns);
+        assert_eq!(load.ends, [spring.ends[1]]);
+    }
+}
