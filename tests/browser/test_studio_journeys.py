@@ -161,7 +161,7 @@ def test_the_band_of_a_study_is_seen_while_it_runs_and_becomes_finer(studio):
     folder = studio.folder / "mine"
     subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
     study = folder / "study.toml"
-    study.write_text(study.read_text().replace("inner = 1024", "inner = 256"))
+    study.write_text(study.read_text().replace("inner = 1024", "inner = 128"))
     studio.open()
     studio.click("a, button", "four-bar with play")
     studio.wait("document.querySelector('svg.chart')")

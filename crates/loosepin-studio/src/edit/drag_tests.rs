@@ -25,6 +25,11 @@ fn motion(view: &View) -> serde_json::Value {
     serde_json::to_value(&view.drawing.as_ref().unwrap().motion).unwrap()
 }
 
+/// How many positions a drawing has: fewer than asked for, where that is enough to be seen.
+fn count(view: &View) -> usize {
+    motion(view)["angle_deg"].as_array().unwrap().len()
+}
+
 /// Poses of all bodies at a position, mm and degrees, as the page has them; without play.
 fn poses(view: &View, position: usize) -> Vec<[f64; 3]> {
     let motion = motion(view);
@@ -60,7 +65,7 @@ fn a_pin_that_is_dragged_over_a_dead_centre_stays_at_the_pointer() {
     let template = find_template("four-bar").unwrap();
     let old = texts(&folder, template.model, template.study);
     let view = looked(&folder, &old, None, None).view.unwrap();
-    for position in [0, 100, 250] {
+    for position in [0, count(&view) / 4, count(&view) * 2 / 3] {
         // Mirrored at the line from the pin of the crank to the pivot of the rocker: both lengths stay as they are.
         let [crank, pivot] = [at_mm(&view, "crank", "pin", position), at_mm(&view, "ground", "rocker_pivot", position)];
         let pin = at_mm(&view, "rocker", "pin", position);
@@ -84,7 +89,7 @@ fn a_pin_that_is_dragged_over_a_dead_centre_stays_at_the_pointer() {
         assert!(before.len() == after.len() && different.len() == 1, "{different:?}");
         assert!(different[0].starts_with("guess = { rocker = \"-"), "{different:?}");
         let again = looked(&folder, &text, None, None).view.unwrap();
-        let nearest = (0..POSITIONS).map(|position| length(minus(at_mm(&again, "rocker", "pin", position), to_mm)));
+        let nearest = (0..count(&again)).map(|position| length(minus(at_mm(&again, "rocker", "pin", position), to_mm)));
         assert!(nearest.fold(f64::INFINITY, f64::min) < 3.0);
     }
 }

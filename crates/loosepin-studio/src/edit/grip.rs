@@ -192,11 +192,15 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
             written.with_value_si(value_si, step_si)
         };
         let path = &model.quantities[quantity].path;
-        if let Some(read) = Written::read(&new).filter(|read| *read != written) {
-            shifts.insert(path.clone(), read.value_si() - written.value_si());
-        }
         words.push(format!("{} {}", short(path), new.trim()));
-        text.replace(range, new);
+        match Written::read(&new) {
+            // What comes to the same value keeps the digits that it has.
+            Some(read) if read == written => {}
+            read => {
+                shifts.extend(read.map(|read| (path.clone(), read.value_si() - written.value_si())));
+                text.replace(range, new);
+            }
+        }
     }
     for (quantity, value_si) in guesses {
         if let Some((range, written)) = number(model, texts, *quantity) {
