@@ -81,7 +81,7 @@ pub enum FromPage {
         token: String,
     },
     /// Read these texts.
-    Look(Look),
+    Look(Box<Look>),
     /// Run a study that is saved.
     Run {
         /// Its path in the served folder.

@@ -72,7 +72,7 @@ async fn converse(studio: Studio, mut socket: WebSocket) {
                     match serde_json::from_str(&text) {
                         Ok(FromPage::Look(look)) => {
                             watched.looked(&look);
-                            mailbox.put(look);
+                            mailbox.put(*look);
                             Ok(())
                         }
                         Ok(FromPage::Run { study }) => add(&studio, &mut socket, Task::Study(study)).await,

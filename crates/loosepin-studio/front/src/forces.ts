@@ -3,7 +3,8 @@ import { element } from './element.ts';
 import type { Force } from './messages.ts';
 
 /** A spring from (0, 0) to (1, 0), its coils 1 to either side. */
-const coils = 'M0 0H.2' + [0, 1, 2, 3, 4, 5].map((turn) => `L${(0.25 + 0.1 * turn).toFixed(2)} ${turn % 2 === 0 ? 1 : -1}`).join('') + 'L.8 0H1';
+const turns = 10;
+const coils = 'M0 0H.25' + Array.from({ length: turns }, (_, turn) => `L${(0.25 + (0.5 * (turn + 0.5)) / turns).toFixed(3)} ${turn % 2 === 0 ? 1 : -1}`).join('') + 'L.75 0H1';
 
 function sign(force: Force, size: number): SVGElement[] {
   const [first, second] = force.ends;
@@ -15,14 +16,14 @@ function sign(force: Force, size: number): SVGElement[] {
   };
   if (second) {
     const line = (kind: string): SVGElement => element('path', { d: kind === 'reach' ? 'M0 0H1' : coils, class: kind });
-    const data = { 'data-from': `${first.body} ${first.x} ${first.y}`, 'data-to': `${second.body} ${second.x} ${second.y}`, 'data-across': String(0.45 * size) };
+    const data = { 'data-from': `${first.body} ${first.x} ${first.y}`, 'data-to': `${second.body} ${second.x} ${second.y}`, 'data-across': String(0.7 * size) };
     return [at('g', data, line('reach'), line('sign'))];
   }
   const [place, x, y] = [{ 'data-rides': String(first.body), 'data-x': String(first.x), 'data-y': String(first.y) }, first.x, first.y];
   if (force.direction_deg === null) {
     // Round about its place: three quarters of a turn, with a point.
     const r = 1.7 * size;
-    const arc = `M${r} 0A${r} ${r} 0 1 1 0 ${-r}l${0.6 * size} ${0.35 * size}M0 ${-r}l${0.6 * size} ${-0.4 * size}`;
+    const arc = `M${r} 0A${r} ${r} 0 1 1 0 ${-r}l${-0.7 * size} ${0.4 * size}M0 ${-r}l${-0.7 * size} ${-0.45 * size}`;
     return [at('g', place, element('path', { d: arc, class: 'reach' }), element('path', { d: arc, class: 'sign' }))];
   }
   // The arrow ends where the force acts.
