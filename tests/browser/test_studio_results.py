@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import xml.etree.ElementTree
@@ -258,4 +259,25 @@ def test_screens_of_results_are_accessible(studio, conducted, width, dark):
     in_report(studio.browser, CHOSEN)
     studio.wait("document.querySelector('.doings [role=status]')")
     assert seen_by_axe(studio.browser, axe) == [], "report"
+    assert studio.browser.complaints() == []
+
+
+def test_one_cursor_reads_both_bands(studio, conducted):
+    _, results = conducted
+    studio.open()
+    pair = "/".join(results[name].replace("/", "%2F") for name in ("worn", "measured"))
+    studio.browser.evaluate(f"(location.hash = '#/compare/{pair}', true)")
+    studio.wait("document.querySelector('.compare svg.chart')")
+    reading = "document.querySelector('.compare .reading').innerText"
+    assert "Point at a chart" in studio.browser.evaluate(reading)
+    box = studio.browser.evaluate("""(() => { const box = document.querySelector('.compare svg.chart').getBoundingClientRect();
+        return [box.x + box.width / 2, box.y + box.height / 2]; })()""")
+    studio.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=box[0], y=box[1])
+    studio.wait("document.querySelector('.compare svg.chart line.cursor')")
+    first = studio.browser.evaluate(reading)
+    assert re.fullmatch(r"At \d+°: A from .+\smm to .+\smm, B from .+\smm to .+\smm\.", first), first
+    studio.browser.evaluate("(document.querySelector('.compare .ground').focus(), true)")
+    for _ in range(3):
+        studio.key("ArrowRight")
+    studio.wait(f"{reading} !== {first!r}")
     assert studio.browser.complaints() == []
