@@ -78,8 +78,7 @@ impl Shapes {
         (lateral_count, lateral): (usize, LateralFunction<'_>),
         points: usize,
     ) -> Self {
-        let rule = legendre_rule(points);
-        let gauss: Vec<[f64; 2]> = rule.into_iter().map(|(t, weight)| [0.5 * (1.0 + t), weight]).collect();
+        let gauss = gauss_points(points);
         let station = |share: f64| station(share, (axial_count, axial), (lateral_count, lateral), &gauss);
         let mass_points: Vec<MassPoint> =
             gauss.iter().map(|&[share, weight]| MassPoint { station: station(share), weight }).collect();
@@ -154,6 +153,11 @@ pub fn stations(frame: Frame, axial_count: usize, lateral_count: usize, shares: 
 /// Points of Gauss for the shapes of a frame.
 fn point_count(axial_count: usize, lateral_count: usize) -> usize {
     8 + 4 * axial_count.max(lateral_count)
+}
+
+/// Shares of a beam and their weights: the Gauss rule on [0, 1].
+fn gauss_points(points: usize) -> Vec<[f64; 2]> {
+    legendre_rule(points).into_iter().map(|(t, weight)| [0.5 * (1.0 + t), weight]).collect()
 }
 
 fn station(

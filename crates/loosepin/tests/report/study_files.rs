@@ -6,10 +6,11 @@ use std::fs;
 use std::path::Path;
 
 use loosepin::diagnostics::Problem;
+use loosepin::result::json::Stored;
 use loosepin::results::{Claim, InputsHasher, LOCK_FILE, MARKER_FILE, Place, ResultKind};
 use loosepin::study::files::{
-    BOUNDS_COLUMNS, BOUNDS_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, bounds_csv, read_json,
-    read_runs_parquet, read_summary, runs_parquet, to_json, write_study,
+    BOUNDS_COLUMNS, BOUNDS_FILE, FilesError, RUNS_FILE, SUMMARY_FILE, TIMING_FILE, Timing, bounds_csv,
+    read_runs_parquet, read_summary, runs_parquet, write_study,
 };
 use loosepin::study::result::{StudyResult, Witness, WitnessValue};
 use loosepin::study::runs::{RunColumn, RunData, RunsTable};
@@ -39,10 +40,10 @@ fn identity_summary_reads_back_to_the_same_result() {
     result.bounds[0].lower.widened_si = f64::NEG_INFINITY;
     result.bounds[1].upper.value_si = 0.1 + 0.2;
     result.bounds[1].lower.value_si = f64::MIN_POSITIVE;
-    let text = to_json(&result).expect("the result has a form in JSON");
-    let read: StudyResult = read_json(&text, SUMMARY_FILE).expect("what was written can be read");
+    let text = result.to_json().expect("the result has a form in JSON");
+    let read = StudyResult::from_json(&text).expect("what was written can be read");
     assert!(read == result, "what is read differs from what was written");
-    assert!(to_json(&read).expect("it can be written again") == text, "writing repeats byte for byte");
+    assert!(read.to_json().expect("it can be written again") == text, "writing repeats byte for byte");
     // Order of keys and layout are part of the format.
     assert!(text.starts_with("{\n  \"format\": 2,\n  \"name\": \"worn pin at 5000 rpm\",\n"), "{}", &text[..80]);
     assert!(text.contains("\"widened_si\": \"inf\""));
@@ -55,7 +56,7 @@ fn identity_summary_reads_back_to_the_same_result() {
 fn a_record_without_what_newer_versions_draw_is_read() {
     let result = worn_pin();
     let mut value: serde_json::Value =
-        serde_json::from_str(&to_json(&result).expect("the result has a form in JSON")).expect("it is JSON");
+        serde_json::from_str(&result.to_json().expect("the result has a form in JSON")).expect("it is JSON");
     let remove = |value: &mut serde_json::Value, key: &str| {
         assert!(value.as_object_mut().expect("an object").remove(key).is_some(), "{key} is written");
     };
@@ -66,7 +67,7 @@ fn a_record_without_what_newer_versions_draw_is_read() {
         remove(orbit, "drive_angle_rad");
         remove(orbit, "force_n");
     }
-    let read: StudyResult = read_json(&value.to_string(), SUMMARY_FILE).expect("an old record can be read");
+    let read = StudyResult::from_json(&value.to_string()).expect("an old record can be read");
     assert!(read.drawing.drives.is_empty() && read.drawing.output_points.is_empty());
     assert!(read.orbits.iter().all(|orbit| orbit.drive_angle_rad.is_empty() && orbit.force_n.is_empty()));
     assert!(read.drawing.joints == result.drawing.joints);
@@ -81,25 +82,25 @@ fn identity_numbers_that_json_has_not_read_back_everywhere() {
     result.requirements[0].probability = [f64::NAN, 1.0];
     result.impacts[0].impacts_per_turn[2] = f64::INFINITY;
     result.drawing.poses.x_m[1][2] = f64::NAN;
-    let text = to_json(&result).expect("the result has a form in JSON");
-    let read: StudyResult = read_json(&text, SUMMARY_FILE).expect("what was written can be read");
+    let text = result.to_json().expect("the result has a form in JSON");
+    let read = StudyResult::from_json(&text).expect("what was written can be read");
     assert!(read.bounds[0].upper.value_si.is_nan());
     assert!(read.curves[0].mixed.lower_si[3] == f64::NEG_INFINITY);
     assert_eq!(read.boxes[0].limit_si, Some(f64::INFINITY));
     assert!(read.requirements[0].probability[0].is_nan());
     assert!(read.impacts[0].impacts_per_turn[2] == f64::INFINITY);
     assert!(read.drawing.poses.x_m[1][2].is_nan());
-    assert!(to_json(&read).expect("it can be written again") == text, "writing repeats byte for byte");
+    assert!(read.to_json().expect("it can be written again") == text, "writing repeats byte for byte");
 }
 
 #[test]
 fn words_that_stand_for_no_number_are_refused() {
-    let text = to_json(&worn_pin()).expect("the result has a form in JSON").replacen(
+    let text = worn_pin().to_json().expect("the result has a form in JSON").replacen(
         "\"lower_si\": -0.0007",
         "\"lower_si\": \"low\"",
         1,
     );
-    let error = read_json::<StudyResult>(&text, SUMMARY_FILE).expect_err("'low' is no number").to_string();
+    let error = StudyResult::from_json(&text).expect_err("'low' is no number").to_string();
     assert!(
         error.contains("invalid value: string \"low\", expected a number, \"inf\", \"-inf\" or \"nan\" at line"),
         "{error}"
@@ -109,17 +110,17 @@ fn words_that_stand_for_no_number_are_refused() {
 #[test]
 fn every_record_reads_back_from_json() {
     let simulation = report_fixture::simulation::worn_pin();
-    let text = to_json(&simulation).expect("a run has a form in JSON");
-    assert!(read_json::<loosepin::simulate::record::SimulationRecord>(&text, "run").ok() == Some(simulation));
+    let text = simulation.to_json().expect("a run has a form in JSON");
+    assert!(loosepin::simulate::record::SimulationRecord::from_json(&text).ok() == Some(simulation));
     let motion = report_fixture::motion::worn_pin();
-    let text = to_json(&motion).expect("a motion has a form in JSON");
-    assert!(read_json::<loosepin::accuracy::record::MotionRecord>(&text, "motion").ok() == Some(motion));
+    let text = motion.to_json().expect("a motion has a form in JSON");
+    assert!(loosepin::accuracy::record::MotionRecord::from_json(&text).ok() == Some(motion));
 }
 
 #[test]
 fn foreign_summary_is_refused_with_its_place() {
-    let error = read_json::<StudyResult>("{\n  \"format\": 1,\n  \"name\": 5\n}\n", SUMMARY_FILE)
-        .expect_err("a number is no name");
+    let source = StudyResult::from_json("{\n  \"format\": 1,\n  \"name\": 5\n}\n").expect_err("a number is no name");
+    let error = FilesError::Layout { what: SUMMARY_FILE.to_owned(), source };
     assert_eq!(
         error.to_string(),
         "summary.json cannot be read: invalid type: integer `5`, expected a string at line 3 column 11"
@@ -234,7 +235,7 @@ fn a_folder_holds_the_four_files_and_no_partial_ones() {
     assert_eq!(names, [BOUNDS_FILE, MARKER_FILE, LOCK_FILE, RUNS_FILE, SUMMARY_FILE, TIMING_FILE]);
     assert!(read_summary(&results).expect("the summary can be read") == result);
     let text = fs::read_to_string(folder.path().join(TIMING_FILE)).expect("the times can be read");
-    assert_eq!(read_json::<Timing>(&text, TIMING_FILE).ok(), Some(timing()));
+    assert_eq!(serde_json::from_str::<Timing>(&text).ok(), Some(timing()));
 }
 
 #[test]
