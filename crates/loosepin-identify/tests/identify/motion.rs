@@ -57,6 +57,7 @@ fn analytic_a_stroke_fixes_the_crank_within_its_common_error() {
 }
 
 #[test]
+#[ignore = "minutes of processor time"]
 fn analytic_scatter_counts_with_the_root_of_the_repeats() {
     // The rank of a normal error among 199 is near |z| = 2.58 of its standard deviation, 0.04 mm; of nine repeats a third.
     let width = |value: &str, most: f64, least: f64| {
