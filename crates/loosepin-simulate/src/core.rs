@@ -315,9 +315,10 @@ impl<'a> Core<'a> {
         waiting.set(Block::Lane, LaneLayout::STEP, place, memory.get(Block::Lane, LaneLayout::STEP, lane));
         let first = pass.reads.output(0);
         let readings = first..first + 3 * pass.follow.readings();
-        for block in [Block::StartReads, Block::EndReads] {
-            waiting.take(memory, block, ReadLayout::TIME..ReadLayout::TIME + 3, lane, place);
-            waiting.take(memory, block, readings.clone(), lane, place);
+        for index in (ReadLayout::TIME..ReadLayout::TIME + 3).chain(readings) {
+            for block in [Block::StartReads, Block::EndReads] {
+                waiting.set(block, index, place, memory.get(block, index, lane));
+            }
         }
     }
 

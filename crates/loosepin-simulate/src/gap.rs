@@ -146,8 +146,6 @@ impl ContactStep {
 
 /// Bisections that leave a share of 1e-15 of a step.
 const BISECTIONS: usize = 50;
-/// A step of Newton's method as short as this is the last: its error is about the square of it.
-const LAST_NEWTON: f64 = 1e-8;
 
 /// Where the polynomial rises through zero between `low` (not above) and `high` (above).
 fn root(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
@@ -161,9 +159,8 @@ fn root(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
         }
         // Newton's step where it stays inside, else the middle.
         let newton = tau - value / quintic.slope(tau);
-        let is_within = newton > low && newton < high;
-        let next = if is_within { newton } else { 0.5 * (low + high) };
-        if (next - tau).abs() <= if is_within { LAST_NEWTON } else { 1e-15 } || next == low || next == high {
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - tau).abs() <= 1e-15 || next == low || next == high {
             return next;
         }
         tau = next;

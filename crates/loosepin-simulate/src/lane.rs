@@ -80,11 +80,10 @@ pub struct LaneRun {
     pub smallest_s: f64,
     /// The attempt at hand.
     pub phase: Phase,
-    /// The contact of the last event, and its place in [`Self::first_steps`].
-    pub last_event: Option<(usize, usize)>,
-    /// By contact: the first guess for the step after its next onset, without and with a root among the unknowns then, and after its next
-    /// separation, likewise. It is what the first good step after the last such event could have been by its error.
-    pub first_steps: Vec<[f64; 4]>,
+    /// The last event of a contact: 0 for an onset, 1 for a separation.
+    pub last_event: Option<usize>,
+    /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
+    pub after_event: [f64; 2],
     /// Where its points are in their bodies.
     pub arms: Arms,
     /// Steps end here at the latest, s: at the start and at the end of the window, and where the pieces of a drive's motion meet.

@@ -107,11 +107,9 @@ impl LaneLayout {
     pub const IS_DUE: usize = 24;
     /// 1 until the first good step after a contact has begun or ended, one that no event cuts.
     pub const IS_FIRST: usize = 25;
-    /// How long that step may be by its error; 0 until there is one.
+    /// That step; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
-    /// Accepted steps since a contact began or ended.
-    pub const SINCE_EVENT: usize = 27;
-    const CONTACTS: usize = 28;
+    const CONTACTS: usize = 27;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run, and how far it may go.
     const PER_CONTACT: usize = 8;
@@ -242,16 +240,6 @@ impl Memory {
     pub fn set(&mut self, block: Block, index: usize, lane: usize, value: f64) {
         let block = &mut self.blocks[block as usize];
         block.numbers[block.first + index * self.lanes + lane] = value;
-    }
-
-    /// Takes numbers of a block in `lane` of `other`, which has as many lanes, to `place`.
-    pub fn take(&mut self, other: &Self, block: Block, numbers: std::ops::Range<usize>, lane: usize, place: usize) {
-        let lanes = self.lanes;
-        let (own, other) = (&mut self.blocks[block as usize], &other.blocks[block as usize]);
-        let (own, other) = (own.all(), &other.numbers[other.first..]);
-        for index in numbers {
-            own[index * lanes + place] = other[index * lanes + lane];
-        }
     }
 
     /// One number of a block in all lanes.

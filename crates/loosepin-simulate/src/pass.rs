@@ -22,8 +22,6 @@ const FASTEST_M_S: f64 = 1e100;
 const GROWTH: [f64; 2] = [0.2, 6.0];
 /// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
 const SHRINKAGE: [f64; 2] = [0.1, 0.9];
-/// Accepted steps since the last event from which on a contact that is closed counts as lasting. An impact takes fewer.
-const LASTING_STEPS: f64 = 40.0;
 /// Share of the longest step below which time hardly moves.
 pub const STALLED_SHARE: f64 = 1e-7;
 /// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
@@ -45,8 +43,6 @@ pub struct Pass {
     pub stepper: Stepper,
     /// Local error allowed in lengths, m.
     pub local_m: f64,
-    /// How much more a step in a lasting contact may err: [`Settings::lasting_share`].
-    pub lasting_share: f64,
     /// Evaluations of a run after which it is given up.
     pub largest_evaluations: u64,
 }
@@ -62,7 +58,6 @@ impl Pass {
             follow,
             stepper: Stepper::new(settings.method, layout.dimension, layout.integrals()),
             local_m: settings.tolerance_m * STEP_SHARE,
-            lasting_share: settings.lasting_share,
             largest_evaluations: settings.largest_evaluations,
             layout,
         }
@@ -78,14 +73,8 @@ impl Pass {
     pub fn attempt<T: Real>(&self, rows: &mut StepRows<'_, T>, lane: &mut [T], system: &mut impl System<T>) {
         self.set_root_weights(rows, lane);
         let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.weights()], system);
-        let error = T::select(self.is_lasting(lane), error * T::from_f64(1.0 / self.lasting_share), error);
         lane[LaneLayout::ERROR] = error;
         lane[LaneLayout::GROWTH] = self.stepper.growth(error);
-    }
-
-    /// Whether a contact without friction has been closed for so long that less accuracy does in it.
-    fn is_lasting<T: Real>(&self, lane: &[T]) -> T::Mask {
-        T::from_f64(LASTING_STEPS).less_than(lane[LaneLayout::SINCE_EVENT] * self.roots(lane))
     }
 
     /// Makes what was evaluated last, slope and reads, those of the start of the step, where the lane is chosen.
@@ -106,12 +95,10 @@ impl Pass {
         self.take_evaluation(blocks);
         let lane = &mut *blocks.lane;
         lane[LaneLayout::STEPS] += lane[LaneLayout::CHOSEN];
-        lane[LaneLayout::SINCE_EVENT] += lane[LaneLayout::CHOSEN];
         let is_chosen = is_set(lane[LaneLayout::CHOSEN]);
         let (is_first, step) = (lane[LaneLayout::IS_FIRST], lane[LaneLayout::STEP]);
         let first_step = lane[LaneLayout::FIRST_STEP];
-        let grown = step * lane[LaneLayout::GROWTH].min(T::from_f64(GROWTH[1]));
-        lane[LaneLayout::FIRST_STEP] = T::select(is_set(is_first * lane[LaneLayout::CHOSEN]), grown, first_step);
+        lane[LaneLayout::FIRST_STEP] = T::select(is_set(is_first * lane[LaneLayout::CHOSEN]), step, first_step);
         lane[LaneLayout::IS_FIRST] = T::select(is_chosen, T::zero(), is_first);
         for (start, end) in blocks.rows.start.iter_mut().zip(&*blocks.rows.end) {
             *start = T::select(is_chosen, *end, *start);

@@ -10,10 +10,6 @@ pub struct Settings {
     pub tolerance_m: f64,
     /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).
     pub method: &'static Tableau,
-    /// Error allowed in a step over that allowed elsewhere, where a contact without friction has been closed for 40 steps: an error in an impact
-    /// is carried into the flight behind it, while a lasting contact holds its bodies together. Default: 1 for one simulation, 32 in a
-    /// study (`docs/integrators.md` has the measurement).
-    pub lasting_share: f64,
     /// Evaluations of the equations of motion after which a run is given up. Default: 3e8, a minute or so; the same
     /// in a study, so that a run that is given up there is given up again by itself.
     pub largest_evaluations: u64,
@@ -32,11 +28,11 @@ pub const LARGEST_ENERGY_RESIDUAL: f64 = 1e-4;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, lasting_share: 1.0, largest_evaluations: 300_000_000 }
+        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000 }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {
-        Self { tolerance_m: 1e-8, lasting_share: 32.0, ..Self::for_simulation() }
+        Self { tolerance_m: 1e-8, ..Self::for_simulation() }
     }
 
     /// A contact begins or ends where |δ| is below this, m.

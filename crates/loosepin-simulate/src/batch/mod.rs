@@ -193,7 +193,7 @@ impl<'a> Batch<'a> {
             smallest_s: SMALLEST_STEP_TURNS * turn_s,
             phase: Phase::Stepping,
             last_event: None,
-            first_steps: vec![[0.0; 4]; self.mechanism.contacts.len()],
+            after_event: [0.0; 2],
             arms,
             stop_s,
             reaches_stop: false,
@@ -216,7 +216,6 @@ impl<'a> Batch<'a> {
             (LaneLayout::REJECTIONS, 0.0),
             (LaneLayout::IS_FIRST, 0.0),
             (LaneLayout::FIRST_STEP, 0.0),
-            (LaneLayout::SINCE_EVENT, 0.0),
         ] {
             self.core.set_number(lane, place, number);
         }

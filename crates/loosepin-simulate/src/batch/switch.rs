@@ -97,10 +97,10 @@ impl Batch<'_> {
         let is_with_another = crossing == Crossing::Onset && self.begins_with_another(lane, contact);
         let first_step = self.core.number(lane, LaneLayout::FIRST_STEP);
         let Some(run) = &mut self.runs[lane] else { return };
-        if let Some((contact, kind)) = run.last_event
+        if let Some(kind) = run.last_event
             && first_step > 0.0
         {
-            run.first_steps[contact][kind] = first_step;
+            run.after_event[kind] = first_step;
         }
         run.phase = Phase::Stepping;
         run.stalled = 0;
@@ -131,21 +131,18 @@ impl Batch<'_> {
                 (PlayState::flight(), false, 1)
             }
         };
-        // The first step after an event is as long as the last one after such an event could have been: one that repeats it would stay as short
-        // as the very first guess. Before there is one, a tenth of the step that was cut, in time; from u = 0 on the time is v0 s²/4.
+        // The first step after an event is as long as the last one after such an event. Before there is one, a tenth of the
+        // step that was cut, in time; from u = 0 on the time is v0 s²/4.
         let next = self.core.number(lane, LaneLayout::NEXT);
         let cut_s = 0.1 * next * if had_root { pace.abs().max(1e-3 * numbers.clearance_m.sqrt()) } else { 1.0 };
-        let goes_on_with_root = has_root || run.root.is_some_and(|root| root != contact);
-        let kind = 2 * kind + usize::from(goes_on_with_root);
-        let next = match run.first_steps[contact][kind] {
+        let next = match run.after_event[kind] {
             known if known > 0.0 => known,
             _ if has_root => (4.0 * cut_s * state.inverse_impact_speed_s_m).sqrt(),
             _ => cut_s,
         };
-        run.last_event = Some((contact, kind));
+        run.last_event = Some(kind);
         self.core.set_number(lane, LaneLayout::IS_FIRST, 1.0);
         self.core.set_number(lane, LaneLayout::FIRST_STEP, 0.0);
-        self.core.set_number(lane, LaneLayout::SINCE_EVENT, 0.0);
         self.core.set_number(lane, LaneLayout::NEXT, next);
         if has_root {
             run.root = Some(contact);

@@ -18,8 +18,6 @@ pub(crate) struct LaneFollow {
     piece_end_s: f64,
     /// Index of the next instant.
     next: usize,
-    /// That instant, s; infinite where none is left: it is asked for at every step, and the list is far from the processor.
-    next_s: f64,
     /// The readings over the step at hand, where it passes at an even pace.
     readings: Vec<Quintic>,
     findings: Findings,
@@ -36,8 +34,7 @@ impl LaneFollow {
             paths: vec![[DeviationRange::NONE; 4]; paths],
         };
         let readings = Vec::with_capacity(layout.readings());
-        let next_s = run.instants_s.first().copied().unwrap_or(f64::INFINITY);
-        Self { run, window, piece_end_s: f64::INFINITY, next: 0, next_s, readings, findings }
+        Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
     }
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
@@ -135,18 +132,17 @@ impl LaneFollow {
 
     /// Steps that end from this time on need another piece of the curves or hold an instant, s.
     pub fn due_s(&self) -> f64 {
-        self.next_s.min(self.piece_end_s)
+        self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
     }
 
     /// The next instant with its number, where it lies in a step that ends at `end_s`, and any that is left where that `is_last`; then
     /// another one is the next.
     #[inline]
     pub fn next_instant(&mut self, end_s: f64, is_last: bool) -> Option<(usize, f64)> {
-        let instant_s = self.next_s;
-        let is_left = instant_s < f64::INFINITY;
-        (instant_s <= end_s || (is_last && is_left)).then(|| {
+        let instant_s = self.run.instants_s.get(self.next).copied()?;
+        let is_within = instant_s <= end_s || is_last;
+        is_within.then(|| {
             self.next += 1;
-            self.next_s = self.run.instants_s.get(self.next).copied().unwrap_or(f64::INFINITY);
             (self.next - 1, instant_s)
         })
     }
