@@ -151,7 +151,8 @@ impl<'s, 'a> Settling<'s, 'a> {
     /// Refuses a shape that is in balance and no more, as that of a column beyond its Euler load.
     fn demand_stable(&mut self, state: &[f64]) -> Result<(), RunFailure> {
         let count = self.shapes.len();
-        // -∂q̈/∂q = M⁻¹ K is positive definite where all is stable; the first eigenvalue below zero turns its determinant.
+        // -∂q̈/∂q = M⁻¹ K is positive definite where all is stable; the first eigenvalue below zero turns its determinant. A second one turns it
+        // back: that is not noticed (docs/theory/flexible.md says so).
         let mut stiffness: Vec<f64> = self.slopes_at(0.0, state).iter().map(|slope| -slope).collect();
         if determinant(&mut stiffness, count) > 0.0 { Ok(()) } else { Err(RunFailure::NotSettled) }
     }
