@@ -125,10 +125,10 @@ fn run_cycle(
             let per_path = joint.coefficients_m2_n[side].unwrap_or(0.0) / joint.sector_area_m2(side);
             profile.path_j[side].iter().map(|path_j| per_path * path_j).collect()
         }));
-        let Some(foundation) = foundation(joint) else { continue };
-        let slid_m = profile.slid_m.iter().copied().fold(0.0, f64::max);
-        let coefficients = joint.coefficients_m2_n.iter().flatten().sum::<f64>();
-        stiffening = stiffening.max(coefficients * foundation.stiffness_pa_m * slid_m);
+        let foundation = foundation(joint).ok_or_else(|| RunFailure::WornWithoutPlay {
+            joint: mechanism.model.joints[joint.joint.0].name.clone(),
+        })?;
+        stiffening = stiffening.max(profile.stiffening(joint.coefficients_m2_n, foundation.stiffness_pa_m));
         let [least_rad, most_rad] = profile.turns_rad;
         let turn_rad = |k: usize| {
             if least_rad < most_rad { least_rad + (most_rad - least_rad) * k as f64 / (TURNS - 1) as f64 } else { 0.0 }

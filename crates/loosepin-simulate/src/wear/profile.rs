@@ -17,8 +17,8 @@ pub struct WearProfile {
     pub capped_j: f64,
     /// Largest half-width of the patch, m.
     pub widest_m: f64,
-    /// Where the joint has an elastic foundation: sliding path of each sector of the bearing under load, m. The journal's is as long.
-    pub slid_m: Vec<f64>,
+    /// Where the joint has an elastic foundation: sliding path of each sector of the bearing and of the journal under load, m.
+    pub slid_m: [Vec<f64>; 2],
     /// The same joint: smallest and largest angle of the bearing from the journal, rad.
     pub turns_rad: [f64; 2],
 }
@@ -41,11 +41,11 @@ impl WearProfile {
     pub fn new(joint: &WearingJoint) -> Self {
         let none = vec![0.0; joint.sectors];
         Self {
-            path_j: [none.clone(), none],
+            path_j: [none.clone(), none.clone()],
             total_j: 0.0,
             capped_j: 0.0,
             widest_m: 0.0,
-            slid_m: vec![0.0; joint.sectors],
+            slid_m: [none.clone(), none],
             turns_rad: [f64::INFINITY, f64::NEG_INFINITY],
         }
     }
@@ -55,12 +55,13 @@ impl WearProfile {
     pub(super) fn add_foundation(&mut self, at: &FoundationAt, weight_s: f64) {
         let weights = at.foundation.journal_weights(at.motion.turn_rad);
         let count = at.foundation.sectors();
-        let Self { path_j: [bearing_j, journal_j], slid_m, .. } = self;
+        let Self { path_j: [bearing_j, journal_j], slid_m: [bearing_m, journal_m], .. } = self;
         let load = at.foundation.load(&at.motion, at.inverse_impact_speed_s_m, &mut |pressed| {
             let slid = pressed.sliding_m_s.abs() * weight_s;
-            slid_m[pressed.sector] += slid;
+            bearing_m[pressed.sector] += slid;
             bearing_j[pressed.sector] += pressed.force_n * slid;
             for (sector, weight) in weights.sectors(pressed.sector, count).into_iter().zip(weights.value) {
+                journal_m[sector] += weight * slid;
                 journal_j[sector] += weight * pressed.force_n * slid;
             }
         });
@@ -69,6 +70,16 @@ impl WearProfile {
         self.widest_m = self.widest_m.max(load.carrying as f64 * half_sector_m);
         let [least, most] = self.turns_rad;
         self.turns_rad = [least.min(at.motion.turn_rad), most.max(at.motion.turn_rad)];
+    }
+
+    /// k_f (k_i s_i + k_j s_j), s_i and s_j the longest sliding paths of a sector of bearing and journal: the most by which a cycle
+    /// takes from a foundation of `stiffness_pa_m` what it is pressed, as a share of it.
+    pub(super) fn stiffening(&self, coefficients_m2_n: [Option<f64>; 2], stiffness_pa_m: f64) -> f64 {
+        let of_side = |side: usize| {
+            let longest_m = self.slid_m[side].iter().copied().fold(0.0, f64::max);
+            coefficients_m2_n[side].unwrap_or(0.0) * longest_m
+        };
+        stiffness_pa_m * (of_side(0) + of_side(1))
     }
 
     /// Distributes a friction path over the sectors.
@@ -110,8 +121,70 @@ fn distribute(sectors: &mut [f64], amount: f64, middle_rad: f64, half_rad: f64) 
 
 #[cfg(test)]
 mod tests {
-    use super::distribute;
+    use super::{WearProfile, distribute};
+    use crate::observer::FoundationAt;
+    use crate::wear::WearingJoint;
+    use loosepin_math::Vec2;
+    use loosepin_mechanics::contact::{Foundation, FoundationMotion, FrictionLaw};
+    use loosepin_mechanics::model::JointId;
     use std::f64::consts::TAU;
+    use std::sync::Arc;
+
+    #[test]
+    fn analytic_a_journal_under_one_load_slides_as_long_as_a_bearing_that_turns_below_it_does_in_all_its_sectors() {
+        let (sectors, [radius_m, clearance_m, length_m]) = (36, [0.01, 1e-4, 0.02]);
+        let joint = WearingJoint {
+            joint: JointId(0),
+            play: Some(0),
+            radii_m: [radius_m, radius_m - clearance_m],
+            length_m,
+            coefficients_m2_n: [Some(0.0), Some(1e-14)],
+            cycles: 1.0,
+            sectors,
+            patch: None,
+        };
+        let (stiffness_pa_m, spin_rad_s, penetration_m) = (6.7e12, 10.0, 5e-5);
+        let numbers = [radius_m, clearance_m, length_m];
+        let friction = FrictionLaw::None;
+        let foundation = Arc::new(Foundation::unworn(numbers, stiffness_pa_m, 0.0, friction, sectors));
+        let mut profile = WearProfile::new(&joint);
+        // The pin stands, pressed to one side; the bearing turns once around it, from one middle of a sector to the next.
+        let steps = 50 * sectors;
+        let weight_s = TAU / spin_rad_s / steps as f64;
+        let eccentricity_m = clearance_m + penetration_m;
+        for step in 0..steps {
+            let turn_rad = (step as f64 + 0.5) * TAU / steps as f64;
+            let towards = Vec2::new(turn_rad.cos(), -turn_rad.sin());
+            let motion = FoundationMotion {
+                eccentricity_m: towards * eccentricity_m,
+                rate_m_s: Vec2::zero(),
+                turn_rad,
+                spins_rad_s: [spin_rad_s, 0.0],
+            };
+            let at = FoundationAt { foundation: foundation.clone(), motion, inverse_impact_speed_s_m: 0.0 };
+            profile.add_foundation(&at, weight_s);
+        }
+        // A sector that carries slides by 2π (R_i + a), a between 0 and δ/2; one of the journal at the load all the time, one of the
+        // bearing while cos β > c/(c + δ).
+        let turn_m = TAU * radius_m;
+        let share = 2.0 * (clearance_m / eccentricity_m).acos() / TAU;
+        let longest_m = profile.slid_m.each_ref().map(|own| own.iter().copied().fold(0.0, f64::max));
+        let tolerance = 0.5 * penetration_m / radius_m;
+        assert!((longest_m[1] / turn_m - 1.0) > 0.0 && (longest_m[1] / turn_m - 1.0) < tolerance, "{longest_m:?}");
+        // Its time under load is counted in steps, of which 50 pass a sector.
+        let least = share - 2.0 / steps as f64;
+        let of_turn = longest_m[0] / turn_m;
+        assert!(least < of_turn && of_turn < (share + 2.0 / steps as f64) * (1.0 + tolerance), "{of_turn} {share}");
+        let sums_m = profile.slid_m.each_ref().map(|own| own.iter().sum::<f64>());
+        assert!((sums_m[1] / sums_m[0] - 1.0).abs() < 1e-12, "{sums_m:?}");
+        // The bearing does not wear: the journal alone limits the jumps.
+        let stiffening = |coefficients| profile.stiffening(coefficients, stiffness_pa_m);
+        let of_journal = stiffness_pa_m * 1e-14 * turn_m;
+        assert!((stiffening(joint.coefficients_m2_n) / of_journal - 1.0).abs() < tolerance);
+        assert_eq!(stiffening([None, Some(1e-14)]), stiffening(joint.coefficients_m2_n));
+        let ratio = stiffening([Some(1e-14), None]) / of_journal;
+        assert!((ratio / share - 1.0).abs() < 0.02, "{ratio} {share}");
+    }
 
     #[test]
     fn analytic_a_semi_ellipse_lies_half_on_each_side_of_its_middle() {
