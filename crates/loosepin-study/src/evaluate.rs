@@ -2,9 +2,9 @@
 
 use super::response::StudyResponse;
 use loosepin_bounds::{Failure, RunInputs};
-use loosepin_simulate::Execution;
+use loosepin_simulate::{Execution, RunFailure};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Columns and extras of a finished run, or why it gave nothing.
 pub(super) type Row = Result<Vec<f64>, Failure>;
@@ -14,10 +14,12 @@ pub(super) struct Work<'w> {
     pub batch: &'w [RunInputs],
     pub is_waiting: &'w [bool],
     pub response: &'w StudyResponse,
+    /// Ends lives of wear, which are many cycles each, in their middle.
+    pub stop: &'w AtomicBool,
 }
 
 /// The rows of a batch, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop has kept from
-/// starting.
+/// starting or from ending.
 ///
 /// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
 /// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.
@@ -27,7 +29,7 @@ pub(super) fn evaluate(
     is_stopped: &(dyn Fn() -> bool + Sync),
     finished: &(dyn Fn(usize, &Row) + Sync),
 ) -> Vec<Option<Row>> {
-    let Work { batch, is_waiting, response } = *work;
+    let Work { batch, is_waiting, response, stop } = *work;
     let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
         response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
     for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| is_waiting[*index]) {
@@ -45,7 +47,11 @@ pub(super) fn evaluate(
                     let inputs = batch.get(index).filter(|_| !is_stopped())?;
                     Some((index, &inputs.random[..], &inputs.epistemic[..]))
                 };
-                response.run_all(variant, execution, next, |index, outcome| {
+                response.run_all_until(variant, execution, stop, next, |index, outcome| {
+                    // It is made when the study goes on: nothing of it is kept.
+                    if matches!(outcome, Err(RunFailure::Stopped { .. })) {
+                        return;
+                    }
                     let row = outcome.map_err(|failure| Failure(failure.number()));
                     finished(index, &row);
                     rows.push((index, row));

@@ -38,8 +38,20 @@ impl StudyResponse {
         next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
         finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
     ) -> Vec<Duration> {
+        self.run_all_until(variant, execution, &AtomicBool::new(false), next, finished)
+    }
+
+    /// As [`Self::run_all`]; once `stop` is set, a life of wear ends as [`RunFailure::Stopped`]. Other runs end as ever: they are short.
+    pub fn run_all_until<'i>(
+        &self,
+        variant: usize,
+        execution: Execution,
+        stop: &AtomicBool,
+        next: impl FnMut() -> Option<(usize, &'i [f64], &'i [f64])>,
+        finished: impl FnMut(usize, Result<Vec<f64>, RunFailure>),
+    ) -> Vec<Duration> {
         let mechanism = &self.mechanisms[variant];
-        let mut queue = StudyQueue { response: self, mechanism, next, finished, preparing: Vec::new() };
+        let mut queue = StudyQueue { response: self, mechanism, stop, next, finished, preparing: Vec::new() };
         let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
         conduct(mechanism, &self.shared.follow, &settings, execution, &mut queue);
         queue.preparing
@@ -52,6 +64,7 @@ impl StudyResponse {
         index: usize,
         random: &[f64],
         epistemic: &[f64],
+        stop: &AtomicBool,
     ) -> Result<Run<StudyRun<'_>>, RunFailure> {
         let values = self.values(random, epistemic).map_err(|error| RunFailure::Sample(error.into()))?;
         let mut sample = Sample::new(mechanism, &values)?;
@@ -71,7 +84,7 @@ impl StudyResponse {
         // The row is that of the last cycle; where the worn shape acts back, those before it are run here.
         let settings = Settings { largest_evaluations: self.largest_evaluations, ..self.settings };
         let life = LifePlan { values: &values, window, turns: self.recorded_turns, settings: &settings };
-        let life = worn_life(mechanism, &mut sample, &life, &AtomicBool::new(false))?;
+        let life = worn_life(mechanism, &mut sample, &life, stop)?;
         let mut wear = self.shared.needs_wear.then(|| WearRecorder::new(mechanism, &values));
         if let Some(wear) = &mut wear {
             wear.life = life;
@@ -183,6 +196,7 @@ impl Observer for StudyRun<'_> {
 struct StudyQueue<'s, N, F> {
     response: &'s StudyResponse,
     mechanism: &'s Mechanism,
+    stop: &'s AtomicBool,
     next: N,
     finished: F,
     /// How long each run was prepared.
@@ -200,7 +214,7 @@ where
         loop {
             let (index, random, epistemic) = (self.next)()?;
             let begun = Instant::now();
-            let prepared = self.response.prepare(self.mechanism, index, random, epistemic);
+            let prepared = self.response.prepare(self.mechanism, index, random, epistemic, self.stop);
             self.preparing.push(begun.elapsed());
             match prepared {
                 Ok(run) => return Some(run),

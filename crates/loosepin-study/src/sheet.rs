@@ -129,7 +129,7 @@ impl<'s> Sheet<'s> {
         let known = kept.iter().zip(&is_in_pilot).filter(|(kept, is_own)| kept.is_some() && **is_own).count();
         let finished = AtomicUsize::new(known);
         let note = |place: usize, row: &Row| self.note(place, &round[place], row, &finished);
-        let work = Work { batch: round, is_waiting: &is_waiting, response: self.response };
+        let work = Work { batch: round, is_waiting: &is_waiting, response: self.response, stop: self.runner.stop };
         let rows = pool.install(|| evaluate(&work, kept, &|| self.is_stopped(), &note));
         let own = rows.iter().zip(round).zip(&is_in_pilot).filter(|(_, is_own)| **is_own).map(|(run, _)| run);
         let finished: Option<Vec<PilotRun<'_>>> =
@@ -205,7 +205,7 @@ impl<'s> Sheet<'s> {
             let finished = AtomicUsize::new(done + known + pilot.len());
             let note = |index: usize, row: &Row| self.note(first + index, &batch[index], row, &finished);
             let is_stopped = || self.is_stopped();
-            let work = Work { batch, is_waiting: &is_waiting, response: self.response };
+            let work = Work { batch, is_waiting: &is_waiting, response: self.response, stop: self.runner.stop };
             let outcomes = match maker {
                 None => pool.install(|| evaluate(&work, kept, &is_stopped, &note)),
                 Some(maker) => {

@@ -7,6 +7,9 @@ use super::worn_profile::{Weights, WornProfile};
 use loosepin_math::Vec2;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
+/// Angles at which the clearance between two worn surfaces is looked at are no closer, rad.
+const CLOSEST_RAD: f64 = TAU / 180.0;
+
 /// Foundation between the worn surfaces of a joint: independent springs over the sectors of the bearing.
 #[derive(Debug, Clone)]
 pub struct Foundation {
@@ -334,15 +337,39 @@ impl Foundation {
     /// c(ψ_s)/cos(ψ_s - u) over the sectors in front.
     pub fn effective_clearances_m(&self, turn_rad: f64) -> [f64; 2] {
         let gaps_m = self.gaps_m(turn_rad);
-        let reach_m = |direction: &Vec2<f64>| {
-            let sectors = self.normals.iter().zip(&gaps_m);
-            let reaches = sectors.filter_map(|(normal, gap_m)| {
-                let cosine = normal.dot(*direction);
-                (cosine > 1e-9).then(|| gap_m / cosine)
-            });
-            reaches.fold(f64::INFINITY, f64::min)
+        let count = self.sectors();
+        let least_m = gaps_m.iter().copied().fold(f64::INFINITY, f64::min);
+        let reach_m = |(sector, direction): (usize, &Vec2<f64>)| {
+            let mut reach_m = gaps_m[sector];
+            for offset in 1..count.div_ceil(4) {
+                let cosine = direction.dot(self.normals[(sector + offset) % count]);
+                // No gap further away is as narrow as to count.
+                if cosine * reach_m <= least_m {
+                    break;
+                }
+                let beside_m = gaps_m[(sector + offset) % count].min(gaps_m[(sector + count - offset) % count]);
+                reach_m = reach_m.min(beside_m / cosine);
+            }
+            reach_m
         };
-        self.normals.iter().map(reach_m).fold([f64::INFINITY, 0.0], |[low, high], own| [low.min(own), high.max(own)])
+        let reaches_m = self.normals.iter().enumerate().map(reach_m);
+        reaches_m.fold([f64::INFINITY, 0.0], |[low, high], own_m| [low.min(own_m), high.max(own_m)])
+    }
+
+    /// Those distances over all angles of the bearing from the journal between two, rad: every second sector, and no closer than 2°, of one turn at most.
+    pub fn clearances_within_m(&self, [least_rad, most_rad]: [f64; 2]) -> [f64; 2] {
+        if !(least_rad < most_rad) || self.profiles[1].is_unworn() {
+            let turn_rad = if least_rad.is_finite() { least_rad } else { 0.0 };
+            return self.effective_clearances_m(turn_rad);
+        }
+        let span_rad = (most_rad - least_rad).min(TAU);
+        let step_rad = (2.0 * TAU / self.sectors() as f64).max(CLOSEST_RAD);
+        let steps = (span_rad / step_rad).ceil().max(1.0) as usize;
+        let ranges_m = (0..=steps).map(|k| least_rad + span_rad * k as f64 / steps as f64);
+        ranges_m.map(|turn_rad| self.effective_clearances_m(turn_rad)).fold(
+            [f64::INFINITY, 0.0],
+            |[low, high]: [f64; 2], own_m| [low.min(own_m[0]), high.max(own_m[1])],
+        )
     }
 }
 

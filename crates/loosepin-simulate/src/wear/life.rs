@@ -9,6 +9,7 @@ use crate::failure::RunFailure;
 use crate::observer::{Observer, Step};
 use crate::reference::IdealReference;
 use crate::resume::MotionState;
+use crate::search::maximum_within;
 use crate::settings::{Settings, Window};
 use crate::watched::Watched;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
@@ -16,10 +17,8 @@ use loosepin_mechanics::model::{Jumps, Values, WearGeometry};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Angles of the journal at which a clearance is looked at, over those that a cycle has.
-const TURNS: usize = 9;
-/// Places of each step at which deviations are looked at: its middle and its end.
-const PLACES: [f64; 2] = [0.5, 1.0];
+/// Points of each step at which deviations are looked at, before their largest is located.
+const POINTS_PER_STEP: usize = 5;
 
 /// The plan of a life: how each of its cycles is run.
 #[derive(Debug, Clone, Copy)]
@@ -129,13 +128,7 @@ fn run_cycle(
             joint: mechanism.model.joints[joint.joint.0].name.clone(),
         })?;
         stiffening = stiffening.max(profile.stiffening(joint.coefficients_m2_n, foundation.stiffness_pa_m));
-        let [least_rad, most_rad] = profile.turns_rad;
-        let turn_rad = |k: usize| {
-            if least_rad < most_rad { least_rad + (most_rad - least_rad) * k as f64 / (TURNS - 1) as f64 } else { 0.0 }
-        };
-        let ranges = (0..TURNS).map(|k| foundation.effective_clearances_m(turn_rad(k)));
-        let range = ranges.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], own| [low.min(own[0]), high.max(own[1])]);
-        cycle.clearances_m.push(range);
+        cycle.clearances_m.push(foundation.clearances_within_m(profile.turns_rad));
         cycle
             .patch_sectors
             .push(2.0 * profile.widest_m / (joint.radii_m[0] * std::f64::consts::TAU / joint.sectors as f64));
@@ -188,25 +181,49 @@ impl Observer for CycleObserver<'_> {
         if let Some(own_j) = self.path_of_turn_j.get_mut(turn as usize) {
             *own_j += total_j(&self.wear) - before_j;
         }
-        if self.columns.is_empty() {
+        self.note_deviations(step);
+    }
+}
+
+impl CycleObserver<'_> {
+    /// The deviations of all columns from the ideal motion, SI.
+    fn look(&mut self, step: &mut Step<'_, '_>, time_s: f64) -> Vec<f64> {
+        let dynamics = if self.with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
+        match self.reference.at(time_s, self.with_forces) {
+            Ok(ideal) => {
+                let values = |column: &Column| {
+                    column.reading.value(&self.arms, dynamics) - column.reading.value(&self.arms, ideal)
+                };
+                self.columns.iter().map(values).collect()
+            }
+            Err(error) => {
+                self.failure.get_or_insert(error);
+                vec![f64::NAN; self.columns.len()]
+            }
+        }
+    }
+
+    /// Takes in the largest deviations of a step, located as a history locates its own.
+    fn note_deviations(&mut self, step: &mut Step<'_, '_>) {
+        if self.columns.is_empty() || self.failure.is_some() {
             return;
         }
-        self.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
-        let (start_s, span_s) = (step.start_s, step.end_s - step.start_s);
-        for share in PLACES {
-            let time_s = start_s + share * span_s;
-            let dynamics = if self.with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
-            let ideal = match self.reference.at(time_s, self.with_forces) {
-                Ok(ideal) => ideal,
-                Err(error) => {
-                    self.failure.get_or_insert(error);
-                    return;
+        let (start_s, end_s) = (step.start_s, step.end_s);
+        self.reference.hold_pieces(0.5 * (start_s + end_s));
+        let time_s = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
+        let looks: Vec<Vec<f64>> = (0..POINTS_PER_STEP).map(|k| self.look(step, time_s(k))).collect();
+        for column in 0..self.deviations_si.len() {
+            for sign in [-1.0, 1.0] {
+                let points: Vec<(f64, f64)> =
+                    looks.iter().enumerate().map(|(k, look)| (time_s(k), sign * look[column])).collect();
+                let (low, high) =
+                    points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+                // Between the points the value can rise above them by a part of their range only.
+                if high + 0.25 * (high - low) <= self.deviations_si[column] {
+                    continue;
                 }
-            };
-            for (column, largest) in self.columns.iter().zip(&mut self.deviations_si) {
-                let reading = &column.reading;
-                let deviation = reading.value(&self.arms, dynamics) - reading.value(&self.arms, ideal);
-                *largest = largest.max(deviation.abs());
+                let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[column]);
+                self.deviations_si[column] = self.deviations_si[column].max(peak.value);
             }
         }
     }

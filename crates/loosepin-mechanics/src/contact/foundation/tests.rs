@@ -3,6 +3,7 @@
 use super::{Foundation, FoundationMotion, liu_foundation_pa_m, point_law_foundation_pa_m};
 use crate::contact::{FrictionLaw, compliance_1_pa, cylinder_stiffness_n_m1_5};
 use loosepin_math::Vec2;
+use std::f64::consts::TAU;
 
 const RADIUS_M: f64 = 0.01;
 const CLEARANCE_M: f64 = 1e-4;
@@ -187,4 +188,31 @@ fn analytic_a_convexified_clearance() {
     let [least_m, most_m] = foundation.worn([&groove, &none]).effective_clearances_m(0.0);
     assert!((least_m / CLEARANCE_M - 1.0).abs() < 1e-12, "{least_m}");
     assert!(most_m < CLEARANCE_M * 1.002 && most_m > CLEARANCE_M * 1.000_1, "{most_m}");
+}
+
+#[test]
+fn analytic_two_narrow_worn_arcs_meet_at_one_angle_of_the_bearing() {
+    // 20° of each surface, 0.7 µm deep: wide enough for the pin, since c/cos 9° is above c + 1.4 µm. They meet 22° apart.
+    let depth_m = 0.7e-6;
+    let arc = |middle: usize| {
+        let mut depths_m = vec![0.0; 360];
+        depths_m[middle - 10..middle + 10].fill(depth_m);
+        depths_m
+    };
+    let foundation = steel(360, 0.0).worn([&arc(100), &arc(122)]);
+    let met_rad = 22_f64.to_radians();
+    let whole = [-7.0, 7.0];
+    for (turns_rad, depths) in [
+        (whole, 2.0),
+        ([0.0, 0.4], 2.0),
+        ([0.1 + TAU, 0.5 + TAU], 2.0),
+        ([0.0, 0.01], 1.0),
+        ([met_rad, met_rad], 2.0),
+        ([f64::INFINITY, f64::NEG_INFINITY], 1.0),
+    ] {
+        let [least_m, most_m] = foundation.clearances_within_m(turns_rad);
+        let expected_m = CLEARANCE_M + depths * depth_m;
+        assert!((most_m - expected_m).abs() < 1e-14, "{turns_rad:?}: {most_m} {expected_m}");
+        assert!((least_m - CLEARANCE_M).abs() < 1e-14, "{turns_rad:?}: {least_m}");
+    }
 }
