@@ -107,6 +107,7 @@ impl StudyReader {
         if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
             self.check_new(&entries, (output, deviation), &location);
         }
+        self.warn_of_moments_of_a_life(output, &entries);
         let promised = self.promised_ends(table, &entries);
         let asked: Vec<Asked> = entries.into_iter().map(|(_, asked)| asked).collect();
         let contributors = asked.contains(&Asked::Contributors);
@@ -176,11 +177,19 @@ impl StudyReader {
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
         // A life is to be long, everything else of wear small.
-        let is_life = matches!(self.outputs[output].seen, Seen::Wear(_, WearMeasure::Life));
+        let is_life = self.is_life(output);
         let is_on_its_side = if is_life { matches!(limit, Limit::Above(_)) } else { matches!(limit, Limit::Below(_)) };
         if self.is_wear(Some(output)) && !(location == Where::Cycle && is_on_its_side) {
-            let problem = StudyProblem::LimitOfWear { entry: table.path.describe() };
-            return self.refused(&problem, table.span);
+            let (entry, is_life) = (table.path.describe(), is_life);
+            return self.refused(&StudyProblem::LimitOfWear { entry, is_life }, table.span);
+        }
+        if let (true, Limit::Above(least)) = (is_life, limit)
+            && let Some(cycles) = self.cycles_of_wear().filter(|cycles| least > *cycles)
+        {
+            let span = table.get("above").map_or(table.span, |entry| entry.span);
+            let [least, cycles] = [least, cycles].map(format_number);
+            let problem = StudyProblem::LifeBeyondCycles { entry: table.path.describe(), least, cycles };
+            return self.refused(&problem, span);
         }
         Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised })
     }
@@ -231,6 +240,33 @@ impl StudyReader {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }
         Some(deviation)
+    }
+
+    /// Whether an output is the life of a joint.
+    fn is_life(&self, output: usize) -> bool {
+        matches!(self.outputs[output].seen, Seen::Wear(_, WearMeasure::Life))
+    }
+
+    /// The cycles after which wear is stated; nothing where they are an input, of which each run has its own.
+    fn cycles_of_wear(&self) -> Option<f64> {
+        let cycles = self.model.wear?.cycles;
+        let is_input = self.random.iter().any(|input| input.quantity == cycles)
+            || self.epistemic.iter().any(|input| input.quantity() == Some(cycles));
+        (!is_input).then(|| self.model.quantities.nominal()[cycles])
+    }
+
+    /// Warns of a mean or standard deviation of a life: runs that do not end count as all cycles.
+    fn warn_of_moments_of_a_life(&mut self, output: usize, entries: &[(Entry<'_>, Asked)]) {
+        if !self.is_life(output) {
+            return;
+        }
+        for (entry, asked) in entries {
+            if matches!(asked, Asked::Statistic(Statistic::Mean | Statistic::StandardDeviation)) {
+                let problem = StudyProblem::MomentOfLife { entry: entry.path.describe() };
+                let place = Place::new(&self.reader.source, entry.span);
+                self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            }
+        }
     }
 
     /// Whether an output is the wear of a joint.

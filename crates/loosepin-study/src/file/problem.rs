@@ -207,9 +207,21 @@ problems! {
             says("{entry}: wear is one number of a run; must be reduce = \"maximum\""),
             hint("wear grows through the recorded part: its maximum is the wear after all cycles");
         /// A requirement of wear that is no upper limit.
-        LimitOfWear { entry: String } => Code::AskNotPossible,
-            says("{entry}: wear has an upper limit over the cycle only, and a life a lower one"),
-            hint("write over = \"cycle\" and below = \"0.2 mm^3\"");
+        LimitOfWear { entry: String, is_life: bool } => Code::AskNotPossible,
+            says("{entry}: {}", if *is_life {
+                "a life has a lower limit over the cycle only"
+            } else {
+                "wear has an upper limit over the cycle only"
+            }),
+            hint("write over = \"cycle\" and {}", if *is_life { "above = 2000" } else { "below = \"0.2 mm^3\"" });
+        /// A life longer than the cycles that are computed.
+        LifeBeyondCycles { entry: String, least: String, cycles: String } => Code::AskNotPossible,
+            says("{entry}: above is {least}; lives are followed for the cycles of [wear] alone, {cycles}"),
+            hint("a life that does not end counts as all cycles: require less, or raise cycles in the model");
+        /// A mean or a standard deviation of lives that may not have ended.
+        MomentOfLife { entry: String } => Code::AskNotPossible,
+            says("{entry}: a life that does not end counts as all cycles of [wear], so that this may be too small"),
+            hint("ask for quantiles below all cycles, or raise cycles in the model until all lives end");
         /// The same question again.
         AskedTwice { entry: String, what: String } => Code::AskNotPossible,
             says("{entry}: {what} is already asked, of the same output at the same place"),
