@@ -148,9 +148,16 @@ problems! {
             says("joint '{joint}' has no play: with geometry = \"worn\" the shape of its surfaces needs a clearance"),
             hint("give it a radial_clearance above zero, or write geometry = \"fixed\"");
         /// More jumps over the cycles than are made.
-        TooManyJumps { cycles: f64, most: usize } => Code::RunTooLong,
-            says("after {cycles:.4e} cycles {most} jumps were made, the most that there are"),
+        TooManyJumps { reached: f64, cycles: f64, most: usize } => Code::RunTooLong,
+            says("{most} jumps, the most that are made, reached only {reached:.4e} of {cycles:.4e} cycles of wear"),
             hint("ask for a larger tolerance or fewer cycles in [wear]");
+        /// Jumps no longer than N_s, which do not reach all cycles.
+        JumpsTooShort { cycles: f64, stable_cycles: f64, most: usize } => Code::RunTooLong,
+            says(
+                "{cycles:.4e} cycles of wear take more than {most} jumps: a jump must be at most {stable_cycles:.4e} cycles \
+                 long here"
+            ),
+            hint("ask for fewer cycles in [wear], or look at the wear coefficients: longer jumps make shapes saw-toothed");
         /// Wear beyond all numbers.
         WearNotFinite { joint: String } => Code::RunNotFinite,
             says("the wear of joint '{joint}' is not a finite number"),
@@ -178,7 +185,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 27] = [
+const CODES: [&str; 28] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -206,6 +213,7 @@ const CODES: [&str; 27] = [
     "worn_without_play",
     "too_many_jumps",
     "wear_not_finite",
+    "jumps_too_short",
 ];
 
 impl RunFailure {
@@ -246,6 +254,7 @@ impl RunFailure {
             Self::WornWithoutPlay { .. } => 24,
             Self::TooManyJumps { .. } => 25,
             Self::WearNotFinite { .. } => 26,
+            Self::JumpsTooShort { .. } => 27,
         }
     }
 
@@ -273,7 +282,6 @@ impl RunFailure {
             }
             Self::StepTooSmall { .. }
             | Self::TooManyEvaluations { .. }
-            | Self::TooManyJumps { .. }
             | Self::EnergyNotBalanced { .. }
             | Self::Stopped { .. } => Complaint::error(self, None),
             Self::LawGainsEnergy { joint, .. } => {
@@ -283,6 +291,7 @@ impl RunFailure {
             Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
                 Complaint::error(self, model.place("cycle"))
             }
+            Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Complaint::error(self, model.place("wear")),
             Self::NothingIsFree | Self::NotSettled => Complaint::error(self, None),
         }
     }

@@ -228,3 +228,79 @@ where
         (self.finished)(index, outcome.and_then(|report| self.response.row(run, &report)));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::evaluate::{Work, evaluate};
+    use crate::Study;
+    use crate::response::StudyResponse;
+    use loosepin_bounds::{Purpose, RunInputs};
+    use loosepin_mechanics::model::Model;
+    use loosepin_simulate::{Execution, Plan, RunFailure, simulate};
+    use std::sync::atomic::AtomicBool;
+
+    const MODEL: &str = include_str!("../../../cases/slider_crank_5000/model.toml");
+    const JOINT: &str = "radial_clearance = \"0.1 mm\"\nbearing_length = \"20 mm\"\nwear.sectors = 36\n\
+        wear.bearing.coefficient = \"1e-12 m^2/N\"\n";
+    const LIFE: &str = "\n[load.press]\nkind = \"force\"\npoint = \"slider.pin\"\ndirection = \"180 deg\"\nforce = \"500 N\"\n\
+        [wear]\ncycles = 4000\ngeometry = \"worn\"\njumps = 2\nlimit_of = \"slider\"\nlimit = \"0.107 mm\"\n\
+        [output.play]\nwear_of = \"joint.gudgeon\"\ncomponent = \"clearance\"\n\
+        [output.life]\nwear_of = \"joint.gudgeon\"\ncomponent = \"life\"\n";
+    const STUDY: &str = "name = \"lives\"\nmodel = \"model.toml\"\n[epistemic]\n\
+        \"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-15 m^2/N\", \"1e-12 m^2/N\"] }\n\
+        [[ask]]\noutput = \"play\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [{ quantile = 0.5 }]\n\
+        [[ask]]\noutput = \"life\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [{ quantile = 0.5 }]\n";
+
+    fn response() -> StudyResponse {
+        let text = MODEL.replace("radial_clearance = \"0.5 mm\"\n", JOINT).replace("5000 rpm", "300 rpm");
+        let text = text.replace("recorded_turns = 2", "recorded_turns = 0.02") + LIFE;
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+        StudyResponse::new(&study).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// Coefficients of the bearing, m²/N: one with which the limit is never passed, and one with which it is.
+    const COEFFICIENTS_M2_N: [[f64; 1]; 2] = [[1e-15], [1e-12]];
+
+    #[test]
+    fn identity_rows_of_a_study_with_worn_shapes_are_single_lives() {
+        let response = response();
+        let mut rows = vec![Vec::new(); COEFFICIENTS_M2_N.len()];
+        let mut inputs = COEFFICIENTS_M2_N.iter().enumerate();
+        let next = || inputs.next().map(|(index, own)| (index, &[][..], &own[..]));
+        response.run_all(0, Execution::best(), next, |index, row| rows[index] = row.unwrap_or_else(|e| panic!("{e}")));
+        let column = |ask: usize| response.shared.plan.asks[ask].columns[0];
+        let mut lives = Vec::new();
+        for (row, own) in rows.iter().zip(&COEFFICIENTS_M2_N) {
+            let values = response.values(&[], own).unwrap_or_else(|error| panic!("{error}"));
+            let mut plan = Plan::of_model(&response.mechanism().model);
+            plan.settings = response.settings;
+            let single = simulate(response.mechanism(), &values, &plan).unwrap_or_else(|failure| panic!("{failure}"));
+            let life = single.record.life.unwrap_or_else(|| panic!("no life"));
+            let clearance_m = life.joints[0].largest_clearance_m.last().copied();
+            println!("{clearance_m:?} {:?} {:?} {:?}", life.limit, life.cycles, life.outputs[0].deviation_si);
+            assert_eq!(clearance_m, Some(row[column(0)]));
+            let cycles = life.limit.and_then(|limit| limit.cycles);
+            assert_eq!(cycles.unwrap_or(4000.0), row[column(1)]);
+            lives.push(cycles);
+        }
+        assert!(lives[0].is_none() && lives[1].is_some_and(|cycles| 0.0 < cycles && cycles < 4000.0), "{lives:?}");
+    }
+
+    #[test]
+    fn identity_a_stopped_study_leaves_the_life_that_it_is_in_without_a_row() {
+        let (response, stop) = (response(), AtomicBool::new(true));
+        let mut inputs = COEFFICIENTS_M2_N.iter().enumerate();
+        let next = || inputs.next().map(|(index, own)| (index, &[][..], &own[..]));
+        let mut failures = Vec::new();
+        response.run_all_until(0, Execution::best(), &stop, next, |_, outcome| failures.push(outcome.err()));
+        assert_eq!(failures.len(), 2);
+        assert!(failures.iter().all(|own| matches!(own, Some(RunFailure::Stopped { .. }))), "{failures:?}");
+        let [round, point, replicate, index] = [0; 4];
+        let (random, epistemic) = (Vec::new(), COEFFICIENTS_M2_N[1].to_vec());
+        let batch = [RunInputs { round, purpose: Purpose::DoubleLoop, point, replicate, index, random, epistemic }];
+        let work = Work { batch: &batch, is_waiting: &[true], response: &response, stop: &stop };
+        let rows = evaluate(&work, vec![None], &|| false, &|_, _| panic!("a row was kept"));
+        assert!(rows.iter().all(Option::is_none));
+    }
+}

@@ -6,6 +6,7 @@ use super::file::Study;
 use super::loosened::with_loosened;
 use super::response::StudyResponse;
 use loosepin_bounds::{Failure, Purpose, RunInputs};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Mechanisms that are held ready, at most: that of the study, and those with inputs that are loosened at the moment.
@@ -58,7 +59,8 @@ impl RunRows {
             RunInputs { round, purpose: Purpose::DoubleLoop, point, replicate, index, random, epistemic }
         };
         let batch: Vec<RunInputs> = inputs.into_iter().map(run).collect();
-        let work = Work { batch: &batch, is_waiting: &vec![true; batch.len()], response: &response };
+        let (is_waiting, stop) = (vec![true; batch.len()], AtomicBool::new(false));
+        let work = Work { batch: &batch, is_waiting: &is_waiting, response: &response, stop: &stop };
         let rows = self.pool.install(|| evaluate(&work, vec![None; batch.len()], &|| false, &|_, _| {}));
         Ok(rows.into_iter().flatten().collect())
     }

@@ -63,4 +63,4 @@ pub use topology::{
     Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
     SlotClearance, Stiffness,
 };
-pub use wear::{FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure};
+pub use wear::{FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure};

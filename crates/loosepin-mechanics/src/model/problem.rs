@@ -120,6 +120,10 @@ problems! {
         OnlyWorn { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' needs geometry = \"worn\""),
             hint("with the unworn geometry wear grows evenly with the cycles, and outputs do not change");
+        /// A key of fixed geometry beside a worn one.
+        OnlyFixed { entry: String, key: &'static str } => Code::ConflictingKeys,
+            says("{entry}: '{key}' cannot be used with geometry = \"worn\""),
+            hint("leave it out: the elastic foundation distributes the pressure");
         /// The output of a limit.
         NoLimitedOutput { entry: String, output: String } => Code::UnknownReference,
             says("{entry}: there is no output '{output}' with a history of its own"),

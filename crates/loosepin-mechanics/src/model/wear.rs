@@ -58,6 +58,9 @@ pub enum WearGeometry {
     Worn(Jumps),
 }
 
+/// Jumps over the cycles of a life, at most.
+pub const MOST_JUMPS: usize = 4096;
+
 /// Jumps over cycles by Heun's method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Jumps {

@@ -1,6 +1,7 @@
 //! From the wear of single cycles to that of thousands, by Heun's method (`docs/theory/wear.md`, equations 17 to 19).
 
 use crate::failure::RunFailure;
+use loosepin_mechanics::model::MOST_JUMPS;
 
 /// Depths of the sectors of bearing and journal of each joint, m.
 pub type Depths = Vec<[Vec<f64>; 2]>;
@@ -64,8 +65,6 @@ pub struct Life {
     pub runs: usize,
 }
 
-/// Jumps of a life, at most.
-pub const MOST_JUMPS: usize = 4096;
 /// Share of the step that the error allows which the next jump takes.
 const SAFETY: f64 = 0.9;
 /// Largest growth and shrinkage from one jump to the next.
@@ -76,7 +75,7 @@ const FIRST_SHARE: f64 = 1.0 / 16.0;
 /// Jumps from the unworn shape, with the sectors of `start`, over `cycles`; `run` makes a cycle on a shape.
 ///
 /// # Errors
-/// What `run` refuses; [`RunFailure::TooManyJumps`].
+/// What `run` refuses; [`RunFailure::JumpsTooShort`] after the first cycle, [`RunFailure::TooManyJumps`].
 pub fn life(
     cycles: f64,
     length: JumpLength,
@@ -84,6 +83,10 @@ pub fn life(
     run: &mut dyn FnMut(&Depths) -> Result<Cycle, RunFailure>,
 ) -> Result<Life, RunFailure> {
     let first = run(&start)?;
+    let stable_cycles = first.stable_cycles;
+    if matches!(length, JumpLength::Controlled { .. }) && cycles > MOST_JUMPS as f64 * stable_cycles {
+        return Err(RunFailure::JumpsTooShort { cycles, stable_cycles, most: MOST_JUMPS });
+    }
     let mut life = Life {
         paths_j: vec![0.0; first.paths_j.len()],
         points: vec![LifePoint { cycles: 0.0, depths_m: start, cycle: first }],
@@ -93,14 +96,13 @@ pub fn life(
         runs: 1,
     };
     let mut next = FIRST_SHARE * cycles;
-    let mut jumps = 0;
     while let Some(from) = life.points.last().filter(|from| from.cycles < cycles) {
-        jumps += 1;
-        if jumps > MOST_JUMPS {
-            return Err(RunFailure::TooManyJumps { cycles: from.cycles, most: MOST_JUMPS });
+        // The number of this jump; what was tried in vain does not count.
+        let number = life.points.len();
+        if number > MOST_JUMPS {
+            return Err(RunFailure::TooManyJumps { reached: from.cycles, cycles, most: MOST_JUMPS });
         }
         let left = cycles - from.cycles;
-        let number = life.points.len();
         let (jump, is_last) = match length {
             JumpLength::Equal(count) => (cycles * number as f64 / count as f64 - from.cycles, number >= count),
             JumpLength::Controlled { .. } => {
@@ -261,6 +263,31 @@ mod tests {
         let length = JumpLength::Controlled { tolerance_m: 1e-11 };
         let life = life(CYCLES, length, start, &mut noisy).unwrap_or_else(|e| panic!("{e}"));
         assert!(life.points.len() < 40 && life.largest_noise_m > 1e-8, "{}", life.points.len());
+    }
+
+    #[test]
+    fn identity_a_life_of_more_jumps_than_are_made_is_refused_after_its_first_cycle() {
+        let (mut runs, stable_cycles) = (0, 1.0 / RATES[2]);
+        let mut counted = |depths_m: &Depths| {
+            runs += 1;
+            relaxing(depths_m)
+        };
+        let start = vec![[vec![0.0; 3], vec![0.0; 3]]];
+        let length = JumpLength::Controlled { tolerance_m: 1e-9 };
+        let refused = life(4097.0 * stable_cycles, length, start.clone(), &mut counted).err();
+        let expected = RunFailure::JumpsTooShort { cycles: 4097.0 * stable_cycles, stable_cycles, most: 4096 };
+        assert_eq!((refused, runs), (Some(expected), 1));
+        // Wear that grows ever faster is seen later: N_s falls with it.
+        let mut hastening = |depths_m: &Depths| Ok(Cycle { stable_cycles: 1e-3, ..relaxing(depths_m)? });
+        let mut first = true;
+        let mut later = |depths_m: &Depths| {
+            let cycle = if first { relaxing(depths_m) } else { hastening(depths_m) };
+            first = false;
+            cycle
+        };
+        let refused = life(CYCLES, length, start, &mut later).err();
+        let Some(RunFailure::TooManyJumps { reached, cycles, most: 4096 }) = refused else { panic!("{refused:?}") };
+        assert!(cycles == CYCLES && reached > 4.0 && reached < 0.1 * CYCLES, "{reached}");
     }
 
     #[test]

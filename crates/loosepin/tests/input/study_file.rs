@@ -342,3 +342,49 @@ fn wear_is_asked_for_as_one_number_of_a_run() {
         assert!(said.contains("wear has an upper limit over the cycle only"), "{said}");
     }
 }
+
+/// A life is followed for the cycles of `[wear]` alone: beyond them nothing is known of it.
+#[test]
+fn lives_are_asked_for_within_the_cycles_of_wear() {
+    let joint = "bearing_length = \"20 mm\"\nwear.bearing.coefficient = \"1e-15 m^2/N\"\nradial_clearance";
+    let tail = "\n[output.life]\nwear_of = \"joint.gudgeon\"\ncomponent = \"life\"\n[wear]\ncycles = 4000\n\
+                geometry = \"worn\"\nlimit_of = \"slider\"\nlimit = \"0.6 mm\"\n";
+    let text = find_template("slider-crank").expect("a template").model.replacen("radial_clearance", joint, 1) + tail;
+    let of = |input: &str, asked: &str| {
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let text = format!("name = \"life\"\nmodel = \"model.toml\"\n{asked}\n[epistemic]\n{input}\n");
+        match Study::from_text("study.toml", &text, model) {
+            Ok(study) => study.warnings.iter().map(ToString::to_string).collect::<Vec<String>>().join("\n"),
+            Err(complaints) => complaints.to_string(),
+        }
+    };
+    let coefficient =
+        "\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";
+    let require = |limit: &str| {
+        format!(
+            "[[require]]\noutput = \"life\"\nof = \"value\"\nprobability_at_least = 0.9\nover = \"cycle\"\n{limit}"
+        )
+    };
+    assert_eq!(of(coefficient, &require("above = 4000")), "");
+    assert_eq!(
+        of(coefficient, &require("above = 4001")),
+        "study.toml:8:9: error[E0608]: [[require]] 1: above is 4001; lives are followed for the cycles of [wear] alone, 4000\n\
+         hint: a life that does not end counts as all cycles: require less, or raise cycles in the model"
+    );
+    // Each run has its own cycles.
+    let cycles = "\"wear.cycles\" = { interval = [3000, 5000] }";
+    assert_eq!(of(cycles, &require("above = 4001")), "");
+    let said = of(coefficient, &require("below = 3000"));
+    assert!(said.contains("a life has a lower limit over the cycle only") && said.contains("above = 2000"), "{said}");
+    let ask = |statistics: &str| {
+        format!("[[ask]]\noutput = \"life\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [{statistics}]")
+    };
+    assert_eq!(of(coefficient, &ask("{ quantile = 0.1 }")), "");
+    assert_eq!(
+        of(coefficient, &ask("\"mean\"")),
+        "study.toml:7:15: warning[E0608]: [[ask]] 1: statistics 1: a life that does not end counts as all cycles of [wear], so \
+         that this may be too small\n\
+         hint: ask for quantiles below all cycles, or raise cycles in the model until all lives end"
+    );
+    assert!(of(coefficient, &ask("\"standard_deviation\"")).contains("warning[E0608]"));
+}

@@ -1,5 +1,6 @@
 //! Keys of wear.
 
+use crate::model::wear::MOST_JUMPS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity};
 use loosepin_text::units::{Dimension as D, Rule};
 
@@ -68,9 +69,6 @@ pub(in crate::model) static JOINT_WEAR_KEYS: Keys = Keys::new(
     ],
 );
 
-/// Jumps over the cycles, at most.
-const MOST_JUMPS: u64 = 4096;
-
 /// `wear` of a revolute joint.
 pub(super) const JOINT_WEAR: Key = optional(
     "wear",
@@ -96,7 +94,7 @@ pub(in crate::model) static LIFE_KEYS: Keys = Keys::new(
         ),
         optional(
             "jumps",
-            Kind::Count { least: 1, most: MOST_JUMPS },
+            Kind::Count { least: 1, most: MOST_JUMPS as u64 },
             "16",
             "equal jumps over the cycles with geometry = \"worn\"; chosen by the tolerance if left out",
         ),

@@ -9,10 +9,13 @@ use crate::model::topology::{Clearance, SlidingVelocity, Stiffness};
 use crate::model::wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
-use crate::model::{Contact, JointKind, Output, OutputKind};
-use loosepin_text::document::{Entry, Table};
+use crate::model::{Contact, Joint, JointKind, Output, OutputKind};
+use loosepin_text::document::{Entry, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
 
+/// Keys of a joint that go with the worn shape alone, and that of the unworn one.
+const FOUNDATION_KEYS: [&str; 2] = ["foundation", "foundation_stiffness"];
+const PRESSURE_KEY: &str = "pressure";
 /// Sectors of a surface, where the file does not say.
 const SECTORS: usize = 360;
 /// Error of a jump in a depth, where the file does not say, m.
@@ -23,6 +26,12 @@ impl ModelReader {
     pub(super) fn joint_wear(&mut self, table: &Table<'_>, clearance: Option<&Clearance>) -> Option<Option<JointWear>> {
         let Some(entry) = table.get("wear") else { return Some(None) };
         let wear = self.reader.table(&entry, &JOINT_WEAR_KEYS)?;
+        self.remember(&entry);
+        for key in FOUNDATION_KEYS.into_iter().chain([PRESSURE_KEY]) {
+            if let Some(entry) = wear.get(key) {
+                self.remember(&entry);
+            }
+        }
         let surfaces = ["bearing", "journal"].map(|surface| wear.get(surface).map(|entry| self.coefficient(&entry)));
         let sectors = self.reader.count(&wear, "sectors").map_or(SECTORS, |count| count as usize);
         let words = [("hertz-line", WearPressure::HertzLine), ("concentrated", WearPressure::Concentrated)];
@@ -56,14 +65,8 @@ impl ModelReader {
         let name = contact.name.clone();
         let is_literal =
             contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
-        let has_materials = matches!(contact.stiffness, Stiffness::Material { .. });
         if is_literal {
             let problem = ModelProblem::WearByLiteral { entry: wear.path.describe(), contact: name };
-            return self.reader.refuse(&problem, entry.key_span);
-        }
-        let pressure = pressure?;
-        if pressure == WearPressure::HertzLine && !has_materials {
-            let problem = ModelProblem::WearNeedsMaterials { entry: wear.path.describe(), contact: name };
             return self.reader.refuse(&problem, entry.key_span);
         }
         let coefficients: [Option<QuantityId>; 2] = coefficients?.try_into().ok()?;
@@ -72,7 +75,7 @@ impl ModelReader {
             coefficients_m2_n: coefficients,
             bearing_length_m,
             sectors,
-            pressure,
+            pressure: pressure?,
             foundation: foundation?,
         }))
     }
@@ -111,6 +114,7 @@ impl ModelReader {
                 (cycles?, geometry?, limit?)
             }
             None if wears => {
+                self.fixed_joints()?;
                 let path = root.path.join("wear").join("cycles");
                 let cycles = self.default_quantity(&path, Dimension::NUMBER, Rule::Positive, 1.0);
                 (cycles, WearGeometry::Fixed, None)
@@ -128,22 +132,57 @@ impl ModelReader {
                 return self.reader.refuse(&problem, entry.key_span);
             }
         }
+        self.fixed_joints()?;
         Some(WearGeometry::Fixed)
+    }
+
+    /// Complains of joints that wear with the unworn shape and do not go with it; nothing where one does not.
+    fn fixed_joints(&mut self) -> Option<()> {
+        let mut is_sound = true;
+        for (name, contact, pressure, _) in self.wearing_joints() {
+            let path = format!("joint.{name}.wear");
+            for key in FOUNDATION_KEYS {
+                if let Some(span) = self.places.get(&format!("{path}.{key}")).copied() {
+                    self.reader.complain(&ModelProblem::OnlyWorn { entry: describe_path(&path), key }, span);
+                    is_sound = false;
+                }
+            }
+            let has_materials = matches!(self.contacts[contact].stiffness, Stiffness::Material { .. });
+            let Some(span) = self.places.get(&path).copied() else { return None };
+            if pressure == WearPressure::HertzLine && !has_materials {
+                let contact = self.contacts[contact].name.clone();
+                let problem = ModelProblem::WearNeedsMaterials { entry: describe_path(&path), contact };
+                self.reader.complain(&problem, span);
+                is_sound = false;
+            }
+        }
+        is_sound.then_some(())
+    }
+
+    /// Name, contact, pressure and foundation of the joints with play that wear.
+    fn wearing_joints(&self) -> Vec<(String, usize, WearPressure, FoundationChoice)> {
+        let wearing = |joint: &Joint| match (&joint.wear, &joint.kind) {
+            (Some(wear), JointKind::Revolute { clearance: Some(clearance), .. }) => {
+                Some((joint.name.clone(), clearance.contact.0, wear.pressure, wear.foundation))
+            }
+            _ => None,
+        };
+        self.joints.iter().filter_map(wearing).collect()
     }
 
     /// The worn shape, by jumps.
     fn worn_geometry(&mut self, table: &Table<'_>) -> Option<WearGeometry> {
         let span = table.get("geometry").map_or(table.span, |entry| entry.key_span);
-        for index in 0..self.joints.len() {
-            let joint = &self.joints[index];
-            let (Some(wear), JointKind::Revolute { clearance: Some(clearance), .. }) = (&joint.wear, &joint.kind)
-            else {
-                continue;
-            };
-            let contact = &self.contacts[clearance.contact.0];
-            if let Some(what) = not_for_foundations(contact, wear.foundation) {
-                let (joint, contact) = (joint.name.clone(), contact.name.clone());
+        for (joint, contact, _, foundation) in self.wearing_joints() {
+            let contact = &self.contacts[contact];
+            if let Some(what) = not_for_foundations(contact, foundation) {
+                let contact = contact.name.clone();
                 let problem = ModelProblem::WornContact { entry: table.path.describe(), joint, contact, what };
+                return self.reader.refuse(&problem, span);
+            }
+            let path = format!("joint.{joint}.wear");
+            if let Some(span) = self.places.get(&format!("{path}.{PRESSURE_KEY}")).copied() {
+                let problem = ModelProblem::OnlyFixed { entry: describe_path(&path), key: PRESSURE_KEY };
                 return self.reader.refuse(&problem, span);
             }
         }
@@ -204,18 +243,19 @@ fn not_for_foundations(contact: &Contact, foundation: FoundationChoice) -> Optio
     let has_materials = matches!(contact.stiffness, Stiffness::Material { .. });
     let has_memory = |numbers: usize, law: FrictionLaw<f64>| numbers > 0 && law.has_bristle();
     let friction = contact.friction.as_ref();
-    let zeros = |count: usize| vec![1.0; count];
+    // Any numbers: whether a law has a bristle does not depend on them.
+    let ones = |count: usize| vec![1.0; count];
     if contact.film.is_some() {
         return Some("has a film of oil");
     }
-    if friction.is_some_and(|own| has_memory(own.numbers.len(), own.law.law(&zeros(own.numbers.len())))) {
+    if friction.is_some_and(|own| has_memory(own.numbers.len(), own.law.law(&ones(own.numbers.len())))) {
         return Some("has friction with a memory");
     }
     match (foundation, contact.law) {
         (_, NormalDescription::Linear(_)) => Some("has no loss of the form 1 + χ δ̇/v0"),
         (FoundationChoice::Liu, _) if !has_materials => Some("has a given stiffness: write foundation_stiffness"),
         (FoundationChoice::Law, NormalDescription::Point(_)) if has_materials => None,
-        (FoundationChoice::Law, _) => Some("is no point law with materials: write foundation = \"liu\""),
+        (FoundationChoice::Law, _) => Some("is no point law with materials: write foundation_stiffness"),
         _ => None,
     }
 }
