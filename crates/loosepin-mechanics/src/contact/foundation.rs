@@ -366,10 +366,9 @@ impl Foundation {
         let step_rad = (2.0 * TAU / self.sectors() as f64).max(CLOSEST_RAD);
         let steps = (span_rad / step_rad).ceil().max(1.0) as usize;
         let ranges_m = (0..=steps).map(|k| least_rad + span_rad * k as f64 / steps as f64);
-        ranges_m.map(|turn_rad| self.effective_clearances_m(turn_rad)).fold(
-            [f64::INFINITY, 0.0],
-            |[low, high]: [f64; 2], own_m| [low.min(own_m[0]), high.max(own_m[1])],
-        )
+        ranges_m
+            .map(|turn_rad| self.effective_clearances_m(turn_rad))
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], own_m| [low.min(own_m[0]), high.max(own_m[1])])
     }
 }
 

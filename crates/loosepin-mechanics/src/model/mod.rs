@@ -63,4 +63,6 @@ pub use topology::{
     Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
     SlotClearance, Stiffness,
 };
-pub use wear::{FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure};
+pub use wear::{
+    FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
+};

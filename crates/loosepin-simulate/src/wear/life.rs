@@ -124,9 +124,8 @@ fn run_cycle(
             let per_path = joint.coefficients_m2_n[side].unwrap_or(0.0) / joint.sector_area_m2(side);
             profile.path_j[side].iter().map(|path_j| per_path * path_j).collect()
         }));
-        let foundation = foundation(joint).ok_or_else(|| RunFailure::WornWithoutPlay {
-            joint: mechanism.model.joints[joint.joint.0].name.clone(),
-        })?;
+        let foundation = foundation(joint)
+            .ok_or_else(|| RunFailure::WornWithoutPlay { joint: mechanism.model.joints[joint.joint.0].name.clone() })?;
         stiffening = stiffening.max(profile.stiffening(joint.coefficients_m2_n, foundation.stiffness_pa_m));
         cycle.clearances_m.push(foundation.clearances_within_m(profile.turns_rad));
         cycle

@@ -358,12 +358,9 @@ fn lives_are_asked_for_within_the_cycles_of_wear() {
             Err(complaints) => complaints.to_string(),
         }
     };
-    let coefficient =
-        "\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";
+    let coefficient = "\"joint.gudgeon.wear.bearing.coefficient\" = { interval = [\"1e-16 m^2/N\", \"1e-14 m^2/N\"] }";
     let require = |limit: &str| {
-        format!(
-            "[[require]]\noutput = \"life\"\nof = \"value\"\nprobability_at_least = 0.9\nover = \"cycle\"\n{limit}"
-        )
+        format!("[[require]]\noutput = \"life\"\nof = \"value\"\nprobability_at_least = 0.9\nover = \"cycle\"\n{limit}")
     };
     assert_eq!(of(coefficient, &require("above = 4000")), "");
     assert_eq!(
