@@ -148,7 +148,7 @@ impl ModelReader {
                 }
             }
             let has_materials = matches!(self.contacts[contact].stiffness, Stiffness::Material { .. });
-            let Some(span) = self.places.get(&path).copied() else { return None };
+            let span = self.places.get(&path).copied()?;
             if pressure == WearPressure::HertzLine && !has_materials {
                 let contact = self.contacts[contact].name.clone();
                 let problem = ModelProblem::WearNeedsMaterials { entry: describe_path(&path), contact };
