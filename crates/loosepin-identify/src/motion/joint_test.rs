@@ -11,6 +11,10 @@ use loosepin_study::MotionError;
 const LEAST_DEVIATION: f64 = 1e-6;
 /// Standard deviations from the mean within which a measurement is kept whatever its rank: draws that do not scatter differ by round-off.
 const CENTRAL: f64 = 1e-3;
+/// What α (n + 1) may lack of a whole number: 1 - 0.9 is a little below 0.1.
+const ROUND_OFF: f64 = 1e-9;
+/// Ranks that are rejected: twice as many as the fewest that can be.
+const RANKS: f64 = 2.0;
 /// Rounds in which the common errors are fitted one after the other.
 const ROUNDS: usize = 20;
 /// Steps of a golden section.
@@ -63,6 +67,16 @@ pub(crate) struct Verdict {
     pub distance: f64,
 }
 
+/// Runs among which the measurement has a rank that can be rejected, with some to spare, as a number that may be too large.
+pub(crate) fn runs_for(alpha: f64) -> f64 {
+    (RANKS / alpha).round() - 1.0
+}
+
+/// Largest rank that is rejected among `runs` draws and the measurement: α (n + 1), rounded down.
+pub(crate) fn due(alpha: f64, runs: usize) -> usize {
+    (alpha * (runs + 1) as f64 + ROUND_OFF).floor() as usize
+}
+
 /// Tests whether `seen` may be a draw like `runs`, at the level `alpha`; places choose the features that count.
 pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation, alpha: f64) -> Verdict {
     let rows: Vec<Vec<f64>> = runs
@@ -89,13 +103,14 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let shares = nearest_shares(&form, &seen, &scaled);
     let nearest = scaled(&seen.without_error(&shares));
     let own = form.distance(&nearest);
-    if rows.len() < 2 {
+    // A single run has no rank. Of several, those that failed have one.
+    if runs.len() < 2 {
         return Verdict { is_consistent: own <= 1.0, distance: own };
     }
     let mut distances: Vec<f64> = rows.iter().map(|row| form.distance(row)).collect();
     distances.sort_by(|a, b| b.total_cmp(a));
     // With so many draws further off the measurement is kept.
-    let due = (alpha * (runs.len() + 1) as f64).floor() as usize;
+    let due = due(alpha, runs.len());
     let kept = distances[due.saturating_sub(1 + failed).min(distances.len() - 1)];
     let distance = own / kept;
     let mut all = rows;
@@ -183,7 +198,7 @@ impl Form {
 
 #[cfg(test)]
 mod tests {
-    use super::{Observation, joint_test};
+    use super::{Observation, due, joint_test};
     use loosepin_study::MotionError;
     use loosepin_uncertainty::{hash, normal, uniform};
 
@@ -231,5 +246,53 @@ mod tests {
         // A common error that moves both alike cannot explain it.
         let error = MotionError { size: 0.3, is_share: false };
         assert!(rejected(200, [error; 2], |values, _| values.copy_from_slice(&[0.0, 0.8_f64.exp()])) > 100);
+    }
+
+    #[test]
+    fn identity_ranks_that_are_rejected_are_those_of_whole_numbers() {
+        // Confidence as its digits: (1 - digits/scale)·(n + 1), divided as integers.
+        let all: [(u64, u64); 14] = [
+            (5, 10),
+            (6, 10),
+            (7, 10),
+            (75, 100),
+            (8, 10),
+            (9, 10),
+            (93, 100),
+            (95, 100),
+            (99, 100),
+            (995, 1000),
+            (999, 1000),
+            (9995, 10_000),
+            (9999, 10_000),
+            (99_998, 100_000),
+        ];
+        for (digits, scale) in all {
+            let alpha = 1.0 - digits as f64 / scale as f64;
+            for ranks in 1..=scale.min(400) {
+                let count = ranks * 250;
+                assert_eq!(due(alpha, count as usize - 1) as u64, (scale - digits) * count / scale, "{digits}/{scale}");
+            }
+            // The number of runs of an identification: a whole number of ranks wherever 2/α is whole.
+            let runs = super::runs_for(alpha) as u64;
+            assert_eq!(due(alpha, runs as usize) as u64, (scale - digits) * (runs + 1) / scale, "{digits}/{scale}");
+            if 2 * scale % (scale - digits) == 0 {
+                assert_eq!((runs + 1, due(alpha, runs as usize)), (2 * scale / (scale - digits), 2));
+            }
+        }
+    }
+
+    #[test]
+    fn identity_a_value_at_which_nearly_all_runs_fail_is_kept() {
+        let seen = Observation { values_si: vec![5.0], errors: vec![NONE], instruments: vec![0] };
+        let runs = |failed: usize| -> Vec<Vec<f64>> {
+            (0..199_u64).map(|run| vec![if (run as usize) < failed { f64::NAN } else { normal(run, 0) }]).collect()
+        };
+        // Rank 2 of 200 is rejected: one run that failed is not enough, two are, and so are all but one.
+        for (failed, is_kept) in [(0, false), (1, false), (2, true), (197, true), (198, true), (199, true)] {
+            let verdict = joint_test(&runs(failed), &[0], &seen, 0.01);
+            assert_eq!(verdict.is_consistent, is_kept, "{failed} failed");
+            assert!(if is_kept { verdict.distance <= 1.0 } else { verdict.distance > 1.0 }, "{failed}: {verdict:?}");
+        }
     }
 }
