@@ -91,9 +91,14 @@ impl<'s> Bank<'s> {
         let together = (MOST_NUMBERS / (width * self.runs)).max(1);
         for batch in new.chunks(together) {
             let made = self.made(batch)?;
+            all_made(made.len(), batch.len())?;
             self.known.extend(batch.iter().copied().map(key).zip(made));
         }
-        Ok(points.iter().filter_map(|point| self.known.get(&key(point)).cloned()).collect())
+        let of_point = |point: &Vec<f64>| {
+            let known = self.known.get(&key(point)).cloned();
+            known.ok_or_else(|| StudyError::NotMade { reason: "a value of the unknowns has no runs".to_owned() })
+        };
+        points.iter().map(of_point).collect()
     }
 
     fn made(&self, points: &[&Vec<f64>]) -> Result<Vec<Runs>, StudyError> {
@@ -103,7 +108,9 @@ impl<'s> Bank<'s> {
             .collect();
         let mut sums = vec![vec![0.0; self.features.len()]; inputs.len()];
         for (stretch, rows) in self.stretches.iter().enumerate() {
-            for (row, sums) in rows.make(&[], inputs.iter().cloned())?.into_iter().zip(&mut sums) {
+            let made = rows.make(&[], inputs.iter().cloned())?;
+            all_made(made.len(), inputs.len())?;
+            for (row, sums) in made.into_iter().zip(&mut sums) {
                 let row = row.ok();
                 for (place, feature) in self.features.iter().enumerate().filter(|(_, known)| stretch < known.repeats) {
                     let value = match &row {
@@ -159,6 +166,14 @@ impl<'s> Bank<'s> {
     }
 }
 
+/// Refuses rows of which some are missing: the others would be taken for those of other values.
+fn all_made(found: usize, due: usize) -> Result<(), StudyError> {
+    if found == due {
+        return Ok(());
+    }
+    Err(StudyError::NotMade { reason: format!("{found} of {due} rows were made") })
+}
+
 fn ask(output: usize, deviation: Deviation, location: Where) -> Ask {
     Ask {
         output,
@@ -169,5 +184,17 @@ fn ask(output: usize, deviation: Deviation, location: Where) -> Ask {
         rare: Vec::new(),
         simultaneous_bands: Vec::new(),
         promised: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::all_made;
+
+    #[test]
+    fn rows_that_are_missing_are_refused() {
+        assert!(all_made(3, 3).is_ok());
+        let refused = all_made(2, 3).expect_err("one is missing").to_string();
+        assert!(refused.contains("2 of 3 rows"), "{refused}");
     }
 }
