@@ -439,7 +439,7 @@ pub struct ExportArguments {
     after_help = "The study has [[measured]] tables: with the drives locked an output is pushed to and fro, and its dead travel is read. \
     Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most. \
     Tables of kind = \"motion\" hold features of a motion: prints which values of all inputs under [epistemic] are consistent with them.\n\n\
-    Exit status: 0 the readings are explained; 1 no values of the plays explain them; 2 error.\n\n\
+    Exit status: 0 readings and motion are explained; 1 no values of the plays, or of the unknowns, explain them; 2 error.\n\n\
     Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml\n  loosepin identify study.toml --plan"
 )]
 pub struct IdentifyArguments {
@@ -449,14 +449,14 @@ pub struct IdentifyArguments {
     /// Write the study with narrowed intervals, comments kept, beside the study
     #[arg(long, value_name = "FILE")]
     pub write: Option<PathBuf>,
-    /// Specimen whose readings count [default: all, each by itself]
+    /// Specimen whose readings and features count [default: all, each by itself]
     #[arg(long, value_name = "NAME")]
     pub specimen: Option<String>,
     /// Probability with which all bounds of a specimen hold together
     #[arg(long, value_name = "SHARE", default_value = "0.99", value_parser = share)]
     pub confidence: f64,
     /// Say what features of the motion would tell, before anything is measured
-    #[arg(long, conflicts_with = "write")]
+    #[arg(long, conflicts_with_all = ["write", "points"])]
     pub plan: bool,
     /// Values of the unknowns at which a motion is tested, about at most
     #[arg(long, value_name = "N", default_value = "400", value_parser = points)]

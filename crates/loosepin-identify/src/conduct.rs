@@ -111,15 +111,31 @@ fn specimens(study: &Study, options: &Options) -> Result<Vec<Option<String>>, Co
         }
     }
     let Some(wanted) = &options.specimen else { return Ok(found) };
-    let of_motion = study.motion.iter().map(|feature| &feature.specimen);
-    if of_motion.flatten().any(|known| known == wanted) && !found.iter().flatten().any(|known| known == wanted) {
-        return Ok(Vec::new());
-    }
     if found.iter().flatten().any(|known| known == wanted) {
         return Ok(vec![Some(wanted.clone())]);
     }
-    let known = found.iter().flatten().map(|known| format!("'{known}'")).collect();
-    Err(Complaints::one(&IdentifyProblem::UnknownSpecimen { name: wanted.clone(), known }, None))
+    known_specimen(study, wanted)?;
+    // Only its motion was measured.
+    Ok(Vec::new())
+}
+
+/// Refuses the name of a specimen at which nothing was measured.
+///
+/// # Errors
+/// No reading and no feature of a motion is of it.
+pub(crate) fn known_specimen(study: &Study, wanted: &str) -> Result<(), Complaints> {
+    let readings = study.measured.iter().filter_map(|reading| reading.specimen.as_ref());
+    let mut known: Vec<String> = Vec::new();
+    for name in readings.chain(study.motion.iter().filter_map(|feature| feature.specimen.as_ref())) {
+        if name == wanted {
+            return Ok(());
+        }
+        let quoted = format!("'{name}'");
+        if !known.contains(&quoted) {
+            known.push(quoted);
+        }
+    }
+    Err(Complaints::one(&IdentifyProblem::UnknownSpecimen { name: wanted.to_owned(), known }, None))
 }
 
 /// Largest independent error of the mean of a reading, of either sign, but for `share`.

@@ -44,15 +44,21 @@ problems! {
             says("the clearances do not follow '{path}' in a straight line"),
             hint("name the clearance of the joint itself under [epistemic]");
         UnknownSpecimen { name: String, known: Vec<String> } => Code::UnknownReference,
-            says("no reading is of specimen '{name}'"),
+            says("nothing was measured at a specimen '{name}'"),
             hint_of(Some(if known.is_empty() {
-                "the readings name no specimen: leave --specimen out".to_owned()
+                "nothing measured names a specimen: leave --specimen out".to_owned()
             } else {
                 format!("there is {}", listed(known, "and"))
             }));
         SeveralSpecimens { found: usize } => Code::AskNotPossible,
             says("the readings are of {found} specimens; a study is narrowed to one of them"),
             hint("name it: --specimen NAME");
+        Unexplained { specimen: Option<String> } => Code::AskNotPossible,
+            says("no values explain {}", match specimen {
+                Some(name) => format!("what was measured at specimen '{name}'"),
+                None => "what was measured".to_owned(),
+            }),
+            hint("no study is narrowed by what nothing explains");
         Contradiction { path: String } => Code::AskNotPossible,
             says("the dead travels and the motion leave no value of '{path}' in common"),
             hint("no study is narrowed by what contradicts itself");
@@ -67,8 +73,9 @@ problems! {
         NotMeasured { feature: String } => Code::AskNotPossible,
             says("'{feature}' has no value"),
             hint("write value = ... or file = ..., or ask with --plan what it would tell");
-        NoRuns { reason: String } => Code::AskNotPossible,
-            says("the runs cannot be made: {reason}");
+        NothingImagined { runs: usize } => Code::AllRunsFailed,
+            says("all {runs} runs of measurements that were to be imagined failed: nothing can be said of what features would tell"),
+            hint("`loosepin check` runs the study once and says why it fails");
         MotionConfidence { found: f64 } => Code::BadProbability,
             says("the confidence is {found}; must be between 0.5 and 0.99998: of a higher one more than 100000 runs at each value would be needed");
         Confidence { found: f64 } => Code::BadProbability,

@@ -3,7 +3,9 @@
 use super::number::{NumberWriter, Rounding};
 use super::terminal_table::{push_table, table, wrapped};
 use loosepin_result::identification::PlayBounds;
-use loosepin_result::motion_identification::{MotionFeature, MotionMisfit, MotionPlan, MotionSpecimen, PlannedFeature};
+use loosepin_result::motion_identification::{
+    ConsistentMembers, MotionFeature, MotionMisfit, MotionPlan, MotionSpecimen, PlannedFeature,
+};
 use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
 
 /// Digits of a bound.
@@ -31,7 +33,7 @@ pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: 
                 share(specimen.share_of_box[1])
             );
             text.push_str(&format!("\n{}\n", wrapped(&head, "")));
-            push_table(text, &unknowns_table(&specimen.unknowns, writer));
+            push_table(text, &unknowns_table(&specimen.unknowns, &specimen.lists, writer));
         }
         Some(misfit) => {
             let which = if specimen.features.len() == 1 { "the feature".to_owned() } else { format!("all {features}") };
@@ -56,9 +58,21 @@ pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: 
     }
 }
 
-fn unknowns_table(unknowns: &[PlayBounds], writer: &NumberWriter<'_>) -> comfy_table::Table {
+fn unknowns_table(
+    unknowns: &[PlayBounds],
+    lists: &[ConsistentMembers],
+    writer: &NumberWriter<'_>,
+) -> comfy_table::Table {
     let mut table = table(&["unknown", "before", "after", "narrowed"], &[]);
-    for unknown in unknowns {
+    for (place, unknown) in unknowns.iter().enumerate() {
+        if let Some(list) = lists.iter().find(|list| list.unknown == place) {
+            let narrowed = match list.before.len() - list.after.len() {
+                0 => "no".to_owned(),
+                excluded => format!("{excluded} of {} excluded", list.before.len()),
+            };
+            table.add_row(vec![unknown.name.clone(), list.before.join(", "), list.after.join(", "), narrowed]);
+            continue;
+        }
         let narrowed = match unknown.is_narrowed() {
             [true, true] => "both ends",
             [true, false] => "lower end",
@@ -170,9 +184,15 @@ fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
             words.push(format!("not distinguishable: values of {}, with all of these features", unknown.name));
         }
     }
+    if plan.failed > 0 {
+        words.push(format!(
+            "{} of {} imagined measurements have no values, since their run failed, and count in none of the means",
+            plan.failed, plan.imagined
+        ));
+    }
     for alike in &plan.not_distinguishable {
         words.push(format!(
-            "not distinguishable: where {} is {} of its list, {} is told to be wrong in {} of the measurements",
+            "not distinguishable: where {} is {}, {} is told to be wrong in {} of the measurements",
             plan.unknowns[alike.unknown].name,
             alike.members[0],
             alike.members[1],
@@ -188,4 +208,66 @@ fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String 
         if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
     });
     format!("{lower} to {upper}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{motion_plan_text, unknowns_table};
+    use crate::number::NumberWriter;
+    use loosepin_result::identification::PlayBounds;
+    use loosepin_result::motion_identification::{
+        AlikeMembers, ConsistentMembers, MotionPlan, PlannedFeature, PlannedUnknown,
+    };
+    use loosepin_text::units::{DisplayUnits, SiUnit};
+
+    fn law() -> PlayBounds {
+        PlayBounds {
+            path: "contact.pin.normal".to_owned(),
+            name: "pin normal".to_owned(),
+            unit: SiUnit::NONE,
+            before_si: [0.0, 2.0],
+            after_si: [0.0, 2.0],
+            is_identifiable: false,
+            is_interval: false,
+        }
+    }
+
+    #[test]
+    fn laws_are_named() {
+        let units = DisplayUnits::default();
+        let names = ["flores", "hunt-crossley", "lankarani-nikravesh"].map(str::to_owned);
+        let list =
+            ConsistentMembers { unknown: 0, before: names.to_vec(), after: vec![names[0].clone(), names[2].clone()] };
+        let text = unknowns_table(&[law()], &[list], &NumberWriter::for_terminal(&units)).to_string();
+        assert!(text.contains("flores, lankarani-nikravesh") && text.contains("1 of 3 excluded"), "{text}");
+        assert!(!text.contains("0 to 2"), "{text}");
+    }
+
+    #[test]
+    fn a_plan_names_laws_and_says_how_many_measurements_are_missing() {
+        let feature = PlannedFeature { name: "peak".to_owned(), share_of_box: 0.5, shares_of_width: vec![0.5] };
+        let plan = MotionPlan {
+            study: "laws".to_owned(),
+            unknowns: vec![PlannedUnknown {
+                path: "contact.pin.normal".to_owned(),
+                name: "pin normal".to_owned(),
+                is_list: true,
+            }],
+            features: vec![feature.clone()],
+            together: feature,
+            not_distinguishable: vec![AlikeMembers {
+                unknown: 0,
+                members: ["flores".to_owned(), "hunt-crossley".to_owned()],
+                told: 0.25,
+            }],
+            points: 2,
+            imagined: 8,
+            failed: 3,
+            runs_per_point: 199,
+        };
+        let text = motion_plan_text(&plan, &DisplayUnits::default());
+        let flat = text.split_whitespace().collect::<Vec<&str>>().join(" ");
+        assert!(flat.contains("where pin normal is flores, hunt-crossley is told to be wrong in 25"), "{text}");
+        assert!(flat.contains("3 of 8 imagined measurements have no values"), "{text}");
+    }
 }

@@ -13,6 +13,8 @@ pub struct MotionSpecimen {
     pub features: Vec<MotionFeature>,
     /// The unknowns: interval of the study, and outer interval of the consistent set. Of an empty set both are that of the study.
     pub unknowns: Vec<PlayBounds>,
+    /// Of each unknown that is one of a list its members.
+    pub lists: Vec<ConsistentMembers>,
     /// Share of the box that is consistent: cells whose middle is, and these with all cells beside them.
     pub share_of_box: [f64; 2],
     /// Values that were tested, with what came out.
@@ -25,6 +27,17 @@ pub struct MotionSpecimen {
     pub is_coarse: bool,
     /// Why no value is consistent; nothing where some are.
     pub misfit: Option<MotionMisfit>,
+}
+
+/// An unknown that is one of a list.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ConsistentMembers {
+    /// Its place among the unknowns.
+    pub unknown: usize,
+    /// All members as the file writes them: laws by their names.
+    pub before: Vec<String>,
+    /// Those that are consistent; of an empty set none.
+    pub after: Vec<String>,
 }
 
 /// A feature, measured and predicted.
@@ -90,6 +103,10 @@ pub struct MotionPlan {
     pub not_distinguishable: Vec<AlikeMembers>,
     /// Values that were tried.
     pub points: usize,
+    /// Measurements that were to be imagined at all of them together.
+    pub imagined: usize,
+    /// How many of these have none, since their run failed: they count in no mean.
+    pub failed: usize,
     /// Runs at each of them.
     pub runs_per_point: usize,
 }
@@ -121,8 +138,8 @@ pub struct PlannedFeature {
 pub struct AlikeMembers {
     /// Place of the unknown.
     pub unknown: usize,
-    /// Values of the true member and of the one that is taken for it.
-    pub members: [f64; 2],
+    /// The true member and the one that is taken for it, as the file writes them: laws by their names.
+    pub members: [String; 2],
     /// Share of measurements of the true one in which the other one is told to be wrong.
     pub told: f64,
 }

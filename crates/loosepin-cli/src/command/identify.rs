@@ -21,7 +21,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
     let threads = threads(arguments.threads);
     if arguments.plan {
         let asked = MotionValues { confidence: arguments.confidence, points: arguments.points, threads };
-        let plan = plan_motion(&study, &asked)?;
+        let plan = plan_motion(&study, arguments.specimen.as_deref(), &asked)?;
         let text = if arguments.json {
             json(&plan)?
         } else {
@@ -45,10 +45,7 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
     if let Some(path) = &arguments.write {
         // What is not explained is no ground for narrowing.
         if is_misfit {
-            console::message(&format!(
-                "{} is not written: no values of the plays explain the readings",
-                path.display()
-            ));
+            console::message(&format!("{} is not written: no values explain what was measured", path.display()));
         } else {
             write(&study, &answer, path)?;
         }

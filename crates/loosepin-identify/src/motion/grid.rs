@@ -25,9 +25,62 @@ pub(crate) struct Grid {
     pub counts: Vec<usize>,
     /// What the test says of the middle of each, or of the middle of the cell that it is a part of.
     pub cells: Vec<Verdict>,
+    /// Whether a cell was tested at its own middle.
+    is_own: Vec<bool>,
 }
 
 impl Grid {
+    /// Cells that were not tested.
+    pub fn untested(axes: &[Axis], counts: Vec<usize>) -> Self {
+        let verdict = Verdict { is_consistent: false, distance: f64::INFINITY };
+        let count = counts.iter().product();
+        Self { axes: axes.to_vec(), counts, cells: vec![verdict; count], is_own: vec![false; count] }
+    }
+
+    /// Notes what the test says of the middle of a cell.
+    pub fn settle(&mut self, cell: usize, verdict: Verdict) {
+        self.cells[cell] = verdict;
+        self.is_own[cell] = true;
+    }
+
+    /// The box in cells that are fine enough beside the consistent set, and whether they are coarser since more than about `points` cells
+    /// would have to be tested. `test` settles the cells that it is given.
+    ///
+    /// # Errors
+    /// Those of `test`.
+    pub fn refined<E>(
+        axes: &[Axis],
+        points: usize,
+        test: &mut dyn FnMut(&mut Self, &[usize]) -> Result<(), E>,
+    ) -> Result<(Self, bool), E> {
+        let mut grid = Self::untested(axes, Self::counts_at_start(axes));
+        let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
+        let mut tested = 0;
+        loop {
+            // A cell that is kept only now has cells beside it of which a coarser one was tested: the set may go on there.
+            while !waiting.is_empty() {
+                test(&mut grid, &waiting)?;
+                tested += waiting.len();
+                waiting = grid.unsettled_beside();
+            }
+            let Some((finer, open)) = grid.finer() else { return Ok((grid, false)) };
+            if tested + open.len() > points {
+                return Ok((grid, true));
+            }
+            grid = finer;
+            waiting = open;
+        }
+    }
+
+    /// Cells beside the consistent ones that are rejected and were not tested at their own middle.
+    fn unsettled_beside(&self) -> Vec<usize> {
+        let is_due = |cell: &usize| !self.is_own[*cell] && !self.cells[*cell].is_consistent;
+        let mut due: Vec<usize> = self.consistent().flat_map(|cell| self.beside(cell)).filter(is_due).collect();
+        due.sort_unstable();
+        due.dedup();
+        due
+    }
+
     /// Cells of the start, not tested.
     pub fn counts_at_start(axes: &[Axis]) -> Vec<usize> {
         let mut counts: Vec<usize> = axes
@@ -132,7 +185,7 @@ impl Grid {
     }
 
     /// The next finer cells, and which of them are to be tested; nothing where they are fine enough, or where none is open.
-    pub fn finer(&self) -> Option<(Self, Vec<usize>)> {
+    fn finer(&self) -> Option<(Self, Vec<usize>)> {
         let unknown = self.coarsest()?;
         let is_open: Vec<bool> = (0..self.cells.len()).map(|cell| self.is_open(cell)).collect();
         if !is_open.contains(&true) {
@@ -147,8 +200,9 @@ impl Grid {
         };
         let parents: Vec<usize> = (0..counts.iter().product()).map(parent).collect();
         let tested = (0..parents.len()).filter(|cell| is_open[parents[*cell]]).collect();
-        let cells = parents.iter().map(|parent| self.cells[*parent]).collect();
-        Some((Self { axes: self.axes.clone(), counts, cells }, tested))
+        let cells: Vec<Verdict> = parents.iter().map(|parent| self.cells[*parent]).collect();
+        let is_own = vec![false; cells.len()];
+        Some((Self { axes: self.axes.clone(), counts, cells, is_own }, tested))
     }
 }
 
@@ -160,4 +214,57 @@ pub(crate) fn place(counts: &[usize], mut cell: usize) -> Vec<usize> {
         at
     };
     counts.iter().map(along).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Grid};
+    use crate::motion::joint_test::Verdict;
+    use std::convert::Infallible;
+
+    /// A flat ellipsoid about `middle`, with half axes a along the direction and b across it.
+    fn verdict(at: &[f64], middle: &[f64], direction: &[f64], [a, b]: [f64; 2]) -> Verdict {
+        let off: Vec<f64> = at.iter().zip(middle).map(|(at, middle)| at - middle).collect();
+        let along: f64 = off.iter().zip(direction).map(|(off, direction)| off * direction).sum();
+        let square: f64 = off.iter().map(|off| off * off).sum();
+        let distance = ((along / a).powi(2) + (square - along * along).max(0.0) / (b * b)).sqrt();
+        Verdict { is_consistent: distance <= 1.0, distance }
+    }
+
+    #[test]
+    fn identity_a_slanting_set_ends_where_all_cells_tested_one_by_one_end() {
+        for unknowns in [2, 3] {
+            // Three unknowns have so many cells that two directions have to do.
+            let (trials, step) = if unknowns == 2 { (60_u32, 0.023) } else { (2, 0.2) };
+            for trial in 0..trials {
+                let angle = if unknowns == 2 { 0.1 } else { 0.6 } + step * f64::from(trial);
+                let raw = [angle.cos(), angle.sin(), 0.4 * (3.0 * angle).sin()];
+                let length = raw[..unknowns].iter().map(|part| part * part).sum::<f64>().sqrt();
+                let direction: Vec<f64> = raw[..unknowns].iter().map(|part| part / length).collect();
+                let middle: Vec<f64> = [0.47, 0.52, 0.49][..unknowns].to_vec();
+                let half_axes = [0.42, if unknowns == 2 { 0.035 } else { 0.12 }];
+                let axes = vec![Axis::Continuous; unknowns];
+                let at = |grid: &Grid, cell: usize| verdict(&grid.middle(cell), &middle, &direction, half_axes);
+                let (grid, is_coarse) = Grid::refined(&axes, usize::MAX, &mut |grid: &mut Grid, waiting: &[usize]| {
+                    for cell in waiting {
+                        let verdict = at(grid, *cell);
+                        grid.settle(*cell, verdict);
+                    }
+                    Ok::<(), Infallible>(())
+                })
+                .unwrap_or_else(|never| match never {});
+                assert!(!is_coarse);
+                let mut all = Grid::untested(&axes, grid.counts.clone());
+                for cell in 0..all.cells.len() {
+                    let verdict = at(&all, cell);
+                    all.settle(cell, verdict);
+                }
+                for unknown in 0..unknowns {
+                    assert_eq!(grid.extent(unknown), all.extent(unknown), "{unknowns} unknowns, trial {trial}");
+                }
+                assert_eq!(grid.consistent().count(), all.consistent().count(), "{unknowns} unknowns, trial {trial}");
+                assert!(grid.unsettled_beside().is_empty());
+            }
+        }
+    }
 }

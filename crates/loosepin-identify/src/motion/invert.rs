@@ -2,17 +2,17 @@
 
 use super::bank::{Bank, Runs};
 use super::grid::{Axis, Grid};
-use super::joint_test::{Observation, Verdict, joint_test};
+use super::joint_test::{Observation, Verdict, joint_test, runs_for};
 use super::unknowns::{axis, bounds, value};
 use crate::error::IdentifyProblem;
-use loosepin_result::motion_identification::{MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint};
-use loosepin_study::{MeasuredMotion, Study};
+use loosepin_result::motion_identification::{
+    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
+};
+use loosepin_study::{EpistemicInput, MeasuredMotion, Study, StudyError};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
 
 /// Unknowns, at most: cells grow as a power of them.
 const MOST_UNKNOWNS: usize = 6;
-/// Runs at each value, over the fewest that can reject at all.
-const RUNS_OVER_FEWEST: f64 = 2.0;
 /// Runs at each value, at most.
 const MOST_RUNS: f64 = 100_000.0;
 
@@ -47,7 +47,7 @@ impl<'s> MotionRig<'s> {
         beside: usize,
     ) -> Result<Self, Complaints> {
         let alpha = 1.0 - asked.confidence;
-        let runs = (RUNS_OVER_FEWEST / alpha).round() - 1.0;
+        let runs = runs_for(alpha);
         if !(0.5..1.0).contains(&asked.confidence) || !(runs <= MOST_RUNS) {
             return Err(Complaints::one(&IdentifyProblem::MotionConfidence { found: asked.confidence }, None));
         }
@@ -70,7 +70,12 @@ impl<'s> MotionRig<'s> {
 
     pub(super) fn runs_at(&mut self, points: &[Vec<f64>]) -> Result<Vec<Runs>, Complaints> {
         let study = self.bank.study;
-        self.bank.at(points).map_err(|error| refused(study, &error))
+        let all = self.bank.at(points).map_err(|error| refused(study, &error))?;
+        if all.len() != points.len() {
+            let reason = format!("{} values of the unknowns were run instead of {}", all.len(), points.len());
+            return Err(refused(study, &StudyError::NotMade { reason }));
+        }
+        Ok(all)
     }
 
     pub(super) fn test(&self, runs: &[Vec<f64>], places: &[usize], seen: &Observation) -> Verdict {
@@ -99,26 +104,17 @@ impl<'s> MotionRig<'s> {
         let seen = self.observation(values_si.to_vec());
         let places: Vec<usize> = (0..values_si.len()).collect();
         let mut tested: Vec<(Vec<f64>, Verdict, Runs)> = Vec::new();
-        let counts = Grid::counts_at_start(&self.axes);
-        let untested = Verdict { is_consistent: false, distance: f64::INFINITY };
-        let cells = vec![untested; counts.iter().product()];
-        let mut grid = Grid { axes: self.axes.clone(), counts, cells };
-        let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
-        let is_coarse = loop {
+        let axes = self.axes.clone();
+        let (grid, is_coarse) = Grid::refined(&axes, self.points, &mut |grid: &mut Grid, waiting: &[usize]| {
             let points: Vec<Vec<f64>> = waiting.iter().map(|cell| self.values(&grid.middle(*cell))).collect();
             let all = self.runs_at(&points)?;
-            for ((cell, point), runs) in waiting.into_iter().zip(points).zip(all) {
+            for ((cell, point), runs) in waiting.iter().zip(points).zip(all) {
                 let verdict = self.test(&runs, &places, &seen);
-                grid.cells[cell] = verdict;
+                grid.settle(*cell, verdict);
                 tested.push((point, verdict, runs));
             }
-            let Some((finer, open)) = grid.finer() else { break false };
-            if tested.len() + open.len() > self.points {
-                break true;
-            }
-            grid = finer;
-            waiting = open;
-        };
+            Ok::<(), Complaints>(())
+        })?;
         Ok(self.specimen(name, &seen, &grid, &tested, is_coarse))
     }
 
@@ -127,8 +123,8 @@ impl<'s> MotionRig<'s> {
     /// # Errors
     /// The study cannot begin.
     pub fn kept(&mut self, counts: &[usize], values_si: &[f64]) -> Result<Vec<Vec<f64>>, Complaints> {
-        let grid = Grid { axes: self.axes.clone(), counts: counts.to_vec(), cells: Vec::new() };
-        let cells = counts.iter().product();
+        let grid = Grid::untested(&self.axes, counts.to_vec());
+        let cells = grid.cells.len();
         let points: Vec<Vec<f64>> = (0..cells).map(|cell| self.values(&grid.middle(cell))).collect();
         let all = self.runs_at(&points)?;
         let (seen, places) = (self.observation(values_si.to_vec()), (0..values_si.len()).collect::<Vec<usize>>());
@@ -150,7 +146,7 @@ impl<'s> MotionRig<'s> {
             let input = &study.epistemic[k];
             let after_si = match (grid.extent(k), axis) {
                 (None, _) => input.variable.ends(),
-                // As far as the middle of the next cell, which the test rejects.
+                // As far as the middle of the next cell, which was tested itself and is rejected.
                 (Some([first, last]), Axis::Continuous) => {
                     [first as f64 - 0.5, last as f64 + 1.5].map(|end| value(input, (end / count).clamp(0.0, 1.0)))
                 }
@@ -207,10 +203,17 @@ impl<'s> MotionRig<'s> {
             let least_distance = tested.iter().map(|(_, verdict, _)| verdict.distance).fold(f64::INFINITY, f64::min);
             MotionMisfit { least_distance, culprits: features.iter().enumerate().filter_map(apart).collect() }
         });
+        let list = |(k, input): (usize, &EpistemicInput)| {
+            let before = input.members_written(&study.model)?;
+            let is_kept = |place: &usize| consistent.iter().any(|cell| grid.place(*cell)[k] == *place);
+            let after = (0..before.len()).filter(is_kept).map(|place| before[place].clone()).collect();
+            Some(ConsistentMembers { unknown: k, before, after })
+        };
         let failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
         MotionSpecimen {
             name,
             unknowns: grid.axes.iter().enumerate().map(of_axis).collect(),
+            lists: study.epistemic.iter().enumerate().filter_map(list).collect(),
             share_of_box: [consistent.len() as f64 / cells, widened.len() as f64 / cells],
             points: tested
                 .iter()
@@ -229,10 +232,9 @@ impl<'s> MotionRig<'s> {
     }
 }
 
-/// Why the runs of a study cannot be made.
-fn refused(study: &Study, error: &loosepin_study::StudyError) -> Complaints {
-    let problem = IdentifyProblem::NoRuns { reason: error.to_string() };
-    Complaint::error(&problem, Some(Place::new(study.source(), 0..0))).into()
+/// Why the runs of a study cannot be made, with code and hint of what was refused.
+fn refused(study: &Study, error: &StudyError) -> Complaints {
+    error.complaint(study).into()
 }
 
 /// The consistent values of each specimen of `study`, in the order of the file, or of the one that is named.

@@ -3,6 +3,8 @@
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
 use super::unknowns::name;
+use crate::conduct::known_specimen;
+use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, Reduction, Seen, Study};
 use loosepin_text::diagnostics::{Complaints, Place};
@@ -18,11 +20,16 @@ const ERRORS: u64 = 0x706c_616e;
 /// Share of measurements in which a wrong member of a list is told, below which the two count as not distinguishable.
 const TOLD: f64 = 0.95;
 
-/// The features of a study, or where it names none the largest magnitude and the rms of each output and the impacts of each joint,
+/// The features of a study, or of one of its specimens, or where it names none the largest magnitude and the rms of each output and the impacts of each joint,
 /// with 5 % error.
-fn candidates(study: &Study) -> Vec<MeasuredMotion> {
+fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
     if !study.motion.is_empty() {
-        return study.motion.clone();
+        let is_asked =
+            |feature: &&MeasuredMotion| specimen.is_none_or(|wanted| feature.specimen.as_deref() == Some(wanted));
+        let asked: Vec<MeasuredMotion> = study.motion.iter().filter(is_asked).cloned().collect();
+        if !asked.is_empty() {
+            return asked;
+        }
     }
     let feature = |name: String, of: &str, subject: MotionSubject, unit: SiUnit| MeasuredMotion {
         name,
@@ -55,28 +62,38 @@ fn candidates(study: &Study) -> Vec<MeasuredMotion> {
 }
 
 /// What each feature of `study` alone, and all together, would leave of the box: the mean over measurements that are imagined at values
-/// spread evenly over it.
+/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`.
 ///
 /// # Errors
 /// As of an identification.
-pub fn plan_motion(study: &Study, asked: &MotionValues) -> Result<MotionPlan, Complaints> {
-    let candidates = candidates(study);
+pub fn plan_motion(study: &Study, specimen: Option<&str>, asked: &MotionValues) -> Result<MotionPlan, Complaints> {
+    if let Some(wanted) = specimen {
+        known_specimen(study, wanted)?;
+    }
+    let candidates = candidates(study, specimen);
     let features: Vec<&MeasuredMotion> = candidates.iter().collect();
     let mut rig = MotionRig::new(study, &features, asked, IMAGINED)?;
     let axes = rig.axes.clone();
     let counts = Grid::counts_at_start(&axes);
     let cells: usize = counts.iter().product();
-    let grid = Grid { axes: axes.clone(), counts: counts.clone(), cells: Vec::new() };
+    let grid = Grid::untested(&axes, counts.clone());
     let points: Vec<Vec<f64>> = (0..cells).map(|cell| rig.values(&grid.middle(cell))).collect();
     let all = rig.runs_at(&points)?;
     let counted = all.first().map_or(0, |runs| runs.len()) - IMAGINED;
+    let has_failed = |run: &[f64]| run.iter().any(|value| !value.is_finite());
+    let imagined = || all.iter().flat_map(|runs| &runs[counted..]);
+    let failed = imagined().filter(|run| has_failed(run)).count();
+    if failed == imagined().count() {
+        return Err(Complaints::one(&IdentifyProblem::NothingImagined { runs: failed }, None));
+    }
     // Whether each value is kept, by the true value, the measurement, and the value.
     let kept_by = |places: &[usize]| -> Vec<(usize, Vec<bool>)> {
         let mut kept = Vec::new();
         for (truth, runs) in all.iter().enumerate() {
             for imagined in 0..IMAGINED {
                 let run = &runs[counted + imagined];
-                if run.iter().any(|value| !value.is_finite()) {
+                // A measurement that cannot be imagined is counted, and said.
+                if has_failed(run) {
                     continue;
                 }
                 let mut seen = rig.observation(run.clone());
@@ -133,8 +150,11 @@ pub fn plan_motion(study: &Study, asked: &MotionValues) -> Result<MotionPlan, Co
                     |(_, kept): &&&(usize, Vec<bool>)| !(0..cells).any(|cell| kept[cell] && along(cell) == other);
                 let told = own.iter().filter(is_told).count() as f64 / own.len().max(1) as f64;
                 if told < TOLD {
-                    let value = |member: usize| super::unknowns::value(&study.epistemic[unknown], member as f64);
-                    alike.push(AlikeMembers { unknown, members: [value(truth), value(other)], told });
+                    let written = |member: usize| {
+                        let input = &study.epistemic[unknown];
+                        input.written(&study.model, super::unknowns::value(input, member as f64))
+                    };
+                    alike.push(AlikeMembers { unknown, members: [written(truth), written(other)], told });
                 }
             }
         }
@@ -151,6 +171,8 @@ pub fn plan_motion(study: &Study, asked: &MotionValues) -> Result<MotionPlan, Co
         together: left("all together".to_owned(), &everything),
         not_distinguishable: alike,
         points: cells,
+        imagined: imagined().count(),
+        failed,
         runs_per_point: counted,
     })
 }
