@@ -75,17 +75,22 @@ pub fn narrowed(study: &Study, known: &[PlayBounds]) -> (String, Vec<Narrowed>) 
 /// # Errors
 /// Several specimens, or one that nothing explains.
 pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Complaints> {
-    let mut names: Vec<&Option<String>> = answer.specimens.iter().map(|specimen| &specimen.name).collect();
-    names.extend(answer.motion.iter().map(|specimen| &specimen.name));
+    let all = answer.specimens.iter().map(|specimen| &specimen.name);
+    let mut names: Vec<&Option<String>> = all.chain(answer.motion.iter().map(|specimen| &specimen.name)).collect();
+    names.sort_unstable();
     names.dedup();
     if names.len() != 1 {
         return Err(Complaints::one(&IdentifyProblem::SeveralSpecimens { found: names.len() }, None));
     }
     let mut known: Vec<PlayBounds> = Vec::new();
     for specimen in &answer.specimens {
-        if let Outcome::Consistent(consistent) = &specimen.outcome {
-            known.extend(consistent.plays.iter().cloned());
+        match &specimen.outcome {
+            Outcome::Consistent(consistent) => known.extend(consistent.plays.iter().cloned()),
+            Outcome::Misfit(_) => return Err(unexplained(&specimen.name)),
         }
+    }
+    if let Some(specimen) = answer.motion.iter().find(|specimen| specimen.misfit.is_some()) {
+        return Err(unexplained(&specimen.name));
     }
     for bounds in answer.motion.iter().flat_map(|specimen| &specimen.unknowns) {
         let Some(same) = known.iter_mut().find(|same| same.path == bounds.path) else {
@@ -99,6 +104,10 @@ pub fn known_bounds(answer: &Identification) -> Result<Vec<PlayBounds>, Complain
         same.after_si = both;
     }
     Ok(known)
+}
+
+fn unexplained(specimen: &Option<String>) -> Complaints {
+    Complaints::one(&IdentifyProblem::Unexplained { specimen: specimen.clone() }, None)
 }
 
 /// Both ends of `interval` as they are written, with their places.
