@@ -332,7 +332,7 @@ fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter
 fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
     let percent = writer.percent(answer.confidence, Rounding::Nearest);
     let of_motion = || {
-        let scatter = "lengths, independent errors and whatever of the motion the runs do not tell apart";
+        let scatter = "the scatter of the random inputs, independent errors and chaotic motion";
         format!("the set of a motion holds the true values with {percent} confidence over {scatter}")
     };
     if answer.specimens.is_empty() {
