@@ -5,7 +5,7 @@ more, and takes the largest magnitude and the rms of the acceleration of the sli
 5 %, the same for both. Alternatives are mechanisms that the study does not allow: a crank pin with play as well (`joint`), and
 friction in the worn pin (`friction`).
 
-    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative
+    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative; the file there holds 42 of "none"
 
 Needs cases/oracle/requirements.txt.
 """
