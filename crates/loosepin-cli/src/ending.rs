@@ -12,7 +12,7 @@ pub enum Done {
     Well,
     /// As asked, and a requirement of the study, or a number of a reference case, is not shown to be met.
     RequirementNotMet,
-    /// To the end, and no values of the plays explain the readings.
+    /// To the end, and no values explain what was measured.
     Misfit,
     /// To the end, and its result is that of a run that failed: its page says why.
     RunFailed,
