@@ -28,9 +28,18 @@ problems! {
         Beside { entry: String, feature: String } => Code::AskNotPossible,
             says("{entry} says nothing of the feature '{feature}'"),
             hint("leave it out");
-        NotSampled { entry: String, why: &'static str } => Code::AskNotPossible,
-            says("{entry}: {why} has no samples"),
-            hint("leave out 'of', 'file', 'highest_order' and sampled = \"samples\"");
+        SeveralValues { entry: String } => Code::AskNotPossible,
+            says("{entry} stands beside several values, each of which is one repeat"),
+            hint("leave it out, or write the mean of the repeats as one value");
+        Between { entry: String } => Code::AskNotPossible,
+            says("{entry}: a file, 'highest_order', an order and a dwell are of samples; sampled = \"between\" looks between them"),
+            hint("leave out 'sampled'");
+        DeviationNotSampled { entry: String } => Code::AskNotPossible,
+            says("{entry}: a deviation has no samples, only the output itself"),
+            hint("leave out 'of'; or leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
+        OutputNotSampled { entry: String } => Code::AskNotPossible,
+            says("{entry}: this output has no samples"),
+            hint("leave out 'file', 'highest_order' and sampled = \"samples\", and name no order and no dwell");
         NoJointWithPlay { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: no joint with play is called '{found}'"),
             hint_of(Some(match nearest {
@@ -65,7 +74,7 @@ problems! {
             hint("write error = \"± 5 %\" beside it (calibration) or scatter = \"2 %\" (standard deviation)");
         ErrorTooLarge { entry: String } => Code::AskNotPossible,
             says("{entry} is a share of 100 % or more"),
-            hint("write a share below 50 %");
+            hint("write a share below 100 %");
         AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
             says("{entry} is another common error than that of an earlier value of the instrument '{instrument}'"),
             hint("write the same error, or instrument = \"another sensor\" beside it");
@@ -172,14 +181,14 @@ impl StudyReader {
         if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
             return Some(MotionSubject::Located { output, deviation, reduction });
         }
-        let why = match (deviation, self.outputs[output].seen) {
-            _ if written == Some(false) => Some("what is located between samples"),
+        let problem = match (deviation, self.outputs[output].seen) {
+            _ if written == Some(false) => Some(MotionProblem::Between { entry: words.clone() }),
             (Deviation::Value, Seen::Reading(_)) => None,
-            (Deviation::Value, _) => Some("this output"),
-            _ => Some("a deviation"),
+            (Deviation::Value, _) => Some(MotionProblem::OutputNotSampled { entry: words.clone() }),
+            _ => Some(MotionProblem::DeviationNotSampled { entry: words.clone() }),
         };
-        if let Some(why) = why {
-            return self.refused(&MotionProblem::NotSampled { entry: words, why }, table.span);
+        if let Some(problem) = problem {
+            return self.refused(&problem, table.span);
         }
         let turns = cycle.recorded_turns;
         if turns.fract() != 0.0 || turns < 1.0 {
@@ -224,8 +233,7 @@ impl StudyReader {
         };
         let stated = match table.get("repeats") {
             Some(entry) if values_si.len() > 1 => {
-                let problem = MotionProblem::Beside { entry: entry.path.describe(), feature: "list".to_owned() };
-                return self.refused(&problem, entry.span);
+                return self.refused(&MotionProblem::SeveralValues { entry: entry.path.describe() }, entry.span);
             }
             Some(_) => Some(self.reader.count(table, "repeats")? as usize),
             None => None,
