@@ -29,6 +29,9 @@ pub(crate) struct Grid {
     is_own: Vec<bool>,
 }
 
+/// Tests the middles of the cells that it is given, and settles them.
+pub type SettleCells<'t, E> = dyn FnMut(&mut Grid, &[usize]) -> Result<(), E> + 't;
+
 impl Grid {
     /// Cells that were not tested.
     pub fn untested(axes: &[Axis], counts: Vec<usize>) -> Self {
@@ -51,7 +54,7 @@ impl Grid {
     pub fn refined<E>(
         axes: &[Axis],
         points: usize,
-        test: &mut dyn FnMut(&mut Self, &[usize]) -> Result<(), E>,
+        test: &mut SettleCells<'_, E>,
     ) -> Result<(Self, bool), E> {
         let mut grid = Self::untested(axes, Self::counts_at_start(axes));
         let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();

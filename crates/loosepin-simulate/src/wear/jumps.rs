@@ -278,7 +278,7 @@ mod tests {
         let expected = RunFailure::JumpsTooShort { cycles: 4097.0 * stable_cycles, stable_cycles, most: 4096 };
         assert_eq!((refused, runs), (Some(expected), 1));
         // Wear that grows ever faster is seen later: N_s falls with it.
-        let mut hastening = |depths_m: &Depths| Ok(Cycle { stable_cycles: 1e-3, ..relaxing(depths_m)? });
+        let hastening = |depths_m: &Depths| Ok(Cycle { stable_cycles: 1e-3, ..relaxing(depths_m)? });
         let mut first = true;
         let mut later = |depths_m: &Depths| {
             let cycle = if first { relaxing(depths_m) } else { hastening(depths_m) };
