@@ -51,11 +51,7 @@ impl Grid {
     ///
     /// # Errors
     /// Those of `test`.
-    pub fn refined<E>(
-        axes: &[Axis],
-        points: usize,
-        test: &mut SettleCells<'_, E>,
-    ) -> Result<(Self, bool), E> {
+    pub fn refined<E>(axes: &[Axis], points: usize, test: &mut SettleCells<'_, E>) -> Result<(Self, bool), E> {
         let mut grid = Self::untested(axes, Self::counts_at_start(axes));
         let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
         let mut tested = 0;
