@@ -433,7 +433,7 @@ pub struct ExportArguments {
     pub force: bool,
 }
 
-/// Bound the play in joints from readings of a backlash test, or unknowns from a measured motion
+/// Bound the play in joints, or other unknowns, from readings of a rig
 #[derive(Debug, Args)]
 #[command(
     after_help = "The study has [[measured]] tables: with the drives locked an output is pushed to and fro, and its dead travel is read. \
