@@ -30,6 +30,8 @@ impl Mention {
         let mut steps: Vec<&str> = self.written.split('.').collect();
         // Keys of the thing itself hold its name alone; texts have what it is a part of before it, and so have paths of numbers.
         let (name, point) = match steps.as_slice() {
+            // The name of a point alone, where its body is plain from the place: it stays when the body gets another one.
+            [_] if self.of.point.is_some() => (1, 0),
             [_] => (0, 0),
             ["body", _, "points", _, ..] => (1, 3),
             ["assembly", "guess", _] | ["initial", _, _, ..] => (2, 2),
@@ -115,7 +117,9 @@ fn of_key(document: Document, path: &[String], key: &Key, found: &mut Vec<Mentio
         (Document::Model, ["body", body, "points", point]) => (Some(Named::point(body, point)), true),
         (Document::Model, [table, name]) if is_named(table) => (Some(Named::new(table, name)), true),
         (Document::Study, [table, number]) if BY_PATH.contains(table) => (of_number(number), false),
-        (Document::Study, ["ask" | "require", _, "poses", drive]) => (Some(Named::new("drive", drive)), false),
+        (Document::Study, ["ask" | "require", _, "poses", drive] | ["measured", _, "pose", drive]) => {
+            (Some(Named::new("drive", drive)), false)
+        }
         _ => (None, false),
     };
     let Some(of) = of else { return };
@@ -143,7 +147,8 @@ fn of_number(path: &str) -> Option<Named> {
 
 fn named_in_study(path: &[&str], text: &str) -> Option<Named> {
     match path {
-        ["ask" | "require", _, "output"] => Some(Named::new("output", text)),
+        ["ask" | "require" | "measured", _, "output"] => Some(Named::new("output", text)),
+        ["measured", _, "at"] => text.split_once('.').map(|(body, point)| Named::point(body, point)),
         ["correlation", _, "of", _] => of_number(text),
         _ => None,
     }
@@ -155,6 +160,7 @@ fn named_in_model(path: &[&str], text: &str) -> Option<Named> {
     let body = || Some(Named::new("body", text));
     let joint = || Some(Named::new("joint", text.strip_prefix("joint.").unwrap_or(text)));
     match path {
+        ["body", own, "beam", "from" | "to"] => Some(Named::point(own, text)),
         ["joint", _, "bearing" | "journal" | "slider" | "pin" | "first" | "second"] => point(),
         ["joint", _, "guide" | "slot" | "slider", "point"] => point(),
         ["joint" | "coupling" | "cam", _, "contact"] => Some(Named::new("contact", text)),
@@ -169,7 +175,9 @@ fn named_in_model(path: &[&str], text: &str) -> Option<Named> {
         ["output", _, "position_of" | "velocity_of" | "acceleration_of" | "path_of"] => point(),
         ["output", _, "angle_of" | "angular_velocity_of" | "angular_acceleration_of"] => body(),
         ["output", _, "relative_to"] => point().or_else(body),
-        ["output", _, "force_in"] => joint(),
+        ["output", _, "stress_in"] => body(),
+        ["output", _, "force_in" | "wear_of"] => joint(),
+        ["wear", "limit_of"] => Some(Named::new("output", text.strip_prefix("output.").unwrap_or(text))),
         ["output", _, "torque_of" | "force_of" | "power_of"] => {
             let (table, name) = text.split_once('.')?;
             ["drive", "control"].contains(&table).then(|| Named::new(table, name))
@@ -216,5 +224,28 @@ mod tests {
         ];
         let due: Vec<(String, String)> = due.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect();
         assert_eq!(found(Document::Study, study), due);
+    }
+
+    #[test]
+    fn names_of_beams_wear_and_readings_are_found() {
+        let model = "[body.rod.beam]\nfrom = \"big\"\nto = \"small\"\n[wear]\nlimit_of = \"output.o\"\n[output.s]\nstress_in = \"rod\"\n\
+             [output.w]\nwear_of = \"joint.pin\"\n";
+        let of_model = found(Document::Model, model);
+        for (words, written) in [
+            ("point 'rod.big'", "\"big\""),
+            ("point 'rod.small'", "\"small\""),
+            ("output 'o'", "\"output.o\""),
+            ("body 'rod'", "\"rod\""),
+            ("joint 'pin'", "\"joint.pin\""),
+        ] {
+            assert!(of_model.contains(&(words.to_owned(), written.to_owned())), "{words}: {of_model:?}");
+        }
+        let study = "[[measured]]\noutput = \"o\"\npose = { crank = \"60 deg\" }\nat = \"slider.pin\"\n";
+        let due = [("output 'o'", "\"o\""), ("drive 'crank'", "crank"), ("point 'slider.pin'", "\"slider.pin\"")];
+        assert_eq!(found(Document::Study, study), due.map(|(a, b)| (a.to_owned(), b.to_owned())));
+        // Another name of the body leaves that of a point alone which stands without it.
+        let scanned = scan(model).unwrap();
+        let from = mentions(Document::Model, &scanned).into_iter().find(|one| one.of == Named::point("rod", "big"));
+        assert_eq!(from.unwrap().renamed(&Named::new("body", "rod"), "bar"), "big");
     }
 }

@@ -94,7 +94,7 @@ fn is_gone(gone: &BTreeSet<Named>, of: &Named) -> bool {
 /// The entry of the model that goes with what a place names; nothing where the place alone does.
 fn holder(mention: &Mention) -> Option<Named> {
     match mention.path.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["assembly" | "initial", ..] => None,
+        ["assembly" | "initial" | "wear", ..] => None,
         [table, name, ..] => Some(Named::new(table, name)),
         _ => None,
     }
@@ -125,6 +125,10 @@ fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Resu
             _ => 2,
         };
         let path = mention.path[..steps.min(mention.path.len())].to_vec();
+        if path == ["wear", "limit_of"] {
+            // A limit is one of something.
+            paths.push(vec!["wear".to_owned(), "limit".to_owned()]);
+        }
         if !paths.iter().any(|known| path.starts_with(known)) {
             paths.push(path);
         }
@@ -141,6 +145,7 @@ fn in_study(path: &[String]) -> String {
         ["allow", of] => format!("what is allowed for {} in the study", describe_path(of)),
         ["ask", index, ..] => format!("question {} of the study", number(index)),
         ["require", index, ..] => format!("requirement {} of the study", number(index)),
+        ["measured", index, ..] => format!("reading {} of the study", number(index)),
         ["correlation", index, ..] => format!("correlation {} of the study", number(index)),
         _ => "an entry of the study".to_owned(),
     }
