@@ -74,6 +74,7 @@ mod terminal_table;
 mod ticks;
 mod together;
 mod told;
+mod wear_picture;
 mod wear_section;
 mod wear_words;
 mod witness_words;

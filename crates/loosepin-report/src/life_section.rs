@@ -3,6 +3,7 @@
 use super::chart::{Chart, Entry, Role};
 use super::figure::{Picture, csv_number, name_of};
 use super::number::{NumberWriter, Rounding};
+use super::wear_picture::{GREATEST, HALF_SIDE, shape};
 use super::wear_words::{units_of_wear, wear_units};
 use super::wording::counted;
 use loosepin_result::simulation::{JointLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord, WornSurface};
@@ -14,10 +15,6 @@ use std::f64::consts::TAU;
 const ROWS: usize = 9;
 /// Profiles in the picture of a joint, at most.
 const PROFILES: usize = 5;
-/// Half the side of the picture, radii of bearing and journal, and the greatest depth, in its units.
-const HALF_SIDE: f64 = 1180.0;
-const RADII: [f64; 2] = [760.0, 700.0];
-const GREATEST: f64 = 360.0;
 
 /// The rows of a life that are shown: the first, the last and some between, evenly.
 pub(super) fn shown_rows(life: &WearLifeRecord, most: usize) -> Vec<usize> {
@@ -205,7 +202,7 @@ fn profiles_figure(life: &WearLifeRecord, joint: &JointLifeRecord, writer: &Numb
 }
 
 fn radius(surface: WornSurface) -> f64 {
-    RADII[usize::from(surface == WornSurface::Journal)]
+    shape(surface).0
 }
 
 /// The worn outline through the middles of the sectors.

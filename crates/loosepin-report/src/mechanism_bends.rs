@@ -2,6 +2,7 @@
 
 use super::mechanism_shapes::MM_PER_M;
 use super::script_data::round_to_digits;
+use super::zone_figure::round_factor;
 use loosepin_result::simulation::{Drawing, DrawnBeam};
 use loosepin_text::units::{Dimension, format_value, listed};
 use serde::Serialize;
@@ -94,13 +95,9 @@ fn largest_deflection_m(beam: &DrawnBeam) -> f64 {
     all.fold(0.0, |largest: f64, (place, pose)| largest.max(at(place, pose).abs()))
 }
 
-/// 1, 2 or 5 times a power of ten, at most `wanted`; 1 where that is less or without bound.
+/// A round number, at most `wanted`; 1 where that is less or without bound.
 fn magnification(wanted: f64) -> f64 {
-    if !(1.0..1e9).contains(&wanted) {
-        return 1.0;
-    }
-    let power = 10.0_f64.powi(wanted.log10().floor() as i32);
-    [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|choice| *choice <= wanted).unwrap_or(1.0)
+    if (1.0..1e9).contains(&wanted) { round_factor(wanted) } else { 1.0 }
 }
 
 /// The scale of the deflection, how large it is, and the frequencies, in words.

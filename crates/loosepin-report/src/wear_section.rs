@@ -4,17 +4,12 @@ use super::figure::{Picture, csv_number, name_of};
 use super::life_section::life_part;
 use super::number::NumberWriter;
 use super::page::cards;
+use super::wear_picture::{GREATEST, HALF_SIDE, shape};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear, WornSurface};
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 use std::f64::consts::TAU;
-
-/// Half the side of the picture, radii of bearing and journal, and the greatest depth, in units of the picture.
-const HALF_SIDE: f64 = 1180.0;
-const BEARING_RADIUS: f64 = 760.0;
-const JOURNAL_RADIUS: f64 = 700.0;
-const GREATEST: f64 = 360.0;
 
 /// The section.
 pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
@@ -69,14 +64,6 @@ fn profile_figure(wear: &JointWearRecord, writer: &NumberWriter) -> Markup {
     let view = [-HALF_SIDE, -HALF_SIDE, 2.0 * HALF_SIDE, 2.0 * HALF_SIDE];
     Picture { name: name_of("wear", &wear.joint), class: "polar", view, below: 0.0, alternative, drawn }
         .figure(caption, Some(&csv(wear, writer)))
-}
-
-/// Radius of a surface in the picture, and its style.
-fn shape(surface: WornSurface) -> (f64, &'static str) {
-    match surface {
-        WornSurface::Bearing => (BEARING_RADIUS, "worn bearing"),
-        WornSurface::Journal => (JOURNAL_RADIUS, "worn journal"),
-    }
 }
 
 /// The area between a surface and its worn outline: stairs over the sectors, and the circle.

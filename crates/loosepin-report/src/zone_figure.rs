@@ -220,7 +220,7 @@ fn is_closed(path: &PathCurve, size_m: f64) -> bool {
 }
 
 /// 1, 2 or 5 times a power of ten, at most `factor`; at least 1.
-fn round_factor(factor: f64) -> f64 {
+pub(super) fn round_factor(factor: f64) -> f64 {
     round_down(factor).max(1.0)
 }
 
