@@ -6,7 +6,9 @@ use super::number::{NumberWriter, Rounding};
 use super::wear_picture::{GREATEST, HALF_SIDE, shape};
 use super::wear_words::{units_of_wear, wear_units};
 use super::wording::counted;
-use loosepin_result::simulation::{JointLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord, WornSurface};
+use loosepin_result::simulation::{
+    JointLifeRecord, OutputLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord, WornSurface,
+};
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 use std::f64::consts::TAU;
@@ -26,8 +28,12 @@ pub(super) fn shown_rows(life: &WearLifeRecord, most: usize) -> Vec<usize> {
 }
 
 /// The table over the cycles: heads, and rows of cells. Of every joint its friction path, greatest depths and largest clearance; then
-/// the largest deviations of the outputs.
-pub(super) fn life_table(life: &WearLifeRecord, writer: &NumberWriter) -> (Vec<String>, Vec<Vec<String>>) {
+/// the largest deviations of `outputs`.
+pub(super) fn life_table(
+    life: &WearLifeRecord,
+    outputs: &[OutputLifeRecord],
+    writer: &NumberWriter,
+) -> (Vec<String>, Vec<Vec<String>>) {
     let mut heads = vec!["cycles".to_owned()];
     let is_one = life.joints.len() == 1;
     for joint in &life.joints {
@@ -36,7 +42,7 @@ pub(super) fn life_table(life: &WearLifeRecord, writer: &NumberWriter) -> (Vec<S
         heads.extend(joint.surfaces.iter().map(|surface| of(&format!("depth of {}", surface.surface.word()))));
         heads.push(of("clearance up to"));
     }
-    heads.extend(life.outputs.iter().map(|output| format!("deviation of {}", output.name)));
+    heads.extend(outputs.iter().map(|output| format!("deviation of {}", output.name)));
     let row = |row: usize| {
         let mut cells = vec![writer.value_trimmed(life.cycles[row].round(), &SiUnit::NONE)];
         for joint in &life.joints {
@@ -45,40 +51,43 @@ pub(super) fn life_table(life: &WearLifeRecord, writer: &NumberWriter) -> (Vec<S
             cells.extend(surfaces.map(|surface| writer.value(surface.greatest_depth_m[row], &SiUnit::LENGTH)));
             cells.push(writer.value(joint.largest_clearance_m[row], &SiUnit::LENGTH));
         }
-        cells.extend(life.outputs.iter().map(|output| writer.value(output.deviation_si[row], &output.unit)));
+        cells.extend(outputs.iter().map(|output| writer.value(output.deviation_si[row], &output.unit)));
         cells
     };
     (heads, shown_rows(life, ROWS).into_iter().map(row).collect())
 }
 
+/// The cycles until the limit is passed, where there is a limit.
+pub(super) fn life_sentence(life: &WearLifeRecord, writer: &NumberWriter) -> Option<String> {
+    let limit = life.limit.as_ref()?;
+    let most = writer.value_trimmed(limit.limit_si, &limit.unit);
+    let output = &limit.output;
+    let cycles = |cycles: f64| writer.value_trimmed(cycles.round(), &SiUnit::NONE);
+    let all = life.cycles.last().copied().unwrap_or(0.0);
+    Some(match (limit.cycles, limit.between) {
+        (Some(_), Some([_, 0.0])) => {
+            format!("Life: none. The largest deviation of {output} is beyond {most} without wear.")
+        }
+        (Some(own), Some([from, to])) => format!(
+            "Life: {} cycles until the largest deviation of {output} passes {most}, by a straight line between those after {} and {} cycles.",
+            cycles(own),
+            cycles(from),
+            cycles(to)
+        ),
+        _ => format!(
+            "Life: more than {} cycles. The largest deviation of {output} stays within {most} over all of them.",
+            cycles(all)
+        ),
+    })
+}
+
 /// What is to be known of a life in sentences.
 pub(super) fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Vec<String> {
-    let mut sentences = Vec::new();
-    if let Some(limit) = &life.limit {
-        let most = writer.value_trimmed(limit.limit_si, &limit.unit);
-        let output = &limit.output;
-        let cycles = |cycles: f64| writer.value_trimmed(cycles.round(), &SiUnit::NONE);
-        let all = life.cycles.last().copied().unwrap_or(0.0);
-        sentences.push(match (limit.cycles, limit.between) {
-            (Some(_), Some([_, 0.0])) => {
-                format!("Life: none. The largest deviation of {output} is beyond {most} without wear.")
-            }
-            (Some(own), Some([from, to])) => format!(
-                "Life: {} cycles until the largest deviation of {output} passes {most}, by a straight line between those after {} and {} cycles.",
-                cycles(own),
-                cycles(from),
-                cycles(to)
-            ),
-            _ => format!(
-                "Life: more than {} cycles. The largest deviation of {output} stays within {most} over all of them.",
-                cycles(all)
-            ),
-        });
-    }
+    let mut sentences: Vec<String> = life_sentence(life, writer).into_iter().collect();
     let jumps = life.cycles.len().saturating_sub(1) as u64;
     let error = writer.rounded(life.largest_error_m, &SiUnit::LENGTH, 2, Rounding::Up);
     sentences.push(format!(
-        "Cycles run: {} for {}. Error of a jump in the depth of any sector: at most {error}.",
+        "Cycles run: {} for {}. Error of a jump in the depth of any sector: estimated at up to {error}.",
         life.runs,
         counted(jumps, "jump", writer),
     ));
@@ -112,7 +121,7 @@ pub(super) fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Ve
 pub(super) fn life_part(record: &SimulationRecord, life: &WearLifeRecord) -> Markup {
     let units = wear_units(&record.display_units);
     let writer = NumberWriter::for_page(&units);
-    let (heads, rows) = life_table(life, &writer);
+    let (heads, rows) = life_table(life, &life.outputs, &writer);
     let plain = NumberWriter::for_page(&record.display_units);
     html! {
         h3 { "Over the cycles" }

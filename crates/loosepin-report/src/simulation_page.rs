@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use super::answer::{turn_word, turns};
 use super::chart::{Chart, Dots, Entry, Role};
 use super::figure::name_of;
+use super::life_section::life_sentence;
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
 use super::motion_kind_section::{kind_section, kind_sentences};
@@ -147,6 +148,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
         ));
     }
+    sentences.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)));
     for joint in &record.joints {
         let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
         let contact = if joint.impacts == 0 {

@@ -258,7 +258,10 @@ fn push_wear(text: &mut String, record: &SimulationRecord) {
 
 /// Adds the wear over the cycles.
 fn push_life(text: &mut String, life: &WearLifeRecord, writer: &NumberWriter) {
-    let (heads, rows) = life_table(life, writer);
+    // A terminal has room for one: that of the limit, or the first. The page has all of them.
+    let limited = life.limit.as_ref().and_then(|limit| life.outputs.iter().position(|own| own.name == limit.output));
+    let shown = limited.unwrap_or(0);
+    let (heads, rows) = life_table(life, life.outputs.get(shown..=shown).unwrap_or_default(), writer);
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let mut table = table(&heads, &(0..heads.len()).collect::<Vec<_>>());
     rows.into_iter().for_each(|row| {
