@@ -13,13 +13,19 @@ from check_pages import AXE, seen_by_axe  # noqa: E402
 from chromium import Chromium  # noqa: E402
 
 PROGRAM = REPOSITORY / "target/debug/loosepin"
-# The middle of the first visible element that a selector finds and whose text contains some words.
-PLACE = """((selector, words) => {
+# The middle of the first visible element that a selector finds and whose text contains some words; null until it is at rest
+# (a chart above that appears moves it between the look and the click) and until a click there would reach it.
+PLACE = """(async (selector, words) => {
     const found = [...document.querySelectorAll(selector)].find((one) => one.getClientRects().length > 0 && one.textContent.includes(words));
     if (!found) return null;
     found.scrollIntoView({ block: 'center' });
-    const box = found.getBoundingClientRect();
-    return [box.x + box.width / 2, box.y + box.height / 2];
+    const middle = () => { const box = found.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; };
+    const before = middle();
+    for (let frame = 0; frame < 3; frame += 1) await new Promise((next) => requestAnimationFrame(next));
+    const [x, y] = middle();
+    const hit = document.elementFromPoint(x, y);
+    const isReached = found.isConnected && hit !== null && (found.contains(hit) || hit.contains(found));
+    return isReached && x === before[0] && y === before[1] ? [x, y] : null;
 })(%s, %s)"""
 # The field of a number by its name.
 FIELD = """((name) => [...document.querySelectorAll('.field')].find((field) => field.querySelector('label')?.textContent.replace('↔', '').trim() === name))(%s)"""
@@ -66,9 +72,18 @@ class Studio:
             time.sleep(0.05)
         raise AssertionError(f"not within {timeout_s} s: {condition}\n{self.browser.evaluate('document.body.innerText')}")
 
+    def place(self, selector, words, timeout_s=60.0):
+        """Where a click reaches an element that is at rest."""
+        deadline = time.monotonic() + timeout_s
+        while time.monotonic() < deadline:
+            place = self.browser.evaluate(PLACE % (repr(selector), repr(words)))
+            if place is not None:
+                return place
+            time.sleep(0.05)
+        raise AssertionError(f"not at rest within {timeout_s} s: {selector} {words}\n{self.browser.evaluate('document.body.innerText')}")
+
     def click(self, selector, words=""):
-        self.wait(PLACE % (repr(selector), repr(words)))
-        x, y = self.browser.evaluate(PLACE % (repr(selector), repr(words)))
+        x, y = self.place(selector, words)
         self.clicks += 1
         for kind in ("mousePressed", "mouseReleased"):
             self.browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
