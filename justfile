@@ -152,6 +152,11 @@ compare-bounds *ARGUMENTS:
 compare-surrogates *ARGUMENTS:
     python3 tools/compare/surrogates.py {{ ARGUMENTS }}
 
+# How soon the study of each template shows a first band, and what the whole study costs (docs/performance.md).
+template-times *TEMPLATES:
+    cargo build --release --locked --package loosepin-cli
+    python3 tools/templates/times.py target/release/loosepin {{ TEMPLATES }}
+
 # Where the processor time of the reference case goes, by perf; docs/performance.md says what follows.
 profile *ARGUMENTS:
     python3 tools/profile/profile.py {{ ARGUMENTS }}

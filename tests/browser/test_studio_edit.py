@@ -201,6 +201,24 @@ def test_a_body_goes_with_all_that_names_it_after_that_is_told(studio):  # noqa:
     assert studio.browser.complaints() == []
 
 
+def test_an_output_is_added_by_lists_and_shows_its_band(studio):  # noqa: F811
+    studio.take("rank, coupler and rocker")
+    before = studio.saved("four-bar")
+    studio.browser.evaluate("(document.querySelector('details.adding').open = true)")
+    select(studio, "Add an output", 0, "angle")
+    select(studio, "Add an output", 1, "coupler")
+    studio.click(".adding button", "Add an output")
+    studio.wait("document.querySelector('.outline').innerText.includes('coupler_angle')")
+    studio.settle()
+    studio.wait("[...document.querySelectorAll('.band select option')].some((one) => one.textContent.includes('coupler_angle'))")
+    after = studio.saved("four-bar")
+    assert '[output.coupler_angle]\nangle_of = "coupler"\n' in after[0] and lost(before[0], after[0]) == [] and after[1] == before[1]
+    undo(studio)
+    studio.wait("!document.querySelector('.outline').innerText.includes('coupler_angle')")
+    assert studio.saved("four-bar") == before
+    assert studio.browser.complaints() == []
+
+
 def test_another_name_is_written_in_both_texts(studio):  # noqa: F811
     studio.take("rank, coupler and rocker")
     before = studio.saved("four-bar")

@@ -16,12 +16,20 @@ export type End =
 
 export type Joined = { as: 'pin'; play?: string } | { as: 'slider' | 'slot'; angle_deg: number } | { as: 'rigid' };
 
+/** What an output records. */
+export type Watched =
+  | { of: 'path'; body: string; point: string }
+  | { of: 'position'; body: string; point: string; along: 'x' | 'y' }
+  | { of: 'angle' | 'angular_velocity'; body: string }
+  | { of: 'force'; joint: string };
+
 export type Edit =
   | { kind: 'add_link'; from: End; to: End }
   | { kind: 'add_point'; body: string; to: End }
   | { kind: 'join'; first: End; second: End; by: Joined }
   | { kind: 'add_block'; on: End; angle_deg: number }
   | { kind: 'drive'; joint: string }
+  | { kind: 'watch'; what: Watched }
   | { kind: 'remove'; what: Named }
   | { kind: 'rename'; what: Named; to: string }
   | { kind: 'lock'; path: string; is_locked: boolean };

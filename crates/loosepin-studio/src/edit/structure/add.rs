@@ -1,12 +1,13 @@
-//! What comes into the model: links, points, joints, blocks. First guesses are marked so, as on the drawing screen.
+//! What comes into the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use loosepin::model::{JointKind, Model, PointId, Values};
 use loosepin::units::format_number;
 
-use super::edit::{End, Joined};
+use super::edit::{End, Joined, Watched};
 use super::lines::Lines;
+use super::watch::output;
 use crate::refusal::Refusal;
 use crate::still::{NamedPoses, Pose, in_body_m};
 
@@ -305,6 +306,17 @@ impl<'m> Draft<'m> {
         Ok(drive.name.clone())
     }
 
+    /// An output.
+    ///
+    /// # Errors
+    /// The text has no place for it, in words.
+    pub fn watch(&mut self, what: &Watched) -> Result<String, Refusal> {
+        let (name, entries) = output(what);
+        let name = self.free_named("output", &name);
+        self.table("output", &name, "", &entries)?;
+        Ok(name)
+    }
+
     fn set(&mut self, path: &[String], value: &str) -> Result<(), Refusal> {
         let span = self.lines.scanned()?.value_at(path).map(|value| value.span.clone());
         let span = span.ok_or_else(|| Refusal::bad("the drive is written in a way that is changed in the text"))?;
@@ -393,6 +405,7 @@ impl<'m> Draft<'m> {
         let is_known = match group {
             "body" => self.model.bodies.iter().any(|one| one.name == name),
             "joint" => self.model.joints.iter().any(|one| one.name == name),
+            "output" => self.model.outputs.iter().any(|one| one.name == name),
             "drive" => self.model.drives.iter().any(|one| one.name == name),
             _ => self.model.quantities.id(&path).is_some(),
         };

@@ -90,6 +90,63 @@ pub enum Joined {
     Rigid,
 }
 
+/// An axis of the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Upwards.
+    Y,
+}
+
+impl Axis {
+    /// As the model writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
+/// What an output records.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(tag = "of", rename_all = "snake_case")]
+pub enum Watched {
+    /// The path of a point.
+    Path {
+        /// Its body.
+        body: String,
+        /// The point.
+        point: String,
+    },
+    /// A coordinate of a point.
+    Position {
+        /// Its body.
+        body: String,
+        /// The point.
+        point: String,
+        /// Which coordinate.
+        along: Axis,
+    },
+    /// The angle of a body.
+    Angle {
+        /// The body.
+        body: String,
+    },
+    /// The angular velocity of a body.
+    AngularVelocity {
+        /// The body.
+        body: String,
+    },
+    /// The magnitude of the force in a joint.
+    Force {
+        /// The joint.
+        joint: String,
+    },
+}
+
 /// A change of a mechanism.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
@@ -128,6 +185,11 @@ pub enum Edit {
     Drive {
         /// The joint.
         joint: String,
+    },
+    /// An output records something from now on.
+    Watch {
+        /// It.
+        what: Watched,
     },
     /// Something goes, with all that names it.
     Remove {

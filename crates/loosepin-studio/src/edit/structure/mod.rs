@@ -6,7 +6,8 @@
 //! | where everything stands in a text | `scan.rs` |
 //! | which places name a body, a point, a joint, ... | `names.rs` |
 //! | lines and entries that come in and go out, all else byte for byte | `lines.rs` |
-//! | what comes: links, points, joints, blocks | `add.rs` |
+//! | what comes: links, points, joints, blocks, outputs | `add.rs` |
+//! | what an output records | `watch.rs` |
 //! | what goes with something that goes | `remove.rs` |
 //! | another name | `rename.rs` |
 //! | numbers that dragging leaves as they are | `lock.rs` |
@@ -23,6 +24,7 @@ mod names;
 mod remove;
 mod rename;
 mod scan;
+mod watch;
 
 use std::sync::Arc;
 
@@ -146,6 +148,10 @@ fn changed(model: &Model, texts: &Texts, edit: &Edit, poses: &NamedPoses) -> Res
         }
         Edit::Drive { joint } => {
             let name = draft.drive(joint)?;
+            added(draft, name)
+        }
+        Edit::Watch { what } => {
+            let name = draft.watch(what)?;
             added(draft, name)
         }
         Edit::Remove { what } => {

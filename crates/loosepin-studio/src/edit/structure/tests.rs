@@ -7,7 +7,7 @@ use loosepin::study::InputFile;
 use loosepin::templates::{TEMPLATES, Template, find_template};
 
 use super::checked::facts;
-use super::edit::{Edit, End, Joined, Named};
+use super::edit::{Axis, Edit, End, Joined, Named, Watched};
 use super::{Restructured, restructured};
 use crate::edit::tests::{applied, served, texts};
 use crate::folder::Folder;
@@ -493,7 +493,9 @@ fn random_sequences(sequences: usize, seed: u64) -> (usize, usize) {
             let named = [Named::new("body", &body.name), Named::new("joint", &joint), Named::new("output", &output)];
             let what = named[below(3)].clone();
             let angle_deg = [0.0, 90.0, f64::INFINITY, -31.7][below(4)];
-            let edit = match below(9) {
+            let (first_body, first_point) =
+                (body.name.clone(), body.points.first().map(|one| one.name.clone()).unwrap_or_default());
+            let edit = match below(10) {
                 0 | 1 => Edit::AddLink { from, to },
                 2 => Edit::AddPoint { body: body.name.clone(), to },
                 3 => Edit::Join {
@@ -511,6 +513,16 @@ fn random_sequences(sequences: usize, seed: u64) -> (usize, usize) {
                 4 => Edit::AddBlock { on: from, angle_deg },
                 5 => Edit::Drive { joint },
                 6 => Edit::Remove { what },
+                8 => Edit::Watch {
+                    what: [
+                        Watched::Path { body: first_body.clone(), point: first_point.clone() },
+                        Watched::Position { body: first_body.clone(), point: first_point, along: Axis::Y },
+                        Watched::Angle { body: first_body.clone() },
+                        Watched::AngularVelocity { body: first_body },
+                        Watched::Force { joint },
+                    ][below(5)]
+                    .clone(),
+                },
                 7 => Edit::Rename { what, to: ["a", "b-1", "ü", "]", "x.y", "\"", ""][below(7)].into() },
                 _ => {
                     let (_, quantity) = model.quantities.iter().nth(below(model.quantities.len())).unwrap();
@@ -541,6 +553,42 @@ fn random_sequences(sequences: usize, seed: u64) -> (usize, usize) {
         }
     }
     (taken, refused)
+}
+
+#[test]
+fn an_output_is_added_under_a_name_that_is_free_and_taken_out_again() {
+    let mut desk = Desk::template(find_template("four-bar").unwrap());
+    let before = desk.texts.model.text().to_owned();
+    let (body, point) = ("coupler".to_owned(), "tracer".to_owned());
+    let wishes = [
+        (Watched::Path { body: body.clone(), point: point.clone() }, "tracer_1", "path_of = \"coupler.tracer\"\n"),
+        (
+            Watched::Position { body: body.clone(), point, along: Axis::Y },
+            "coupler_y",
+            "position_of = \"coupler.tracer\"\nalong = \"y\"\n",
+        ),
+        (Watched::Angle { body: body.clone() }, "coupler_angle", "angle_of = \"coupler\"\n"),
+        (Watched::AngularVelocity { body }, "coupler_speed", "angular_velocity_of = \"coupler\"\n"),
+        (
+            Watched::Force { joint: "crank_pin".into() },
+            "crank_pin_force",
+            "force_in = \"joint.crank_pin\"\ncomponent = \"magnitude\"\n",
+        ),
+    ];
+    for (what, name, entries) in wishes {
+        let done = desk.edit(&Edit::Watch { what });
+        assert_eq!(done.name.as_deref(), Some(name));
+        assert!(
+            desk.texts.model.text().contains(&format!("[output.{name}]\n{entries}")),
+            "{}",
+            desk.texts.model.text()
+        );
+        assert!(desk.model().outputs.iter().any(|one| one.name == name));
+        desk.edit(&Edit::Remove { what: Named::new("output", name) });
+        assert_eq!(desk.texts.model.text().trim_end(), before.trim_end());
+    }
+    let refusal = desk.try_edit(&Edit::Watch { what: Watched::Angle { body: "nobody".into() } });
+    assert!(refusal.is_err_and(|refusal| refusal.message.contains("nobody")));
 }
 
 #[test]
