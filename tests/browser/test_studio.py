@@ -61,7 +61,7 @@ class Studio:
         self.browser.call("Page.navigate", url="about:blank")
         self.browser.events.clear()
         self.browser.call("Page.navigate", url=self.address)
-        self.wait("document.querySelectorAll('svg.mechanism').length === 16")
+        self.wait("document.querySelectorAll('svg.mechanism').length === 17")
 
     def wait(self, condition, timeout_s=60.0):
         """Until a condition in the page is true."""

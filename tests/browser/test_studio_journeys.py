@@ -133,8 +133,8 @@ def reload(studio):
     studio.wait("document.readyState === 'complete' && document.querySelector('.bar')")
 
 
-def test_a_study_is_followed_after_the_page_was_loaded_again(studio):
-    """Journey 9: the server goes on; the page finds its study again."""
+def run_four_bar(studio):
+    """Starts the study of a four-bar that takes some seconds, in the folder `mine`."""
     folder = studio.folder / "mine"
     subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
     study = folder / "study.toml"
@@ -143,6 +143,11 @@ def test_a_study_is_followed_after_the_page_was_loaded_again(studio):
     studio.click("a, button", "four-bar with play")
     studio.wait("document.querySelector('svg.chart')")
     studio.click("button", "Save and run")
+
+
+def test_a_study_is_followed_after_the_page_was_loaded_again(studio):
+    """Journey 9: the server goes on; the page finds its study again."""
+    run_four_bar(studio)
     studio.wait("document.querySelector('.job.running progress')?.value > 0", 120)
     assert not studio.browser.evaluate(DONE), "it is loaded again in the middle"
     reload(studio)
@@ -158,14 +163,7 @@ COARSE = "document.querySelector('.coarse svg.chart .fill')?.getAttribute('d') ?
 
 def test_the_band_of_a_study_is_seen_while_it_runs_and_becomes_finer(studio):
     """Journey 7: from a few hundred runs first, then from all of each round."""
-    folder = studio.folder / "mine"
-    subprocess.run([PROGRAM, "new", "four-bar", folder], check=True, capture_output=True)
-    study = folder / "study.toml"
-    study.write_text(study.read_text().replace("inner = 1024", "inner = 128"))
-    studio.open()
-    studio.click("a, button", "four-bar with play")
-    studio.wait("document.querySelector('svg.chart')")
-    studio.click("button", "Save and run")
+    run_four_bar(studio)
     studio.wait(f"({COARSE}) !== ''", 120)
     first, shown = studio.browser.evaluate(f"[{COARSE}, document.querySelector('.coarse').innerText]")
     # Words say what it is, and that it is none of the bounds.

@@ -43,6 +43,7 @@ pub static TEMPLATES: &[Template] = templates! {
     "watt-six-bar"
     "stephenson-six-bar"
     "toggle-press"
+    "worn-press"
     "pantograph"
     "two-link-arm"
     "three-link-arm"

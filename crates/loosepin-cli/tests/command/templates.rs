@@ -90,6 +90,7 @@ templates_run! {
     identity_watt_six_bar_keeps_its_energy "watt-six-bar"
     identity_stephenson_six_bar_keeps_its_energy "stephenson-six-bar"
     identity_toggle_press_keeps_its_energy "toggle-press"
+    identity_worn_press_keeps_its_energy "worn-press"
     identity_pantograph_keeps_its_energy "pantograph"
     identity_two_link_arm_keeps_its_energy "two-link-arm"
     identity_three_link_arm_keeps_its_energy "three-link-arm"
