@@ -1,18 +1,21 @@
-//! Slender links that bend and stretch: a beam in a floating frame, described by few shapes.
+//! Slender links that bend and stretch: a beam in a floating frame, described by few shapes, or in absolute nodal coordinates.
 //!
 //! [`Shapes`] are what does not depend on length, section and material; [`Beam`] holds the numbers of one beam, over any
 //! [`loosepin_math::Real`]. Both know nothing of mechanisms: who has one gives the motion of the frame and the coordinates of the shapes,
-//! and gets points, mass matrix, bias forces and elastic forces.
+//! and gets points, mass matrix, bias forces and elastic forces. [`NodalBeam`] is the beam that may bend as far as it likes: a chain of the
+//! elements of a [`Mesh`], whose nodes hold position and slope.
 
 mod beam;
 mod cuts;
 mod functions;
+mod nodal;
 mod shapes;
 mod spectrum;
 
 pub use beam::{Beam, Inertia};
 pub use cuts::Cuts;
 pub use functions::Frame;
+pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, Nodal, NodalBeam, NotBalanced, Rule, TipLoad};
 pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station, stations};
 
 #[cfg(test)]

@@ -5,6 +5,9 @@ mod frequencies;
 mod inertia;
 mod invariants;
 mod motion;
+mod nodal_element;
+mod nodal_pendulum;
+mod nodal_statics;
 mod spin_up;
 mod turning;
 

@@ -1,0 +1,12 @@
+//! A beam in absolute nodal coordinates: chains of elements whose nodes hold position and slope, for links that bend far.
+
+mod beam;
+mod element;
+mod mesh;
+mod statics;
+mod tangent;
+
+pub use beam::{MassEntries, NodalBeam};
+pub use mesh::{Mesh, Nodal, Rule};
+pub use statics::{Clamped, NotBalanced, TipLoad};
+pub use tangent::ElementMatrix;
