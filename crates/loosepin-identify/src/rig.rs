@@ -91,8 +91,8 @@ impl<'s> Rig<'s> {
         let at = |error| Complaints::one(&IdentifyProblem::Values { error }, None);
         let values = model.quantities.evaluate(&middle).map_err(at)?;
         let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
-        if let Some(beam) = mechanism.real.beams.first() {
-            let body = model.bodies[beam.body.0].name.clone();
+        if let Some(body) = mechanism.real.flexible_bodies().next() {
+            let body = model.bodies[body.0].name.clone();
             let place = model.place(&format!("body.{body}"));
             return Err(Complaint::error(&IdentifyProblem::Flexible { body }, place).into());
         }

@@ -13,6 +13,9 @@
     function bent(bend, index, share) {
         if (!bend)
             return '';
+        if (bend.track) {
+            return bend.track.map(([x = [], y = []], place) => (place ? 'L' : 'M') + between(x, index, share).toFixed(3) + ' ' + between(y, index, share).toFixed(3)).join('');
+        }
         const [normalX = 0, normalY = 0] = bend.normal;
         return bend.places.map(([x = 0, y = 0], place) => {
             const drawn = bend.factor * bend.shapes.reduce((sum, shape, k) => sum + (shape[place] ?? 0) * between(bend.turns[k] ?? [], index, share), 0);

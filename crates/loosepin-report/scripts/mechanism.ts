@@ -19,6 +19,8 @@
     shapes: number[][];
     turns: number[][];
     factor: number;
+    /** x and y of each place at each pose, in place of shapes. */
+    track?: number[][][];
   }
 
   interface Motion {
@@ -38,6 +40,10 @@
 
   function bent(bend: Bend | undefined, index: number, share: number): string {
     if (!bend) return '';
+    if (bend.track) {
+      return bend.track.map(([x = [], y = []], place) =>
+        (place ? 'L' : 'M') + between(x, index, share).toFixed(3) + ' ' + between(y, index, share).toFixed(3)).join('');
+    }
     const [normalX = 0, normalY = 0] = bend.normal;
     return bend.places.map(([x = 0, y = 0], place) => {
       const drawn = bend.factor * bend.shapes.reduce((sum, shape, k) => sum + (shape[place] ?? 0) * between(bend.turns[k] ?? [], index, share), 0);

@@ -30,12 +30,20 @@ pub(super) struct Bend {
     turns: Vec<Vec<Option<f64>>>,
     /// Deflections are drawn so many times as large.
     factor: f64,
+    /// x and y of places along the axis at each pose, mm, in place of shapes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    track: Vec<[Vec<Option<f64>>; 2]>,
 }
 
 impl Bend {
     /// The axis at a pose, as an SVG path.
     pub(super) fn path(&self, pose: usize) -> String {
         let mut path = String::new();
+        for (place, lists) in self.track.iter().enumerate() {
+            let [x, y] = lists.each_ref().map(|list| list.get(pose).copied().flatten().unwrap_or(0.0));
+            let letter = if place == 0 { 'M' } else { 'L' };
+            path.push_str(&format!("{letter}{x:.3} {y:.3}"));
+        }
         for (place, [x, y]) in self.places.iter().enumerate() {
             let number = |list: &[Option<f64>], index: usize| list.get(index).copied().flatten().unwrap_or(0.0);
             let terms = self.shapes.iter().zip(&self.turns);
@@ -51,11 +59,26 @@ impl Bend {
 /// The flexible bodies whose coordinates are known at all `poses` poses.
 pub(super) fn bent(drawing: &Drawing, poses: usize) -> impl Iterator<Item = &DrawnBeam> {
     let is_known = move |beam: &&DrawnBeam| {
-        !beam.turns_rad.is_empty()
-            && beam.turns_rad.len() == beam.deflections_m.len()
-            && beam.turns_rad.iter().all(|turns| turns.len() == poses && poses > 0)
+        has_axis(beam, poses)
+            || !beam.turns_rad.is_empty()
+                && beam.turns_rad.len() == beam.deflections_m.len()
+                && beam.turns_rad.iter().all(|turns| turns.len() == poses && poses > 0)
     };
     drawing.beams.iter().filter(is_known)
+}
+
+/// Whether the axis of a body in absolute nodal coordinates is known at all `poses` poses.
+fn has_axis(beam: &DrawnBeam, poses: usize) -> bool {
+    let lists = || beam.axis_x_m.iter().chain(&beam.axis_y_m);
+    beam.axis_x_m.len() == beam.axis_y_m.len()
+        && beam.axis_x_m.len() > 1
+        && lists().all(|list| list.len() == poses && poses > 0)
+}
+
+/// Whether a body is drawn by its bent axis alone: it may bend far off a straight bar.
+pub(super) fn is_drawn_by_its_axis(drawing: &Drawing, body: usize) -> bool {
+    let poses = drawing.poses.drive_angle_rad.len();
+    drawing.beams.iter().any(|beam| beam.body == body && has_axis(beam, poses))
 }
 
 /// The bent axes at every `step`th of `poses` poses.
@@ -64,6 +87,14 @@ pub(super) fn bends(drawing: &Drawing, poses: usize, step: usize) -> Vec<Bend> {
 }
 
 fn bend(drawing: &Drawing, beam: &DrawnBeam, step: usize) -> Option<Bend> {
+    if !beam.axis_x_m.is_empty() {
+        let sent = |list: &Vec<f64>| -> Vec<Option<f64>> {
+            list.iter().step_by(step).map(|value| round_to_digits(value * MM_PER_M, DIGITS)).collect()
+        };
+        let track = beam.axis_x_m.iter().zip(&beam.axis_y_m).map(|(x, y)| [sent(x), sent(y)]).collect();
+        let (places, shapes, turns) = (Vec::new(), Vec::new(), Vec::new());
+        return Some(Bend { body: beam.body, places, normal: [0.0; 2], shapes, turns, factor: 1.0, track });
+    }
     let points = &drawing.bodies.get(beam.body)?.points;
     let [root, tip] = beam.ends.map(|end| points.get(end).map(|point| [point.x_m * MM_PER_M, point.y_m * MM_PER_M]));
     let (root, tip) = (root?, tip?);
@@ -82,6 +113,7 @@ fn bend(drawing: &Drawing, beam: &DrawnBeam, step: usize) -> Option<Bend> {
         shapes: beam.deflections_m.iter().map(|shape| rounded(shape, MM_PER_M, 1)).collect(),
         turns: beam.turns_rad.iter().map(|turns| rounded(turns, 1.0, step)).collect(),
         factor: magnification(LARGEST_SHARE * length / largest_mm),
+        track: Vec::new(),
     })
 }
 
@@ -102,6 +134,9 @@ fn magnification(wanted: f64) -> f64 {
 
 /// The scale of the deflection, how large it is, and the frequencies, in words.
 pub(super) fn bend_words(drawing: &Drawing, beam: &DrawnBeam, bend: &Bend) -> String {
+    if !beam.axis_x_m.is_empty() {
+        return format!(" Green line: axis of the {}, true to scale.", drawing.bodies[beam.body].name);
+    }
     let hz = |list: &[f64]| {
         let each: Vec<String> = list.iter().map(|hz| format!("{hz:.0} Hz")).collect();
         listed(&each, "and")
@@ -137,6 +172,8 @@ mod tests {
                 ends: [1, 0],
                 deflections_m: vec![vec![0.0, 0.05, 0.0]],
                 turns_rad: vec![turns_rad],
+                axis_x_m: Vec::new(),
+                axis_y_m: Vec::new(),
                 lateral_hz: vec![172.4],
                 axial_hz: vec![4953.4],
             }],
@@ -162,5 +199,25 @@ mod tests {
     #[test]
     fn analytic_magnifications() {
         assert_eq!([0.3, 1.0, 4.9, 51.0, 999.0, f64::INFINITY].map(magnification), [1.0, 1.0, 2.0, 50.0, 500.0, 1.0]);
+    }
+
+    #[test]
+    fn a_body_in_absolute_nodal_coordinates_is_drawn_by_its_axis_alone() {
+        let mut drawing = drawing(vec![0.0; 2]);
+        assert!(!is_drawn_by_its_axis(&drawing, 0));
+        let beam = &mut drawing.beams[0];
+        (beam.deflections_m, beam.turns_rad) = (Vec::new(), Vec::new());
+        (beam.axis_x_m, beam.axis_y_m) = (vec![vec![0.0; 2], vec![0.1, 0.2]], vec![vec![0.1; 2], vec![0.05, -0.07]]);
+        drawing.poses.drive_angle_rad = vec![0.0; 2];
+        assert!(is_drawn_by_its_axis(&drawing, 0) && !is_drawn_by_its_axis(&drawing, 1));
+        let bends = bends(&drawing, 2, 1);
+        assert_eq!(
+            [0, 1].map(|pose| bends[0].path(pose)),
+            ["M0.000 100.000L100.000 50.000".to_owned(), "M0.000 100.000L200.000 -70.000".to_owned()]
+        );
+        assert_eq!(bend_words(&drawing, &drawing.beams[0], &bends[0]), " Green line: axis of the rod, true to scale.");
+        // A pose without its axis: nothing is drawn of it.
+        drawing.beams[0].axis_y_m[1].pop();
+        assert!(!is_drawn_by_its_axis(&drawing, 0) && super::bends(&drawing, 2, 1).is_empty());
     }
 }

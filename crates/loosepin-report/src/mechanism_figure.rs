@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
 use super::figure::Picture;
-use super::mechanism_bends::{Bend, bend_words, bends, bent};
+use super::mechanism_bends::{Bend, bend_words, bends, bent, is_drawn_by_its_axis};
 use super::mechanism_labels::{Label, Sizes, frame_with, labels};
 use super::mechanism_shapes::{
     BLOCK_PINS, Frame, JOURNAL_PINS, MM_PER_M, PIN_SHARE, PinLayer, frame, ground, outline, pins,
@@ -203,7 +203,7 @@ fn shapes(
                 @if !body.is_ground {
                     g.body data-body=(index) transform=(transform(motion, index, magnification)) {
                         title { (body.name) }
-                        (outline(drawing, index, reference, frame, pin))
+                        @if !is_drawn_by_its_axis(drawing, index) { (outline(drawing, index, reference, frame, pin)) }
                     }
                 }
             }

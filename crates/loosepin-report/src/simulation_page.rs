@@ -193,14 +193,24 @@ fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) ->
     }
 }
 
-/// That a body bends further than its floating frame is meant for.
+/// That a body bends further than its floating frame is meant for, or so little that absolute nodal coordinates are not needed.
 fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<String> {
     /// Angle at which foreshortening to second order is off by half a percent, rad.
     const LARGEST_RAD: f64 = 0.1;
+    if bending.is_nodal {
+        return (bending.largest_angle_rad < LARGEST_RAD).then(|| {
+            format!(
+                "The {} turns by at most {} from the line through its ends: formulation = \"floating-frame\" does for it, with fewer \
+                 coordinates.",
+                bending.body,
+                writer.value(bending.largest_angle_rad, &SiUnit::ANGLE)
+            )
+        });
+    }
     // Not a number is no small angle.
     (!(bending.largest_angle_rad <= LARGEST_RAD)).then(|| {
         format!(
-            "The {} bends too far for its model: its ends turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens.",
+            "The {} bends too far for its model: its ends turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens. Take formulation = \"absolute-nodal\".",
             bending.body,
             writer.value(bending.largest_angle_rad, &SiUnit::ANGLE),
             writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE),

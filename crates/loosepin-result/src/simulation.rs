@@ -105,6 +105,9 @@ pub struct BendingRecord {
     /// Whether it starts bent and stretched as inertia and loads hold it; else undeformed.
     #[serde(default)]
     pub starts_settled: bool,
+    /// Whether it is described in absolute nodal coordinates; the angle is then that of any node from the way from root to tip.
+    #[serde(default)]
+    pub is_nodal: bool,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot

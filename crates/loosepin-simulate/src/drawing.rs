@@ -1,6 +1,9 @@
 //! Points, joints and poses of a mechanism, for drawings.
 
-use loosepin_mechanics::mechanism::{BeamGeometry, Drives, Kinematics, Mechanism, Sample, Tree, TreeBeam};
+use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_mechanics::mechanism::{
+    BeamGeometry, Drives, Kinematics, Mechanism, Sample, Tree, TreeBeam, TreeNodalBeam,
+};
 use loosepin_mechanics::model::{
     Derivative, Drive, DriveId, JointKind, Model, Output, OutputKind, PointId, Position, Values,
 };
@@ -79,14 +82,56 @@ fn beams(mechanism: &Mechanism, values: &Values) -> Vec<DrawnBeam> {
         deflections_m.iter_mut().flatten().for_each(|deflection| *deflection *= numbers.beam.length_m);
         let [axial_hz, lateral_hz] = numbers.beam.frequencies_hz(&place.shapes);
         let turns_rad = vec![Vec::new(); place.shapes.lateral()];
-        DrawnBeam { body: place.body.0, ends: place.points(), deflections_m, turns_rad, lateral_hz, axial_hz }
+        DrawnBeam {
+            body: place.body.0,
+            ends: place.points(),
+            deflections_m,
+            turns_rad,
+            lateral_hz,
+            axial_hz,
+            axis_x_m: Vec::new(),
+            axis_y_m: Vec::new(),
+        }
     };
-    mechanism.real.beams.iter().zip(&sample.real.beams).map(drawn).collect()
+    let nodal = |place: &TreeNodalBeam| DrawnBeam {
+        body: place.body.0,
+        ends: place.points(),
+        deflections_m: Vec::new(),
+        turns_rad: Vec::new(),
+        lateral_hz: Vec::new(),
+        axial_hz: Vec::new(),
+        axis_x_m: vec![Vec::new(); BEAM_PLACES],
+        axis_y_m: vec![Vec::new(); BEAM_PLACES],
+    };
+    let floating = mechanism.real.beams.iter().zip(&sample.real.beams).map(drawn);
+    floating.chain(mechanism.real.nodal_beams.iter().map(nodal)).collect()
 }
 
-/// Adds the present coordinates of the lateral shapes of all flexible bodies of `mechanism`.
-pub fn add_bending(beams: &mut [DrawnBeam], mechanism: &Mechanism, coordinates: &[f64]) {
-    for (drawn, place) in beams.iter_mut().zip(&mechanism.real.beams) {
+/// Adds how all flexible bodies of `mechanism` bend at present, behind [`add_pose`]: coordinates of lateral shapes; of bodies in absolute
+/// nodal coordinates their axes, in a frame through both ends, in which such a body is drawn.
+pub fn add_bending(drawing: &mut Drawing, mechanism: &Mechanism, dynamics: &Dynamics<'_, f64>) {
+    let coordinates = dynamics.free_state().0;
+    let floating = mechanism.real.beams.len();
+    for (index, (drawn, place)) in drawing.beams.iter_mut().skip(floating).zip(&mechanism.real.nodal_beams).enumerate()
+    {
+        let frame = dynamics.nodal_secant(index);
+        let body = place.body.0;
+        let poses = &mut drawing.poses;
+        for (list, value) in [
+            (&mut poses.x_m[body], frame.position_m.x),
+            (&mut poses.y_m[body], frame.position_m.y),
+            (&mut poses.angle_rad[body], frame.angle_rad),
+        ] {
+            list.last_mut().into_iter().for_each(|last| *last = value);
+        }
+        let axis = dynamics.nodal_axis_m(index, BEAM_PLACES);
+        for ((x_m, y_m), point_m) in drawn.axis_x_m.iter_mut().zip(&mut drawn.axis_y_m).zip(axis) {
+            let own_m = frame.turn_back(point_m - frame.position_m);
+            x_m.push(own_m.x);
+            y_m.push(own_m.y);
+        }
+    }
+    for (drawn, place) in drawing.beams.iter_mut().zip(&mechanism.real.beams) {
         let lateral = &coordinates[place.axial().end..place.coordinates.end];
         drawn.turns_rad.iter_mut().zip(lateral).for_each(|(turns_rad, turn_rad)| turns_rad.push(*turn_rad));
     }

@@ -391,7 +391,7 @@ impl<'a> Recorder<'a> {
             self.orbits[play].1.push(e.y);
         }
         add_pose(&mut self.drawing.poses, &self.mechanism.real, &dynamics.kinematics, angle_rad);
-        add_bending(&mut self.drawing.beams, self.mechanism, dynamics.free_state().0);
+        add_bending(&mut self.drawing, self.mechanism, dynamics);
         let energy = dynamics.energy(|contact| in_contact[contact]);
         let total_j = energy.total_j();
         let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);

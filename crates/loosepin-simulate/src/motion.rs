@@ -342,7 +342,7 @@ impl<T: Real> System<T> for Motion<'_, T> {
 
 /// Local error tolerances of all unknowns for a local error of `local_m` in lengths.
 ///
-/// Angles: divided by the size of the mechanism; so the lateral shapes of a beam, whose coordinates are turns of its ends. Velocities: times the rate of the fastest drive. The time: the angle's over
+/// Angles: divided by the size of the mechanism; so the lateral shapes of a beam, whose coordinates are turns of its ends, and the slopes of nodes. Velocities: times the rate of the fastest drive. The time: the angle's over
 /// that rate, and so integrals of errors of controls. Roots: one, since that of u = √δ is `local_m`/(2u) and changes with every
 /// step. Deflections of bristles: the same share of their largest in steady sliding as a length has of the size. With oil, with
 /// friction, whose kinks the work of friction shows one derivative earlier than the velocities, with forces that begin as
@@ -370,6 +370,9 @@ pub fn tolerances(
     }
     for beam in &tree.beams {
         tolerances[beam.axial()].fill(local_m);
+    }
+    for lengths in tree.nodal_beams.iter().flat_map(|beam| beam.lengths()) {
+        tolerances[lengths].fill(local_m);
     }
     for k in 0..n {
         tolerances[n + k] = tolerances[k] * rate_1_s;

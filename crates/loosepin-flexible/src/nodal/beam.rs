@@ -56,6 +56,23 @@ impl<T: Real> NodalBeam<T> {
         self.length_m * T::from_f64(1.0 / mesh.elements() as f64)
     }
 
+    /// Frequency that no mode of the mesh exceeds by more than a part in a hundred, rad/s: that of a free element in its stretch, or of many
+    /// in their bending,
+    ///
+    /// ```text
+    /// 13.04 c/l of one element, 9.55 c/l of more,   59.9 r c/l²,   c = √(EA L/m),  r = √(I/A)
+    /// ```
+    ///
+    /// It limits explicit steps.
+    pub fn largest_frequency_rad_s(&self, mesh: &Mesh) -> T {
+        let length_m = self.element_length_m(mesh);
+        let speed_m_s = (self.axial_stiffness_n_m * self.length_m * self.length_m / self.mass_kg).sqrt();
+        let radius_m = (self.bending_stiffness_n_m / self.axial_stiffness_n_m).sqrt();
+        let along = T::from_f64(if mesh.elements() == 1 { 13.04 } else { 9.55 });
+        let across = T::from_f64(59.9) * radius_m / length_m;
+        along.max(across) * speed_m_s / length_m
+    }
+
     /// Numbers of an element's section.
     fn section(&self, mesh: &Mesh) -> Section<T> {
         Section {

@@ -326,6 +326,8 @@ fn analytic_largest_frequencies_of_a_mesh() {
         let found = frequencies_rad_s(&rod, &Mesh::new(elements, Rule::Full));
         let largest = found[found.len() - 1] * l / speed_m_s;
         assert!((largest / due - 1.0).abs() < 2e-3, "{elements} elements: {largest} for {due}");
+        let told = rod.largest_frequency_rad_s(&Mesh::new(elements, Rule::Full)) * l / speed_m_s;
+        assert!((told / due - 1.0).abs() < 1e-12, "{elements} elements: {told} for {due}");
     }
 }
 

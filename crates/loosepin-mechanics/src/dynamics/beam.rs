@@ -17,6 +17,9 @@ impl<T: Real> Dynamics<'_, T> {
         for index in 0..self.mechanism.real.beams.len() {
             self.add_beam(index);
         }
+        for index in 0..self.mechanism.real.nodal_beams.len() {
+            self.add_nodal_beam(index);
+        }
     }
 
     fn add_beam(&mut self, index: usize) {

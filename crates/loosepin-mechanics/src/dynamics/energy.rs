@@ -43,8 +43,10 @@ impl<T: Real> Dynamics<'_, T> {
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
             let is_free = link.dependences.iter().any(|dependence| dependence.coordinate < tree.free);
-            if let Some(beam) = link.beam {
-                let [kinetic_j, potential_j, strain_j] = self.beam_energy_j(beam);
+            let of_beam = link.beam.map(|beam| self.beam_energy_j(beam));
+            if let Some([kinetic_j, potential_j, strain_j]) =
+                of_beam.or_else(|| link.nodal_beam.map(|beam| self.nodal_energy_j(beam)))
+            {
                 energy.kinetic_j += kinetic_j;
                 energy.free_kinetic_j += kinetic_j;
                 energy.potential_j += potential_j;

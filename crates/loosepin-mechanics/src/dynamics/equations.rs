@@ -5,6 +5,7 @@ use super::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
 use super::element_force::{ActuatorForce, LoadForce};
 use super::inverse::InverseDynamics;
 use super::joint_friction::JointFrictions;
+use super::nodal_room::NodalRoom;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::mechanism::{
@@ -57,6 +58,8 @@ pub struct Dynamics<'a, T> {
     pub(super) damping_loss_w: T,
     /// Room for flexible bodies.
     pub(super) beam_rooms: Vec<BeamRoom<T>>,
+    /// Room for flexible bodies in absolute nodal coordinates.
+    pub(super) nodal_rooms: Vec<NodalRoom<T>>,
     /// Power that the damping of flexible bodies turned into heat at the last evaluation, W.
     pub(super) beam_loss_w: T,
     /// Loads at the last evaluation.
@@ -174,6 +177,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 .iter()
                 .map(|beam| BeamRoom::new(beam, tree.links[beam.slot - 1].dependences.len()))
                 .collect(),
+            nodal_rooms: tree
+                .nodal_beams
+                .iter()
+                .map(|beam| NodalRoom::new(beam.mesh.nodes(), tree.links[beam.slot - 1].dependences.len()))
+                .collect(),
             beam_loss_w: T::zero(),
             damping_loss_w: T::zero(),
             loads,
@@ -213,6 +221,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
         }
         self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);
         self.kinematics.set_velocities(tree, &self.rates);
+        if !self.nodal_rooms.is_empty() {
+            self.set_nodes();
+        }
         for ((slots, play), entry) in self.play_slots.iter().zip(&self.sample.plays).zip(&mut self.plays) {
             *entry = PlayMotion::between(&self.kinematics, *slots, play);
         }
@@ -240,7 +251,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             frictions.begin(&self.kinematics, &self.sample.frictions);
         }
         self.add_bodies();
-        if !self.beam_rooms.is_empty() {
+        if self.has_beams() {
             self.add_beams();
         }
         if self.has_elements {
@@ -249,6 +260,11 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.add_plays();
         self.solve();
         self.add_joint_friction();
+    }
+
+    #[inline(always)]
+    fn has_beams(&self) -> bool {
+        !(self.beam_rooms.is_empty() && self.nodal_rooms.is_empty())
     }
 
     /// Forces of springs, loads and actuators. Not every mechanism has them: out of line, or the compiler would take many times as
@@ -384,7 +400,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             friction_loss_w: T::zero(),
             damping_loss_w: self.damping_loss_w,
         };
-        if !self.beam_rooms.is_empty() {
+        if self.has_beams() {
             powers.damping_loss_w += self.beam_loss_w;
         }
         for force in &self.contacts {

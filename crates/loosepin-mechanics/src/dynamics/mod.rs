@@ -21,6 +21,8 @@ mod inverse;
 mod joint_friction;
 mod linear_spring;
 mod load;
+mod nodal_beam;
+mod nodal_room;
 mod pin;
 mod play;
 mod reactions;

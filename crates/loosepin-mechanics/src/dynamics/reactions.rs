@@ -91,6 +91,8 @@ impl<T: Real> Dynamics<'_, T> {
             beyond[slot] |= beyond[link.parent_slot];
             if let (true, Some(beam)) = (beyond[slot], link.beam) {
                 needed += self.beam_force_n(beam);
+            } else if let (true, Some(beam)) = (beyond[slot], link.nodal_beam) {
+                needed += self.nodal_force_n(beam);
             } else if beyond[slot] && !link.is_flexible() {
                 let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
                 let change = self.acceleration(slot);

@@ -7,6 +7,7 @@ use super::geometry::Geometry;
 use super::initial::{StartEquations, initial_numbers};
 use super::kinematics::Kinematics;
 use super::mobility::{self, Mobility};
+use super::nodal_start::set_undeformed;
 use super::stressed::StressedBody;
 use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
@@ -105,7 +106,7 @@ impl Mechanism {
 
     /// Whether the drives alone determine the motion: they move every freedom, no joint has play, and no body is flexible.
     pub fn is_ideal(&self) -> bool {
-        self.plays.is_empty() && self.real.beams.is_empty() && self.is_driven()
+        self.plays.is_empty() && self.real.flexible_bodies().next().is_none() && self.is_driven()
     }
 
     /// Whether the drives move every freedom that the mechanism has with all clearances at zero. Otherwise forces do, from
@@ -117,7 +118,9 @@ impl Mechanism {
     /// Whether springs or flexible bodies turn energy into heat by damping.
     pub fn has_dampers(&self) -> bool {
         let has_damper = self.model.springs.iter().any(|spring| spring.damping.is_some());
-        has_damper || self.real.beams.iter().any(|beam| beam.is_damped)
+        has_damper
+            || self.real.beams.iter().any(|beam| beam.is_damped)
+            || self.real.nodal_beams.iter().any(|beam| beam.is_damped)
     }
 
     /// Index in `contacts` of the first contact of the joint with play `play`, and of the first one behind them.
@@ -187,8 +190,13 @@ impl Mechanism {
                     rates[coordinate] = direction.dot(gap_rate) + parent_twist.angular * direction.turned().dot(gap);
                 }
                 // Beams begin undeformed and at rest in their frames.
-                Attachment::Rigid { .. } | Attachment::Section { .. } => {}
+                Attachment::Rigid { .. } | Attachment::Section { .. } | Attachment::Node { .. } => {}
             }
+        }
+        for (place, numbers) in tree.nodal_beams.iter().zip(&real.nodal_beams) {
+            let slot = slot_of(place.body);
+            let (own, twist) = (ideal.poses[slot], ideal.twists[slot]);
+            set_undeformed(place, numbers, (&own, &twist), &mut coordinates, &mut rates);
         }
         (coordinates, rates)
     }

@@ -2,6 +2,7 @@
 
 use super::compile::Mechanism;
 use super::tree_beam::TreeBeam;
+use super::tree_nodal_beam::TreeNodalBeam;
 
 impl Mechanism {
     /// Multiplications of one evaluation of the equations of motion, about: the mass matrix from the partial velocities of all
@@ -18,6 +19,9 @@ impl Mechanism {
         };
         let beams: f64 = tree.beams.iter().map(of_beam).sum();
         let gram = rows * n * (n + rows) + rows * rows * rows / 6.0;
-        assembled + beams + tree.mass_envelope().multiplications() + n * n + gram
+        // Of each point of an element r', r'', their lengths and the forces on the nodes; the mass matrix is constant.
+        let of_nodal = |beam: &TreeNodalBeam| beam.mesh.elements() as f64 * 300.0;
+        let nodal: f64 = tree.nodal_beams.iter().map(of_nodal).sum();
+        assembled + beams + nodal + tree.mass_envelope().multiplications() + n * n + gram
     }
 }

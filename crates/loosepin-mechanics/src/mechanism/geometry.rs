@@ -1,6 +1,7 @@
 //! The numbers of one sample, laid out for a tree: arms, angles, masses.
 
 use super::coupling_geometry::CouplingGeometry;
+use super::nodal_geometry::NodalGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree};
 use super::tree_beam::{BeamEnd, TreeBeam};
@@ -64,11 +65,13 @@ pub struct Geometry<T> {
     pub couplings: Vec<CouplingGeometry<T>>,
     /// One for each flexible body of the tree.
     pub beams: Vec<BeamGeometry<T>>,
+    /// One for each flexible body in absolute nodal coordinates.
+    pub nodal_beams: Vec<NodalGeometry<T>>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Vec2<T>,
 }
 
-numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings, beams });
+numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings, beams, nodal_beams });
 
 /// Numbers of a flexible body.
 #[derive(Debug, Clone)]
@@ -144,7 +147,7 @@ impl<T: Real> Geometry<T> {
                     mass_kg: body.mass_kg.map_or(T::zero(), number),
                     inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
                 };
-                if let Attachment::Section { .. } = link.attachment {
+                if let Attachment::Section { .. } | Attachment::Node { .. } = link.attachment {
                     // All of the mass belongs to the frame.
                     (geometry.mass_kg, geometry.inertia_kg_m2) = (T::zero(), T::zero());
                 }
@@ -179,7 +182,8 @@ impl<T: Real> Geometry<T> {
         let coupling = |&index: &usize| CouplingGeometry::new(model, &model.couplings[index], number);
         let couplings = tree.coupling_indices.iter().map(coupling).collect();
         let beams = tree.beams.iter().filter_map(|beam| BeamGeometry::new(model, beam, number)).collect();
-        Self { links, cuts, couplings, beams, gravity_m_s2 }
+        let nodal_beams = tree.nodal_beams.iter().filter_map(|beam| NodalGeometry::new(model, beam, number)).collect();
+        Self { links, cuts, couplings, beams, nodal_beams, gravity_m_s2 }
     }
 
     /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second

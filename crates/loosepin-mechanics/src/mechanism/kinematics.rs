@@ -181,6 +181,15 @@ impl<T: Real> Kinematics<T> {
                     self.partials[offset + inherited - 1] = direction;
                 }
                 Attachment::Section { beam, end } => self.set_section(tree, geometry, slot, (beam, end), coordinates),
+                Attachment::Node { beam, first } => {
+                    let mut own = pose(coordinates[first + 2]);
+                    let arm = own.turn(geometry.nodal_beams[beam].tip_m);
+                    own.position_m = Vec2::new(coordinates[first], coordinates[first + 1]) - arm;
+                    self.poses[slot] = own;
+                    self.partials[offset] = Vec2::new(T::one(), T::zero());
+                    self.partials[offset + 1] = Vec2::new(T::zero(), T::one());
+                    self.partials[offset + 2] = -arm.turned();
+                }
                 Attachment::Rigid { .. } => {
                     let mut own = turned_with(&parent, numbers);
                     own.position_m = parent.position_m + parent_arm - own.turn(numbers.own_arm_m);
@@ -243,6 +252,10 @@ impl<T: Real> Kinematics<T> {
                     Twist { linear, angular: parent_bias.angular }
                 }
                 Attachment::Section { beam, end } => self.section_bias(tree, geometry, slot, (beam, end), rates),
+                Attachment::Node { beam, .. } => {
+                    let arm = self.poses[slot].turn(geometry.nodal_beams[beam].tip_m);
+                    Twist { linear: arm * own_twist.angular.squared(), angular: T::zero() }
+                }
                 Attachment::Rigid { .. } => {
                     let reach = self.poses[slot].position_m - self.poses[link.parent_slot].position_m;
                     let linear = acceleration_at(&parent_bias, &parent_twist, reach);

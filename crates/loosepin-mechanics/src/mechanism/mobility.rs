@@ -143,6 +143,9 @@ impl Scale {
                 _ => {}
             }
         }
+        for lengths in tree.nodal_beams.iter().flat_map(|beam| beam.lengths()) {
+            columns_are_lengths[lengths].fill(true);
+        }
         for beam in &tree.beams {
             columns_are_lengths[beam.axial()].fill(true);
         }

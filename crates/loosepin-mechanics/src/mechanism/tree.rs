@@ -1,8 +1,9 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
 use super::tree_beam::{BeamEnd, TreeBeam, shapes_of};
-use crate::model::{BodyId, DriveId, JointId, JointKind, Model, PlayId, PointId};
-use loosepin_flexible::Frame;
+use super::tree_nodal_beam::TreeNodalBeam;
+use crate::model::{Beam, BodyId, DriveId, Formulation, JointId, JointKind, Model, PlayId, PointId};
+use loosepin_flexible::{Frame, Mesh};
 use loosepin_math::Envelope;
 use loosepin_text::units::Dimension;
 use std::sync::Arc;
@@ -58,13 +59,21 @@ pub enum Attachment {
         /// Which end.
         end: BeamEnd,
     },
+    /// The section at the tip of a beam in absolute nodal coordinates, on nothing: coordinates `first` .. `first + 3` are x and y of the tip
+    /// and the angle of the body frame as this section carries it.
+    Node {
+        /// Index in [`Tree::nodal_beams`].
+        beam: usize,
+        /// Index of the first of the three coordinates.
+        first: usize,
+    },
 }
 
 impl Attachment {
     /// The joint by which a body hangs on its parent, and its direction along the tree; none for a body that hangs on nothing.
     pub fn joint(&self) -> Option<(JointId, bool)> {
         match *self {
-            Self::Free { .. } | Self::Section { .. } => None,
+            Self::Free { .. } | Self::Section { .. } | Self::Node { .. } => None,
             Self::Revolute { joint, forward, .. }
             | Self::DrivenRevolute { joint, forward, .. }
             | Self::Prismatic { joint, forward, .. }
@@ -75,7 +84,7 @@ impl Attachment {
     /// Indices of the coordinates that this attachment adds.
     fn own_coordinates(&self) -> std::ops::Range<usize> {
         match *self {
-            Self::Free { first } => first..first + 3,
+            Self::Free { first } | Self::Node { first, .. } => first..first + 3,
             Self::Revolute { coordinate, .. }
             | Self::DrivenRevolute { coordinate, .. }
             | Self::Prismatic { coordinate, .. } => coordinate..coordinate + 1,
@@ -108,13 +117,17 @@ pub struct Link {
     pub dependences: Vec<Dependence>,
     /// Index in [`Tree::beams`] where it is the frame of a flexible body.
     pub beam: Option<usize>,
+    /// Index in [`Tree::nodal_beams`] where it is the frame of a flexible body in absolute nodal coordinates.
+    pub nodal_beam: Option<usize>,
 }
 
 impl Link {
     /// Whether it is the frame of a flexible body or one of its sections: its mass is that of the beam.
     #[inline(always)]
     pub fn is_flexible(&self) -> bool {
-        self.beam.is_some() || matches!(self.attachment, Attachment::Section { .. })
+        self.beam.is_some()
+            || self.nodal_beam.is_some()
+            || matches!(self.attachment, Attachment::Section { .. } | Attachment::Node { .. })
     }
 }
 
@@ -211,6 +224,8 @@ pub struct Tree {
     pub floating_roots: Vec<BodyId>,
     /// Flexible bodies; none in a tree of rigid ones.
     pub beams: Vec<TreeBeam>,
+    /// Flexible bodies in absolute nodal coordinates.
+    pub nodal_beams: Vec<TreeNodalBeam>,
 }
 
 /// The drives of these joints turn a closed loop against itself: no joint of the loop is free.
@@ -296,12 +311,13 @@ impl Tree {
             coupling_indices: (0..model.couplings.len()).filter(|&index| is_coupled(index)).collect(),
             floating_roots: Vec::new(),
             beams: Vec::new(),
+            nodal_beams: Vec::new(),
         };
         tree.slot_of_body[0] = 0;
         // Placeholders beyond every free coordinate mark driven ones until the number of free ones is known.
-        let shapes = |beam: &crate::model::Beam| beam.axial_shapes + beam.lateral_shapes;
-        let of_shapes: usize = model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(shapes).sum();
-        let driven_from = 3 * model.bodies.len() + of_shapes;
+        let of_beams: usize =
+            model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(|beam| beam.own_coordinates()).sum();
+        let driven_from = 3 * model.bodies.len() + of_beams;
         let mut attached: Vec<BodyId> = vec![BodyId(0)];
         let mut next_root = 1;
         let mut tree_joints = vec![Vec::new(); model.bodies.len()];
@@ -375,6 +391,10 @@ impl Tree {
             let coordinates = || link.dependences.iter().map(|d| d.coordinate).filter(|c| *c < self.free);
             let least = coordinates().min().unwrap_or(0);
             coordinates().for_each(|coordinate| first[coordinate] = first[coordinate].min(least));
+        }
+        for beam in &self.nodal_beams {
+            let of_root = self.links[beam.slot - 1].dependences.iter().map(|dependence| dependence.coordinate);
+            beam.widen(of_root, &mut first);
         }
         Envelope::new(first)
     }
@@ -455,13 +475,13 @@ impl Tree {
         dependences.extend(attachment.own_coordinates().map(|coordinate| Dependence {
             coordinate,
             turning: match attachment {
-                Attachment::Free { first } if coordinate < first + 2 => 0.0,
+                Attachment::Free { first } | Attachment::Node { first, .. } if coordinate < first + 2 => 0.0,
                 Attachment::Prismatic { .. } => 0.0,
                 Attachment::DrivenRevolute { forward: false, .. } => -1.0,
                 _ => 1.0,
             },
         }));
-        self.links.push(Link { body, parent_slot, attachment, dependences, beam: None });
+        self.links.push(Link { body, parent_slot, attachment, dependences, beam: None, nodal_beam: None });
         self.slot_of_body[body.0] = self.links.len();
     }
 
@@ -470,6 +490,10 @@ impl Tree {
         let Some(beam) = &model.bodies[body.0].beam else { return };
         let slot = self.links.len();
         let is_reversed = hangs_at.is_some_and(|point| point.point == beam.ends[1]);
+        if let Formulation::AbsoluteNodal { elements, rule } = beam.formulation {
+            self.push_nodes(beam, body, Mesh::new(elements, rule), is_reversed);
+            return;
+        }
         let (index, shapes) = (self.beams.len(), shapes_of(beam));
         let coordinates = self.free..self.free + shapes.count();
         self.free = coordinates.end;
@@ -493,7 +517,7 @@ impl Tree {
                 lateral.zip(&station.slopes).map(|(coordinate, turning)| Dependence { coordinate, turning: *turning }),
             );
             let attachment = Attachment::Section { beam: index, end };
-            self.links.push(Link { body, parent_slot: slot, attachment, dependences, beam: None });
+            self.links.push(Link { body, parent_slot: slot, attachment, dependences, beam: None, nodal_beam: None });
             sections[side] = self.links.len();
         }
         self.beams.push(TreeBeam {
@@ -508,6 +532,37 @@ impl Tree {
         });
     }
 
+    /// As [`Self::push_sections`], for a body in absolute nodal coordinates.
+    fn push_nodes(&mut self, beam: &Beam, body: BodyId, mesh: Mesh, is_reversed: bool) {
+        let (slot, index) = (self.links.len(), self.nodal_beams.len());
+        let coordinates = self.free..self.free + beam.own_coordinates();
+        self.free = coordinates.end;
+        self.links[slot - 1].nodal_beam = Some(index);
+        // The last four are x, y, θ and s of the tip.
+        let attachment = Attachment::Node { beam: index, first: coordinates.end - 4 };
+        self.push(body, 0, attachment);
+        // It does not move with the root, but is part of what hangs there.
+        self.links[slot].parent_slot = slot;
+        let tip_slot = self.links.len();
+        // The angle of the body is that of its section at `from`, wherever it hangs.
+        self.slot_of_body[body.0] = if is_reversed { tip_slot } else { slot };
+        self.nodal_beams.push(TreeNodalBeam {
+            body,
+            ends: beam.ends,
+            slot,
+            tip_slot,
+            is_reversed,
+            coordinates,
+            mesh: Arc::new(mesh),
+            is_damped: beam.retardation_s.is_some(),
+        });
+    }
+
+    /// Bodies that bend, in whatever formulation.
+    pub fn flexible_bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.beams.iter().map(|beam| beam.body).chain(self.nodal_beams.iter().map(|beam| beam.body))
+    }
+
     /// Slot of the frame that carries a point: of a flexible body that of the section there.
     pub fn slot_of_point(&self, point: PointId) -> usize {
         let beam = self.beams.iter().find(|beam| beam.body == point.body);
@@ -515,6 +570,8 @@ impl Tree {
             let side = beam.ends.iter().position(|end| *end == point.point)?;
             Some(beam.sections[side])
         });
+        let nodal = self.nodal_beams.iter().find(|beam| beam.body == point.body);
+        let section = section.or_else(|| nodal.and_then(|beam| beam.section(point.point)));
         section.unwrap_or(self.slot_of_body[point.body.0])
     }
 
@@ -544,7 +601,8 @@ impl Tree {
                 Attachment::Revolute { .. }
                 | Attachment::Free { .. }
                 | Attachment::Rigid { .. }
-                | Attachment::Section { .. } => {}
+                | Attachment::Section { .. }
+                | Attachment::Node { .. } => {}
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Flexible links: bodies that bend and stretch between two of their points.
 
 use super::quantity::QuantityId;
-use loosepin_flexible::Frame;
+use loosepin_flexible::{Frame, Rule};
 
 /// What makes a body flexible. Its mass, its inertia and its centre of mass follow from it.
 #[derive(Debug, Clone)]
@@ -30,6 +30,39 @@ pub struct Beam {
     pub lateral_shapes: usize,
     /// Whether it becomes shorter where it bends.
     pub foreshortening: bool,
+    /// How its motion is described; shapes, frame, foreshortening and damping ratio belong to the floating frame.
+    pub formulation: Formulation,
+    /// Retardation time τ of its material in absolute nodal coordinates, s, >= 0; absent for a beam without damping.
+    pub retardation_s: Option<QuantityId>,
     /// Whether it starts bent and stretched as inertia and loads ask for at the start, without ringing; else undeformed.
     pub starts_settled: bool,
+}
+
+/// How the motion of a beam is described.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Formulation {
+    /// By few shapes in a floating frame.
+    FloatingFrame,
+    /// By positions and slopes of the nodes of a mesh, seen from the ground.
+    AbsoluteNodal {
+        /// Number of elements, >= 1.
+        elements: usize,
+        /// Points of integration.
+        rule: Rule,
+    },
+}
+
+impl Beam {
+    /// Number of coordinates beside those that the body would have as a rigid one.
+    pub fn own_coordinates(&self) -> usize {
+        match self.formulation {
+            Formulation::FloatingFrame => self.axial_shapes + self.lateral_shapes,
+            Formulation::AbsoluteNodal { elements, .. } => 4 * elements + 1,
+        }
+    }
+
+    /// Whether it is described in absolute nodal coordinates.
+    pub fn is_nodal(&self) -> bool {
+        matches!(self.formulation, Formulation::AbsoluteNodal { .. })
+    }
 }

@@ -40,6 +40,15 @@ problems! {
         NoHeight { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: the section of body '{body}' is given by area and second moment, and the stress needs its height"),
             hint("give the section of [body.{body}.beam] by width and height, by diameter, or by outer and inner diameter");
+        OfOtherFormulation { entry: String, key: &'static str, formulation: &'static str } => Code::ConflictingKeys,
+            says("{entry}: '{key}' belongs to formulation = \"{formulation}\""),
+            hint("leave '{key}' out, or write formulation = \"{formulation}\"");
+        SettledNodal { entry: String } => Code::BeamNotPossible,
+            says("{entry}: a settled start is not computed yet in absolute nodal coordinates"),
+            hint("write start = \"undeformed\" with a retardation_time, so that the ringing dies away, or formulation = \"floating-frame\"");
+        NodalStress { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: body '{body}' is described in absolute nodal coordinates; its stress is not computed yet"),
+            hint("write formulation = \"floating-frame\" in [body.{body}.beam]");
         IsRigid { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: body '{body}' is rigid; stress is computed along flexible bodies"),
             hint("give it [body.{body}.beam] in place of mass, inertia and centre_of_mass");

@@ -68,6 +68,13 @@ pub struct DrawnBeam {
     /// Frequencies of the axial shapes with the frame held, Hz.
     #[serde(with = "extended")]
     pub axial_hz: Vec<f64>,
+    /// x of places evenly from root to tip at each pose, in the frame in which the body is drawn, m: of a body in absolute nodal
+    /// coordinates, which has no shapes. Empty, and not written, for others.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub axis_x_m: Vec<Vec<f64>>,
+    /// y of these places.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub axis_y_m: Vec<Vec<f64>>,
 }
 
 /// One body.

@@ -183,8 +183,8 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
 /// friction in ideal joints, sliders with play in their guides, pins in slots, gears and racks with
-/// backlash, a cam from which its follower lifts off, flexible links without and with damping and friction.
-const CASES: [(&str, f64); 26] = [
+/// backlash, a cam from which its follower lifts off, flexible links without and with damping and friction, links in absolute nodal coordinates.
+const CASES: [(&str, f64); 27] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -211,6 +211,7 @@ const CASES: [(&str, f64); 26] = [
     ("cam_lift_off.toml", 0.6),
     ("flexible_slider_crank", 0.06),
     ("flexible_two_floating_links.toml", 0.2),
+    ("nodal_two_floating_links.toml", 0.05),
 ];
 
 #[test]

@@ -95,9 +95,11 @@ fn thin(drawing: &mut Drawing, offset_rad: f64) {
             lists.iter_mut().for_each(keep);
         }
     }
-    for turns_rad in drawing.beams.iter_mut().flat_map(|beam| &mut beam.turns_rad) {
-        let stride = turns_rad.len().div_ceil(POSES).max(1);
-        *turns_rad = turns_rad.iter().copied().step_by(stride).collect();
+    for beam in &mut drawing.beams {
+        for list in beam.turns_rad.iter_mut().chain(&mut beam.axis_x_m).chain(&mut beam.axis_y_m) {
+            let stride = list.len().div_ceil(POSES).max(1);
+            *list = list.iter().copied().step_by(stride).collect();
+        }
     }
 }
 

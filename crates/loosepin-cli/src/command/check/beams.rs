@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use loosepin::contact::NormalContact;
-use loosepin::mechanism::{Mechanism, PlayShape, Sample};
-use loosepin::model::{PlayId, Values};
+use loosepin::mechanism::{Mechanism, NodalGeometry, PlayShape, Sample, TreeNodalBeam};
+use loosepin::model::{BodyId, PlayId, Values};
 use loosepin::units::{Dimension, format_value, listed};
 
 use crate::console::counted;
@@ -28,12 +28,14 @@ fn evaluations_1_s(frequency_hz: f64, damping_ratio: f64) -> f64 {
 pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
     let beams = &mechanism.real.beams;
     let Ok(sample) = Sample::<f64>::new(mechanism, values) else { return };
-    if beams.is_empty() {
+    let count = mechanism.real.flexible_bodies().count();
+    if count == 0 {
         return;
     }
-    let _ = writeln!(text, "\n{}", counted(beams.len(), "flexible body", "flexible bodies"));
+    let _ = writeln!(text, "\n{}", counted(count, "flexible body", "flexible bodies"));
     let model = &mechanism.model;
-    let width = beams.iter().map(|place| model.bodies[place.body.0].name.chars().count()).max().unwrap_or(0);
+    let names = mechanism.real.flexible_bodies().map(|body| model.bodies[body.0].name.chars().count());
+    let width = names.max().unwrap_or(0);
     for (place, numbers) in beams.iter().zip(&sample.real.beams) {
         let beam = &numbers.beam;
         let _ = writeln!(
@@ -67,20 +69,74 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
                  {indent}hint: take fewer shapes, or a smaller damping_ratio"
             );
         }
-        for (index, (play, id)) in sample.plays.iter().zip(&mechanism.plays).enumerate() {
-            let (PlayShape::Pin { .. }, PlayId::Joint(joint)) = (&play.shape, id) else { continue };
-            if !model.joints[joint.0].kind.bodies().contains(&place.body) {
-                continue;
-            }
-            let step_m = 1e-3 * PENETRATION_M;
-            let [below, above] =
-                [-step_m, step_m].map(|step_m| sample.plays[index].normal.elastic_n(PENETRATION_M + step_m));
-            let ratio = (above - below) / (2.0 * step_m) / beam.axial_stiffness_n_m;
-            let _ = writeln!(
-                text,
-                "{indent}the contact in '{}' has {ratio:.2} times its axial stiffness EA/L at a penetration of 10 µm",
-                model.joints[joint.0].name
-            );
+        push_contacts(text, &indent, (mechanism, &sample), place.body, beam.axial_stiffness_n_m);
+    }
+    for (place, numbers) in mechanism.real.nodal_beams.iter().zip(&sample.real.nodal_beams) {
+        push_nodal(text, width, (mechanism, &sample), place, numbers);
+    }
+}
+
+/// Mesh, Euler load, stiffness and cost of a body in absolute nodal coordinates.
+fn push_nodal(
+    text: &mut String,
+    width: usize,
+    (mechanism, sample): (&Mechanism, &Sample<f64>),
+    place: &TreeNodalBeam,
+    numbers: &NodalGeometry<f64>,
+) {
+    let beam = &numbers.beam;
+    let euler_n = std::f64::consts::PI.powi(2) * beam.bending_stiffness_n_m / beam.length_m;
+    let _ = writeln!(
+        text,
+        "  {:width$}  beam of {}: Euler load {}, EA/L {}",
+        mechanism.model.bodies[place.body.0].name,
+        format_value(beam.length_m, Dimension::LENGTH),
+        format_value(euler_n, Dimension::FORCE),
+        format_value(beam.axial_stiffness_n_m, Dimension::SPRING_STIFFNESS),
+    );
+    let indent = " ".repeat(width + 4);
+    let fastest_rad_s = beam.largest_frequency_rad_s(&place.mesh);
+    let fastest_hz = fastest_rad_s / std::f64::consts::TAU;
+    let evaluations_1_s = evaluations_1_s(fastest_hz, 0.5 * fastest_rad_s * beam.retardation_s);
+    let _ = writeln!(
+        text,
+        "{indent}absolute nodal coordinates, {}, {} coordinates; largest frequency of the mesh {:.3e} Hz\n{indent}starts undeformed",
+        counted(place.mesh.elements(), "element", "elements"),
+        place.coordinates.len(),
+        fastest_hz,
+    );
+    if evaluations_1_s > MANY_EVALUATIONS_1_S {
+        let _ = writeln!(
+            text,
+            "{indent}warning: its mesh takes {evaluations_1_s:.1e} evaluations for a second of motion\n\
+             {indent}hint: take fewer elements or a smaller retardation_time, or formulation = \"floating-frame\" where its sections turn by \
+             less than 0.1 rad"
+        );
+    }
+    push_contacts(text, &indent, (mechanism, sample), place.body, beam.axial_stiffness_n_m);
+}
+
+/// How much stiffer the contacts at a flexible body are than the body.
+fn push_contacts(
+    text: &mut String,
+    indent: &str,
+    (mechanism, sample): (&Mechanism, &Sample<f64>),
+    body: BodyId,
+    axial_stiffness_n_m: f64,
+) {
+    let model = &mechanism.model;
+    for (play, id) in sample.plays.iter().zip(&mechanism.plays) {
+        let (PlayShape::Pin { .. }, PlayId::Joint(joint)) = (&play.shape, id) else { continue };
+        if !model.joints[joint.0].kind.bodies().contains(&body) {
+            continue;
         }
+        let step_m = 1e-3 * PENETRATION_M;
+        let [below, above] = [-step_m, step_m].map(|step_m| play.normal.elastic_n(PENETRATION_M + step_m));
+        let ratio = (above - below) / (2.0 * step_m) / axial_stiffness_n_m;
+        let _ = writeln!(
+            text,
+            "{indent}the contact in '{}' has {ratio:.2} times its axial stiffness EA/L at a penetration of 10 µm",
+            model.joints[joint.0].name
+        );
     }
 }

@@ -346,8 +346,9 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         if model.drives.is_empty() { "no drive".to_owned() } else { counted(model.drives.len(), "drive", "drives") },
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
-    let shapes: usize = mechanism.real.beams.iter().map(|beam| beam.shapes.count()).sum();
-    let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom - shapes;
+    let of_beams: usize =
+        model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(|beam| beam.own_coordinates()).sum();
+    let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom - of_beams;
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
     }

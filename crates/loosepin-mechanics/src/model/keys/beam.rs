@@ -3,6 +3,8 @@
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 
+/// Elements at most: their mass matrix is kept whole.
+const MOST_ELEMENTS: u64 = 64;
 /// Shapes of one kind, at most: 35 kHz of a rod of 0.3 m need four.
 const MOST_SHAPES: u64 = 8;
 
@@ -46,35 +48,61 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
         required("youngs_modulus", quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"", "Young's modulus E"),
         required("density", quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"", "density"),
         optional(
+            "formulation",
+            Kind::Choice(&["floating-frame", "absolute-nodal"]),
+            "\"floating-frame\"",
+            "floating-frame, if left out: few shapes in a frame that moves with the body, for sections that turn by less than 0.1 rad from \
+             it; absolute-nodal: elements whose nodes hold position and slope, for beams that bend far",
+        ),
+        optional(
             "damping_ratio",
             quantity(D::NUMBER, Rule::NonNegative),
             "0.005",
-            "damping ratio of every shape; none if left out",
+            "floating frame: damping ratio of every shape; none if left out",
+        ),
+        optional(
+            "elements",
+            Kind::Count { least: 1, most: MOST_ELEMENTS },
+            "16",
+            "absolute nodal coordinates: number of elements; 8 if left out",
+        ),
+        optional(
+            "integration",
+            Kind::Choice(&["full", "reduced"]),
+            "\"full\"",
+            "absolute nodal coordinates: points of integration in each element for stretch and bending; full, if left out: 5 and 3; \
+             reduced: 3 and 2, so that few elements are less stiff",
+        ),
+        optional(
+            "retardation_time",
+            quantity(D::TIME, Rule::NonNegative),
+            "\"1 us\"",
+            "absolute nodal coordinates: retardation time of the material, damping ratio ωτ/2 at ω; no damping if left out",
         ),
         optional(
             "frame",
             Kind::Choice(&["secant", "tangent"]),
             "\"secant\"",
-            "secant, if left out: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a \
+            "floating frame: secant, if left out: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a \
              rigid joint holds",
         ),
         optional(
             "lateral_shapes",
             Kind::Count { least: 0, most: MOST_SHAPES },
             "2",
-            "number of shapes in which it bends; 2 if left out",
+            "floating frame: number of shapes in which it bends; 2 if left out",
         ),
         optional(
             "axial_shapes",
             Kind::Count { least: 0, most: MOST_SHAPES },
             "2",
-            "number of shapes in which it stretches, 0 for none; 2 if left out",
+            "floating frame: number of shapes in which it stretches, 0 for none; 2 if left out",
         ),
         optional(
             "foreshortening",
             Kind::Choice(&["second-order", "none"]),
             "\"second-order\"",
-            "second-order, if left out: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the \
+            "floating frame: second-order, if left out: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the \
              linear form",
         ),
         optional(

@@ -1,7 +1,7 @@
 //! Flexible links.
 
 use super::reader::{ModelReader, UNREAD};
-use crate::model::beam::Beam;
+use crate::model::beam::{Beam, Formulation};
 use crate::model::beam_problem::{BeamProblem, PRISMATIC, SLOT};
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
@@ -9,7 +9,7 @@ use crate::model::load::LoadKind;
 use crate::model::quantity::QuantityId;
 use crate::model::spring::SpringKind;
 use crate::model::topology::{Body, JointKind, Point};
-use loosepin_flexible::Frame;
+use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
@@ -17,6 +17,13 @@ use std::f64::consts::PI;
 
 /// Shapes of each kind where the file says nothing: forces below the first fixed-fixed axial frequency need no more.
 const DEFAULT_SHAPES: u64 = 2;
+
+/// Elements where the file says nothing.
+const DEFAULT_ELEMENTS: u64 = 8;
+
+/// Keys that one formulation has and the other has not.
+const OF_FLOATING_FRAME: [&str; 5] = ["damping_ratio", "frame", "lateral_shapes", "axial_shapes", "foreshortening"];
+const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
 
 /// A number that follows from others: its operations, and the quantities that they read.
 type Derived = (Vec<Op>, Vec<QuantityId>);
@@ -48,13 +55,21 @@ impl ModelReader {
         let foreshortening = self.choice_or(&table, "foreshortening", &forms, true);
         let starts = [("undeformed", false), ("settled", true)];
         let starts_settled = self.choice_or(&table, "start", &starts, false);
+        let retardation_s = self.quantity(&table, "retardation_time");
+        let formulation = self.formulation(&table);
         let ([Some(from), Some(to)], Some(Section { area_m2, second_moment_m4, height_m })) = (ends, section) else {
             return;
         };
         let (Some(modulus_pa), Some(density_kg_m3)) = (modulus_pa, density_kg_m3) else { return };
         let (Some(frame), Some(lateral), Some(axial)) = (frame, lateral, axial) else { return };
         let (Some(foreshortening), Some(starts_settled)) = (foreshortening, starts_settled) else { return };
+        let Some(formulation) = formulation else { return };
         let words = table.path.describe();
+        if starts_settled && formulation != Formulation::FloatingFrame {
+            let span = table.get("start").map_or(entry.span, |entry| entry.span);
+            self.reader.complain(&BeamProblem::SettledNodal { entry: words }, span);
+            return;
+        }
         if from == to {
             let span = table.get("to").map_or(entry.span, |entry| entry.span);
             self.reader.complain(&BeamProblem::SamePoint { entry: words }, span);
@@ -124,8 +139,32 @@ impl ModelReader {
             axial_shapes: axial as usize,
             lateral_shapes: lateral as usize,
             foreshortening,
+            formulation,
+            retardation_s,
             starts_settled,
         });
+    }
+
+    /// The formulation of a beam; nothing after a complaint about a key that it has not.
+    fn formulation(&mut self, table: &Table<'_>) -> Option<Formulation> {
+        let forms = [("floating-frame", false), ("absolute-nodal", true)];
+        let is_nodal = self.choice_or(table, "formulation", &forms, false)?;
+        let rules = [("full", IntegrationRule::Full), ("reduced", IntegrationRule::Reduced)];
+        let rule = self.choice_or(table, "integration", &rules, IntegrationRule::Full)?;
+        let elements = if table.has("elements") { self.reader.count(table, "elements")? } else { DEFAULT_ELEMENTS };
+        let (others, formulation) = match is_nodal {
+            true => (&OF_FLOATING_FRAME[..], "floating-frame"),
+            false => (&OF_ABSOLUTE_NODAL[..], "absolute-nodal"),
+        };
+        let mut fits = true;
+        for &key in others.iter().filter(|key| table.has(key)) {
+            let problem = BeamProblem::OfOtherFormulation { entry: table.path.describe(), key, formulation };
+            let span = table.get(key).map_or(table.span, |entry| entry.key_span);
+            self.reader.complain(&problem, span);
+            fits = false;
+        }
+        let nodal = Formulation::AbsoluteNodal { elements: elements as usize, rule };
+        fits.then_some(if is_nodal { nodal } else { Formulation::FloatingFrame })
     }
 
     /// Index of the point that an entry names.
@@ -253,6 +292,10 @@ impl ModelReader {
                 JointKind::Rigid { .. } => true,
                 JointKind::Revolute { .. } => is_driven,
             };
+            if beam.is_nodal() {
+                // Its sections have angles of their own at both ends.
+                continue;
+            }
             let is_at_from = point == beam.ends[0];
             match (holds, is_at_from, beam.frame) {
                 (true, false, _) => found.push((path, BeamProblem::HeldAtTo { entry, body })),

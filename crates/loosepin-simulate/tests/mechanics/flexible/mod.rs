@@ -2,6 +2,7 @@
 
 mod histories;
 mod laws;
+mod nodal;
 mod refusals;
 mod settled;
 mod stress;
