@@ -146,7 +146,7 @@ fn identity_damping_is_that_of_a_material_of_kelvin_and_voigt() {
     assert!((gained + work).abs() < ROUND_OFF * work.abs().max(gained.abs()) * 10.0, "{gained} W and {work} W");
     // The loss is τ times that of the strains' rates: half of its second derivative along the motion, for a rate that is one.
     let doubled: Vec<Nodal<f64>> = nodes_of(&flat(&rates).iter().map(|rate| 2.0 * rate).collect::<Vec<f64>>());
-    let loss_of_doubled_w = BEAM.add_viscoelastic(&mesh, &nodes, &doubled, &mut vec![Nodal::zero(); ELEMENTS + 1]);
+    let loss_of_doubled_w = BEAM.add_viscoelastic(&mesh, &nodes, &doubled, &mut [Nodal::zero(); ELEMENTS + 1]);
     assert!((loss_of_doubled_w - 4.0 * loss_w).abs() < ROUND_OFF * loss_of_doubled_w);
 }
 

@@ -96,9 +96,10 @@ fn blade_tips_m(elements: usize, times: usize) -> Vec<f64> {
 /// The exact kinematics of a beam that does not stretch, six shapes, by another program.
 const BLADE_TIPS_M: [f64; 3] = [-0.62314398, -0.75038786, -0.70697221];
 
-/// A blade on a hub that is brought to speed: 4e-2 and 4e-3 m are what two and four elements leave.
+/// A blade on a hub that is brought to speed: at 5 s two elements leave 4.4e-2 m, four 3.6e-3 m, eight less than 1e-3 m.
 #[test]
-fn peer_a_blade_whose_hub_is_brought_to_speed() {
+#[ignore = "a minute of processor time: explicit steps follow the axial waves"]
+fn peer_a_blade_of_two_and_four_elements_whose_hub_is_brought_to_speed() {
     let [two, four] = [2, 4].map(|elements| (blade_tips_m(elements, 1)[0] - BLADE_TIPS_M[0]).abs());
     assert!(four < 4e-3 && two > 8.0 * four, "{two:e} m and {four:e} m");
 }
@@ -107,7 +108,6 @@ fn peer_a_blade_whose_hub_is_brought_to_speed() {
 #[ignore = "minutes of processor time: explicit steps follow the axial waves"]
 fn peer_a_blade_of_eight_elements_whose_hub_is_brought_to_speed() {
     for (found, exact) in blade_tips_m(8, 3).iter().zip(BLADE_TIPS_M) {
-        println!("{found} {exact}");
         assert!((found - exact).abs() < 1e-3, "{found} m for {exact} m");
     }
 }
