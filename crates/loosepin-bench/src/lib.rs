@@ -9,6 +9,7 @@ pub mod known_bounds;
 pub mod known_case;
 pub mod known_pairings;
 pub mod precision;
+pub mod processor_time;
 pub mod worn_pin;
 pub mod worn_pin_reference;
 

@@ -1,0 +1,230 @@
+//! Bounds of curves that are drawn afresh from a seed, against the exact ones: `just campaign curve-bounds PROBLEMS SEED [SAMPLING_SEEDS]`.
+//!
+//! Three curves of 180 poses, of which four statistics each are asked, 2,160 in all. With θ the pose, u in the unit square, X and N standard normal,
+//! N another number for each run and pose,
+//!
+//! ```text
+//! Y = a(θ, u) + b(θ, u) X + c(θ) N,    a: three waves in θ whose phases depend on u;  or with a kink whose place depends on θ
+//!                                      b: a wave;   c: 0, or growing with θ
+//! ```
+//!
+//! so that mean a, deviation s = √(b² + c²) and quantiles a + z s are known at every u, and their extremes are sought on a fine grid, from
+//! the best place of which on by ever smaller steps.
+
+use loosepin_bounds::{Failure, Problem, Request, Response, Sampling, Statistic, evaluate};
+use loosepin_uncertainty::{Distribution, Interval, RandomVariable, hash, normal, normal_quantile};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+const CURVES: usize = 3;
+const POSES: usize = 180;
+const WAVES: usize = 3;
+const OUTER: usize = 32;
+const INNER: usize = 64;
+/// Probabilities of both quantiles.
+const PROBABILITIES: [f64; 2] = [0.025, 0.975];
+/// Places of the grid along each axis.
+const GRID: usize = 81;
+/// A miss is more than this share of the true width of its bounds and of the largest deviation together.
+const ROUND_OFF: f64 = 1e-6;
+
+/// What is drawn for one curve.
+struct Curve {
+    waves: [Wave; WAVES],
+    scatter: Wave,
+    /// Deviation of the scatter that no model foresees, at the end of the turn.
+    unforeseen: f64,
+    kink: Option<Wave>,
+}
+
+/// amplitude sin(order θ + phase + slopes · u)
+struct Wave {
+    amplitude: f64,
+    order: f64,
+    phase: f64,
+    slopes: [f64; 2],
+}
+
+impl Wave {
+    fn at(&self, angle: f64, u: &[f64]) -> f64 {
+        let phase = self.phase + self.slopes[0] * u[0] + self.slopes[1] * u[1];
+        self.amplitude * (self.order * angle + phase).sin()
+    }
+}
+
+impl Curve {
+    fn draw(seed: u64, kind: Kind) -> Self {
+        let uniform = |place: u64| (hash(seed, place) >> 11) as f64 / (1_u64 << 53) as f64;
+        let wave = |place: u64, amplitude: f64, order: f64| Wave {
+            amplitude: amplitude * (0.5 + uniform(place)),
+            order,
+            phase: TAU * uniform(place + 1),
+            slopes: [2, 3].map(|axis| 5.0 * (uniform(place + axis) - 0.5)),
+        };
+        Self {
+            waves: [0, 1, 2].map(|k| wave(10 * k, 1.0 / (k + 1) as f64, (k + 1) as f64)),
+            scatter: wave(100, 0.05, 1.0),
+            unforeseen: if kind == Kind::Impacts { 0.3 * (0.5 + uniform(200)) } else { 0.0 },
+            kink: (kind == Kind::Kinks).then(|| wave(110, 0.5, 1.0)),
+        }
+    }
+
+    /// a, b and c.
+    fn at(&self, angle: f64, u: &[f64]) -> [f64; 3] {
+        let kink = self.kink.as_ref().map_or(0.0, |kink| kink.at(angle, u).abs());
+        let mean = self.waves.iter().map(|wave| wave.at(angle, u)).sum::<f64>() + kink;
+        // Never without scatter.
+        [mean, 0.1 + self.scatter.at(angle, u), self.unforeseen * angle / TAU]
+    }
+
+    /// Mean, deviation and both quantiles.
+    fn statistics(&self, angle: f64, u: &[f64]) -> [f64; 4] {
+        let [mean, scatter, unforeseen] = self.at(angle, u);
+        let deviation = scatter.hypot(unforeseen);
+        let [low, high] = PROBABILITIES.map(|probability| mean + normal_quantile(probability) * deviation);
+        [mean, deviation, low, high]
+    }
+
+    /// The extremes of each statistic over the unit square.
+    fn exact(&self, angle: f64) -> [[f64; 2]; 4] {
+        let step = 1.0 / (GRID - 1) as f64;
+        let mut best = [[(f64::INFINITY, [0.0; 2]); 2]; 4];
+        for place in 0..GRID * GRID {
+            let u = [step * (place % GRID) as f64, step * (place / GRID) as f64];
+            for (own, value) in best.iter_mut().zip(self.statistics(angle, &u)) {
+                for (end, sign) in own.iter_mut().zip([1.0, -1.0]) {
+                    if sign * value < end.0 {
+                        *end = (sign * value, u);
+                    }
+                }
+            }
+        }
+        let mut statistic = 0;
+        best.map(|ends| {
+            let of = |u: &[f64]| self.statistics(angle, u)[statistic];
+            let found = [(ends[0], 1.0), (ends[1], -1.0)]
+                .map(|((least, u), sign)| sign * descend(|u| sign * of(u), least, u, step));
+            statistic += 1;
+            found
+        })
+    }
+}
+
+/// The least of `of` from `u` on, where it is `least`.
+fn descend(of: impl Fn(&[f64]) -> f64, mut least: f64, mut u: [f64; 2], mut step: f64) -> f64 {
+    while step > 1e-7 {
+        let ways = [
+            [step, 0.0],
+            [-step, 0.0],
+            [0.0, step],
+            [0.0, -step],
+            [step, step],
+            [step, -step],
+            [-step, step],
+            [-step, -step],
+        ];
+        let trials = ways.map(|way| [0, 1].map(|axis| (u[axis] + way[axis]).clamp(0.0, 1.0)));
+        let better = trials.into_iter().map(|trial| (of(&trial), trial)).find(|(value, _)| *value < least);
+        match better {
+            Some(better) => (least, u) = better,
+            None => step *= 0.5,
+        }
+    }
+    least
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Smooth,
+    Impacts,
+    Kinks,
+}
+
+struct Curves {
+    curves: Vec<Curve>,
+    seed: u64,
+}
+
+impl Response for Curves {
+    fn evaluate(&self, random: &[f64], epistemic: &[f64], columns: &mut [f64]) -> Result<(), Failure> {
+        let key = random.iter().chain(epistemic).fold(self.seed, |key, number| hash(key, number.to_bits()));
+        for (column, value) in columns.iter_mut().enumerate() {
+            let angle = TAU * (column % POSES) as f64 / POSES as f64;
+            let [mean, scatter, unforeseen] = self.curves[column / POSES].at(angle, epistemic);
+            let beside = if unforeseen > 0.0 { unforeseen * normal(key, column as u64) } else { 0.0 };
+            *value = mean + scatter * random[0] + beside;
+        }
+        Ok(())
+    }
+}
+
+/// What the bounds of one problem were.
+#[derive(Default)]
+struct Tally {
+    ends: usize,
+    missed: usize,
+    furthest: f64,
+    /// Widened beyond the exact ends, as a share of the true width.
+    excess: f64,
+    widths: f64,
+}
+
+fn main() {
+    let words: Vec<u64> = std::env::args().skip(1).map(|word| word.parse().expect("a number")).collect();
+    let [problems, seed] = [0, 1].map(|place| *words.get(place).expect("PROBLEMS SEED [SAMPLING_SEEDS]"));
+    let sampling_seeds = words.get(2).copied().unwrap_or(4);
+    println!(
+        "{:8} {:>8} {:>8} {:>9} {:>14} {:>10}",
+        "curves", "studies", "ends", "missed", "furthest miss", "too wide"
+    );
+    for kind in [Kind::Smooth, Kind::Impacts, Kind::Kinks] {
+        let mut all = Tally::default();
+        for problem in 0..problems {
+            let seed = hash(hash(seed, problem), kind as u64);
+            let curves: Vec<Curve> = (0..CURVES as u64).map(|curve| Curve::draw(hash(seed, curve), kind)).collect();
+            let response = Curves { curves, seed };
+            let angles = (0..CURVES * POSES).into_par_iter();
+            let exact: Vec<[[f64; 2]; 4]> = angles
+                .map(|column| response.curves[column / POSES].exact(TAU * (column % POSES) as f64 / POSES as f64))
+                .collect();
+            for sampling_seed in 0..sampling_seeds {
+                count(&response, &exact, hash(seed, 1000 + sampling_seed), &mut all);
+            }
+        }
+        println!(
+            "{:8} {:8} {:8} {:8.3}% {:14.2e} {:9.3}%",
+            format!("{kind:?}"),
+            problems * sampling_seeds,
+            all.ends,
+            100.0 * all.missed as f64 / all.ends as f64,
+            all.furthest,
+            100.0 * all.excess / all.widths
+        );
+    }
+}
+
+/// Solves a problem and adds what its bounds are to `all`.
+fn count(response: &Curves, exact: &[[[f64; 2]; 4]], seed: u64, all: &mut Tally) {
+    let [low, high] = PROBABILITIES.map(Statistic::Quantile);
+    let statistics = [Statistic::Mean, Statistic::StandardDeviation, low, high];
+    let columns = 0..CURVES * POSES;
+    let requests: Vec<Request> =
+        columns.flat_map(|column| statistics.map(|statistic| Request { column, statistic })).collect();
+    let normal = RandomVariable::try_new(Distribution::Normal { mean: 0.0, standard_deviation: 1.0 });
+    let unit = Interval::try_new(0.0, 1.0).expect("an interval");
+    let mut problem = Problem::new(vec![normal.expect("a distribution")], vec![unit.into(), unit.into()], requests);
+    problem.sampling = Sampling { outer: OUTER, inner: INNER, seed, ..Sampling::default() };
+    let bounds = evaluate(problem, response).expect("bounds");
+    assert_eq!(bounds.pairs.len(), exact.len() * statistics.len(), "a pair for each statistic");
+    for (pair, [least, greatest]) in bounds.pairs.iter().zip(exact.iter().flatten()) {
+        // Of what hardly depends on u the scale is its scatter.
+        let width = greatest - least + 0.1;
+        for beyond in [least - pair.lower.widened, pair.upper.widened - greatest] {
+            all.ends += 1;
+            all.missed += usize::from(beyond < -ROUND_OFF * width);
+            all.furthest = all.furthest.max(-beyond / width);
+            all.excess += beyond.max(0.0);
+        }
+        all.widths += greatest - least;
+    }
+}
