@@ -3,7 +3,7 @@
 //! A library would choose its instructions at run time, and with them the last bits of every search and of every fit that
 //! follows. Where this processor has wide vectors, loops are compiled for them too, in the same order of the same operations.
 
-use crate::four_rows::{FourNumbers, FourTriangleRows};
+use crate::four_rows::FourTriangleRows;
 use crate::fused::on_vectors;
 
 /// A symmetric positive definite matrix, factorised as L Lᵀ.
@@ -103,14 +103,14 @@ impl LowerTriangle {
         self.0.multiply_transposed(vector)
     }
 
-    /// T x of four vectors.
-    pub fn multiply_four(&self, vectors: &[FourNumbers]) -> Vec<FourNumbers> {
-        self.0.multiply_four(vectors)
+    /// T x of N vectors side by side.
+    pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
+        self.0.multiply_each(vectors)
     }
 
-    /// Tᵀ x of four vectors.
-    pub fn multiply_transposed_four(&self, vectors: &[FourNumbers]) -> Vec<FourNumbers> {
-        self.0.multiply_transposed_four(vectors)
+    /// Tᵀ x of N vectors side by side.
+    pub fn multiply_transposed_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
+        self.0.multiply_transposed_each(vectors)
     }
 
     /// TᵀT, row by row, its lower triangle; the rest is zero.

@@ -28,7 +28,7 @@ pub use arctangent::arctangent;
 pub use dual::Dual;
 pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm, power};
 pub use exponentials::exponentials;
-pub use four_rows::{FourNumbers, FourRows, beside_one_another, dots_of_four};
+pub use four_rows::{FourRows, beside_one_another, dots_of_each};
 pub use fused::on_vectors;
 pub use gauss::{legendre_coefficient, legendre_rule, orthonormal_values, symmetric_gauss_rule};
 pub use gram::GramSystem;

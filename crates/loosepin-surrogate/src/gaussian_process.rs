@@ -3,8 +3,8 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
+use loosepin_math::FourRows;
 use loosepin_math::dense::{Cholesky, LowerTriangle};
-use loosepin_math::{FourNumbers, FourRows};
 
 /// Matérn's correlation with ν = 5/2 (two derivatives) by s = √5 r: (1 + s + s²/3) exp(-s), and its factor exp(-s).
 pub fn matern_five_halves(s: f64) -> (f64, f64) {
@@ -56,14 +56,14 @@ impl Whitened {
         self.by_column.multiply(white)
     }
 
-    /// Bᵀ w of four whitened vectors.
-    pub fn products_of_four(&self, white: &[FourNumbers]) -> Vec<FourNumbers> {
-        self.by_column.multiply_four(white)
+    /// Bᵀ w of N whitened vectors side by side.
+    pub fn products_of_each<const N: usize>(&self, white: &[[f64; N]]) -> Vec<[f64; N]> {
+        self.by_column.multiply_each(white)
     }
 
-    /// Takes B b out of four whitened vectors.
-    pub fn take_out_of_four(&self, white: &mut [FourNumbers], coefficients: &[FourNumbers]) {
-        self.by_point.take_out_four(white, coefficients);
+    /// Takes B b out of N whitened vectors side by side.
+    pub fn take_out_of_each<const N: usize>(&self, white: &mut [[f64; N]], coefficients: &[[f64; N]]) {
+        self.by_point.take_out_each(white, coefficients);
     }
 
     /// Takes B b out of a whitened vector.
@@ -83,14 +83,14 @@ impl Whitened {
         (white, rest)
     }
 
-    /// c = W k and r = f - Bᵀc at four places with the covariances k and the terms f of the trend.
-    pub fn at_four_places(
+    /// c = W k and r = f - Bᵀc at N places side by side with the covariances k and the terms f of the trend.
+    pub fn at_places<const N: usize>(
         &self,
-        covariances: &[FourNumbers],
-        terms: &[FourNumbers],
-    ) -> (Vec<FourNumbers>, Vec<FourNumbers>) {
-        let white = self.whitening.multiply_four(covariances);
-        let mut rest = self.products_of_four(&white);
+        covariances: &[[f64; N]],
+        terms: &[[f64; N]],
+    ) -> (Vec<[f64; N]>, Vec<[f64; N]>) {
+        let white = self.whitening.multiply_each(covariances);
+        let mut rest = self.products_of_each(&white);
         for (known, terms) in rest.iter_mut().zip(terms) {
             for (known, term) in known.iter_mut().zip(terms) {
                 *known = term - *known;

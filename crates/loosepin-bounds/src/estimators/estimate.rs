@@ -88,16 +88,38 @@ pub(crate) fn deviation_of(values: &[f64]) -> f64 {
     (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / values.len() as f64).sqrt()
 }
 
+/// Sums of powers of the distances of some values from their mean.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PowerSums {
+    pub count: f64,
+    pub mean: f64,
+    /// Of squares.
+    pub square: f64,
+    /// Of cubes.
+    pub cube: f64,
+}
+
+impl PowerSums {
+    /// Those of `values`.
+    pub fn of(values: &[f64]) -> Self {
+        let mean = mean_of(values);
+        let (square, cube) = values.iter().map(|value| value - mean).fold((0.0, 0.0), |(square, cube), deviation| {
+            (square + deviation * deviation, cube + deviation * deviation * deviation)
+        });
+        Self { count: values.len() as f64, mean, square, cube }
+    }
+
+    /// Skewness of the values, 0 where they do not differ.
+    pub fn skewness(&self) -> f64 {
+        let variance = self.square / self.count;
+        let skewness = self.cube / (self.count * variance * variance.sqrt());
+        if skewness.is_finite() { skewness } else { 0.0 }
+    }
+}
+
 /// Skewness of `values`, 0 where they do not differ.
 pub(crate) fn skewness(values: &[f64]) -> f64 {
-    let count = values.len() as f64;
-    let mean = mean_of(values);
-    let (square, cube) = values.iter().map(|value| value - mean).fold((0.0, 0.0), |(square, cube), deviation| {
-        (square + deviation * deviation, cube + deviation * deviation * deviation)
-    });
-    let variance = square / count;
-    let skewness = cube / (count * variance * variance.sqrt());
-    if skewness.is_finite() { skewness } else { 0.0 }
+    PowerSums::of(values).skewness()
 }
 
 /// Variance of the mean of `values` (one number a replicate), infinite for fewer than two.

@@ -22,9 +22,8 @@
 //! in nonparametric problems", Annals of Mathematical Statistics 27 (1956) 1115-1122). What is assumed here: values that no run has
 //! shown are not much further out than the exponential tail, and a part of probability p shows itself in N >= 5/p runs.
 
-use super::estimate::{Confidence, mean_of, skewness, variance_of_mean};
+use super::estimate::{Confidence, PowerSums, mean_of, skewness, variance_of_mean};
 use super::ordered::Ordered;
-use super::sample::Sample;
 
 /// The tail is taken through this many values a replicate, but never more than this share of all.
 const TAIL_PER_REPLICATE: usize = 4;
@@ -34,34 +33,37 @@ const RUNS_FOR_ONE_BEYOND: f64 = 4.0;
 
 /// Distances from the mean over a sample to both ends of its confidence interval.
 pub(crate) fn error_of_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> (f64, f64) {
-    let (sample, sorted) = (ordered.sample, ordered.sorted());
+    let sorted = ordered.sorted();
+    let means: Vec<f64> = ordered.sample.replicates().map(mean_of).collect();
     let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
-    let replicates = sample.replicates().count();
-    let excess = [&negated, sorted].map(|sorted| excess(sorted, replicates, |value| value));
-    error(sample, sorted, excess, confidence)
+    let excess = [&negated, sorted].map(|sorted| excess(sorted, means.len(), |value| value));
+    error(&means, sorted, ordered.sums(), excess, confidence)
 }
 
-/// The same for the squares of its distances from `mean`, which have a tail upwards only; the tail is exponential in the distance.
-pub(crate) fn error_of_mean_square(ordered: &Ordered<'_>, mean: f64, confidence: &Confidence) -> (f64, f64) {
-    let (sample, distances) = (ordered.sample, ordered.distances(mean));
+/// The same for the mean square of its distances from the mean, which have a tail upwards only; the tail is exponential in the distance.
+pub(crate) fn error_of_mean_square(ordered: &Ordered<'_>, confidence: &Confidence) -> (f64, f64) {
+    let (sample, mean) = (ordered.sample, ordered.sums().mean);
     let square = |distance: f64| distance * distance;
-    let excess = [0.0, excess(&distances, sample.replicates().count(), square)];
-    let sorted: Vec<f64> = distances.into_iter().map(square).collect();
-    error(&sample.mapped(|value| square(value - mean)), &sorted, excess, confidence)
+    let mut sorted = ordered.distances(mean);
+    let excess = [0.0, excess(&sorted, sample.replicates().count(), square)];
+    sorted.iter_mut().for_each(|distance| *distance = square(*distance));
+    let squares: Vec<f64> = sample.values().iter().map(|value| square(value - mean)).collect();
+    let means: Vec<f64> = sample.replicate_ranges().map(|own| mean_of(&squares[own])).collect();
+    error(&means, &sorted, &PowerSums::of(&squares), excess, confidence)
 }
 
-/// Both distances; `sorted`: the values of `sample` in increasing order, `excess`: e downwards and upwards.
-fn error(sample: &Sample, sorted: &[f64], excess: [f64; 2], confidence: &Confidence) -> (f64, f64) {
-    let means: Vec<f64> = sample.replicates().map(mean_of).collect();
+/// Both distances; `means`: those of the replicates, `sorted`: all values in increasing order, `sums`: theirs, `excess`: e downwards and
+/// upwards.
+fn error(means: &[f64], sorted: &[f64], sums: &PowerSums, excess: [f64; 2], confidence: &Confidence) -> (f64, f64) {
     let replicates = means.len() as f64;
-    let each = sample.values().len() as f64 / replicates;
-    let spread = replicates * variance_of_mean(&means);
+    let each = sums.count / replicates;
+    let spread = replicates * variance_of_mean(means);
     if !spread.is_finite() {
         return (spread, spread);
     }
     let gaps: f64 = sorted.windows(2).map(|pair| (pair[1] - pair[0]) * (pair[1] - pair[0])).sum();
     let steps = (confidence.normal / confidence.student).powi(2) * gaps / (4.0 * each * each);
-    let skewness = [skewness(&means), skewness(sample.values()) / each.sqrt()];
+    let skewness = [skewness(means), sums.skewness() / each.sqrt()];
     let towards = |sign: f64, excess: f64| {
         let unseen = (excess / each).powi(2) / replicates;
         let error = confidence.student * ((spread.max(steps) + unseen) / replicates).sqrt();

@@ -21,7 +21,10 @@ fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.mean(confidence);
     }
-    let Some(value) = plain_mean(sample.values()).filter(|mean| mean.is_finite()) else { return Estimate::UNDEFINED };
+    let value = ordered.sums().mean;
+    if !value.is_finite() {
+        return Estimate::UNDEFINED;
+    }
     if sample.runs() == 1 {
         return Estimate::symmetric(value, 0.0);
     }
@@ -50,15 +53,17 @@ fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.variance(sample.values(), confidence);
     }
-    let Some(mean) = plain_mean(sample.values()) else { return Estimate::UNDEFINED };
+    if sample.values().is_empty() {
+        return Estimate::UNDEFINED;
+    }
     if sample.runs() == 1 {
         return Estimate::symmetric(0.0, 0.0);
     }
+    let sums = ordered.sums();
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
     let shortfall = variance_of_mean(&means);
-    let error = error_of_mean_square(ordered, mean, confidence);
-    let square = sample.values().iter().map(|y| (y - mean) * (y - mean)).sum::<f64>() / sample.values().len() as f64;
-    let Estimate { value, below, above } = variance_with_error(square + shortfall, error);
+    let error = error_of_mean_square(ordered, confidence);
+    let Estimate { value, below, above } = variance_with_error(sums.square / sums.count + shortfall, error);
     Estimate { value, below: below + shortfall, above: above + (confidence.student.powi(2) - 1.0).max(0.0) * shortfall }
 }
 
@@ -71,11 +76,6 @@ fn once(
 ) -> Estimate {
     let find = || Found { estimate: EitherWay::both(find(ordered, confidence)), slope: 0.0 };
     ordered.sample.known().or_find(asked, confidence, find).estimate.low
-}
-
-/// Mean of `values`; nothing of none.
-fn plain_mean(values: &[f64]) -> Option<f64> {
-    (!values.is_empty()).then(|| mean_of(values))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! One column at one u: the finished values, replicate by replicate.
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use super::in_order::in_order;
@@ -153,13 +154,14 @@ impl Sample {
 
     /// The finished values of each replicate that has any.
     pub fn replicates(&self) -> impl Iterator<Item = &[f64]> {
-        self.replicate_ends
-            .iter()
-            .enumerate()
-            .map(|(replicate, &end)| {
-                &self.values[if replicate == 0 { 0 } else { self.replicate_ends[replicate - 1] }..end]
-            })
-            .filter(|values| !values.is_empty())
+        let values = self.values();
+        self.replicate_ranges().map(move |own| &values[own])
+    }
+
+    /// Where the finished values of each replicate that has any stand among all.
+    pub fn replicate_ranges(&self) -> impl Iterator<Item = Range<usize>> {
+        let begins = std::iter::once(0).chain(self.replicate_ends.iter().copied());
+        begins.zip(self.replicate_ends.iter().copied()).map(|(begin, end)| begin..end).filter(|own| !own.is_empty())
     }
 
     /// Number of replicates in the plan, those without a finished value included.

@@ -10,3 +10,4 @@ pub(crate) mod refinement;
 mod results;
 mod rounds;
 mod scouting;
+mod steering;

@@ -1,10 +1,13 @@
 //! The runs that come next.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
 use super::inner_runs::{extreme_run, mixture_runs};
+use super::steering::{Searched, in_turn};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::data::statistic::Statistic;
@@ -44,8 +47,8 @@ impl DoubleLoop {
             return Ok(self.first_round());
         }
         let mut runs = Vec::new();
-        let outer =
-            Pool::gather(table, Purpose::DoubleLoop, self.setup.searched().iter().map(|search| search.0.column));
+        let searched = in_turn(self.setup.searched(), round);
+        let outer = Pool::gather(table, Purpose::DoubleLoop, searched.iter().map(|search| search.0.column));
         if let Some([replicates, each]) = self.smaller_sample(table, &outer) {
             let of_point = |point: &PoolPoint| self.runs_at(round, point.point, point.epistemic.clone());
             let wanted = outer.points.iter().flat_map(of_point);
@@ -58,12 +61,12 @@ impl DoubleLoop {
         }
         self.check_points(&outer)?;
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
-        let is_curve = self.setup.searched().len() > MOST_LOCATED_TARGETS;
+        let is_curve = searched.len() > MOST_LOCATED_TARGETS;
         let outer = if is_curve { outer } else { outer.with_polynomials(self.setup.inner_basis()) };
         let rest = self.problem().sampling.outer.saturating_sub(outer.points.len());
         if !self.setup.has_no_box() && rest > 0 {
             let count = rest.min(points_per_round(self.problem().sampling.outer, &self.first_outer));
-            for place in self.next_outer(table, &outer, count) {
+            for place in self.next_outer(table, &outer, &searched, count) {
                 let point = (outer.points.len() + runs.len() / self.inner_runs()) as u32;
                 runs.extend(self.runs_at(round, point, self.setup.epistemic_box.values_at(&place)));
             }
@@ -100,9 +103,9 @@ impl DoubleLoop {
         runs
     }
 
-    fn next_outer(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
+    /// At most `count` further outer points, for the extremes of what is `searched`.
+    fn next_outer(&self, table: &SampleTable, pool: &Pool, searched: &[Searched], count: usize) -> Vec<Place> {
         let points = self.setup.outer_places(pool);
-        let searched = self.setup.searched();
         // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
         // many, the quantiles of each element have to do.
         let has_joint_quantiles =
@@ -136,7 +139,7 @@ impl DoubleLoop {
         let mut readings =
             std::iter::once(self.problem().reading).chain(self.problem().readings_beside.iter().copied());
         if readings.any(|reading| reading == Reading::RandomSet) {
-            targets.extend(self.single_runs(table));
+            targets.extend(self.single_runs(table, searched));
         }
         let grids = SharedGrids::default();
         let search = Search::sharing(
@@ -146,13 +149,13 @@ impl DoubleLoop {
             &self.setup.candidates,
             targets.iter().map(|(target, _)| target),
         );
-        let called = self.called_places(table, pool, (&search, &grids), count / CALLED_SHARE);
+        let called = self.called_places(table, pool, searched, (&search, &grids), count / CALLED_SHARE);
         let next = search.next_places(&targets, &self.searched_elements, count);
         search.new_places(called.into_iter().chain(next), count)
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
-    fn single_runs(&self, table: &SampleTable) -> Vec<(Target, Vec<Direction>)> {
+    fn single_runs(&self, table: &SampleTable, searched: &[Searched]) -> Vec<(Target, Vec<Direction>)> {
         let of_column = |column: usize| {
             let (replicates, points) = values_by_run(table, column);
             let step = replicates.len().div_ceil(SINGLE_RUNS).max(1);
@@ -164,7 +167,8 @@ impl DoubleLoop {
             });
             targets.collect::<Vec<_>>()
         };
-        self.setup.needed_columns().into_iter().flat_map(of_column).collect()
+        let columns: BTreeSet<usize> = searched.iter().map(|(request, _)| request.column).collect();
+        columns.into_iter().flat_map(of_column).collect()
     }
 
     fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::double_loop::DoubleLoop;
+use super::steering::Searched;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::estimate::{deviation_of, mean_of};
 use crate::estimators::pool::Pool;
@@ -12,7 +13,7 @@ use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::prediction::Allowance;
-use crate::search::scouts::Observed;
+use crate::search::scouts::{Observed, ends_by_chance};
 use crate::search::search_box::Place;
 use crate::search::shared_grids::SharedGrids;
 use crate::search::target::Target;
@@ -27,6 +28,7 @@ impl DoubleLoop {
         &self,
         table: &SampleTable,
         pool: &Pool,
+        searched: &[Searched],
         (search, grids): (&Search<'_>, &SharedGrids),
         count: usize,
     ) -> Vec<Place> {
@@ -38,7 +40,7 @@ impl DoubleLoop {
         }
         let place = |&run: &usize| self.setup.epistemic_box.place_of(&table.inputs()[run].epistemic);
         let places: Vec<Place> = runs.iter().map(place).collect();
-        let columns: BTreeSet<usize> = self.setup.searched().iter().map(|(request, _)| request.column).collect();
+        let columns: BTreeSet<usize> = searched.iter().map(|(request, _)| request.column).collect();
         let step = columns.len().div_ceil(MOST_COLUMNS).max(1);
         let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
         let mean = |&column: &usize| Measure::mean(&pool.samples(column), &self.setup.confidence).target;
@@ -49,13 +51,10 @@ impl DoubleLoop {
         let scouts = search.scouts(&places);
         let calls = |(column, mean): (&usize, &Target)| {
             let values: Vec<f64> = runs.iter().map(|&run| table.values(run)[*column]).collect();
-            let scatter = Scatter::new(&pool.samples(*column));
-            let observed = Observed {
-                values: &values,
-                moments: &scatter.moments,
-                means: &expected(&models, mean, &places),
-                scatter: &scatter.standardised,
-            };
+            let mut scatter = Scatter::new(&pool.samples(*column));
+            let Some(ends) = ends_by_chance(&mut scatter.standardised, places.len()) else { return Vec::new() };
+            let means = expected(&models, mean, &places);
+            let observed = Observed { values: &values, moments: &scatter.moments, means: &means, ends };
             search.calls(&scouts, &observed, count)
         };
         let calls: Vec<Vec<Place>> = columns.par_iter().zip(&means).map(calls).collect();
@@ -84,7 +83,7 @@ fn expected(models: &Search<'_>, mean: &Target, places: &[Place]) -> Vec<f64> {
 struct Scatter {
     /// Mean and standard deviation at every point.
     moments: Vec<(f64, f64)>,
-    /// All of them, less the mean of their point and in its standard deviations, in increasing order.
+    /// All of them, less the mean of their point and in its standard deviations.
     standardised: Vec<f64>,
 }
 
@@ -92,13 +91,12 @@ impl Scatter {
     fn new(samples: &[&Sample]) -> Self {
         let moments = |sample: &&Sample| (mean_of(sample.values()), deviation_of(sample.values()));
         let moments: Vec<(f64, f64)> = samples.iter().map(moments).collect();
-        let mut standardised: Vec<f64> = samples
+        let standardised: Vec<f64> = samples
             .iter()
             .zip(&moments)
             .flat_map(|(sample, (mean, deviation))| sample.values().iter().map(move |y| (y - mean) / deviation))
             .filter(|out| out.is_finite())
             .collect();
-        standardised.sort_unstable_by(f64::total_cmp);
         Self { moments, standardised }
     }
 }

@@ -9,10 +9,15 @@
 //!
 //! V itself is never inverted: its condition number is up to 1e13, that of L the square root of it.
 
+use core::array::from_fn;
+
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::{FourNumbers, FourRows, dots_of_four, exponentials};
+use loosepin_math::{FourRows, beside_one_another, dots_of_each, exponentials};
 use loosepin_surrogate::{Whitened, matern_five_halves_of};
+
+/// Places that are predicted side by side: as many as there are numbers in two vectors.
+const PLACES_AT_ONCE: usize = 8;
 
 /// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -211,11 +216,11 @@ impl Model {
         self.noise_ratio * dot(&projected, &projected) / trace
     }
 
-    /// [`Self::nugget`] of four lists of values.
-    pub fn nuggets_of_four(&self, values: &[FourNumbers]) -> FourNumbers {
-        let projected = self.whitened.whitening.multiply_transposed_four(&self.whitened_rest_of_four(values));
+    /// [`Self::nugget`] of N lists of values side by side.
+    pub fn nuggets_of_each<const N: usize>(&self, values: &[[f64; N]]) -> [f64; N] {
+        let projected = self.whitened.whitening.multiply_transposed_each(&self.whitened_rest_of_each(values));
         let trace: f64 = self.projection_diagonal.iter().sum();
-        dots_of_four(&projected, &projected).map(|square| self.noise_ratio * square / trace)
+        dots_of_each(&projected, &projected).map(|square| self.noise_ratio * square / trace)
     }
 
     /// tr τP: how many degrees of freedom [`Self::nugget`] has.
@@ -239,11 +244,11 @@ impl Model {
         rest
     }
 
-    /// [`Self::whitened_rest`] of four lists of values.
-    pub fn whitened_rest_of_four(&self, values: &[FourNumbers]) -> Vec<FourNumbers> {
-        let mut rest = self.whitened.whitening.multiply_four(values);
-        let shares = self.trend_covariance.multiply_four(&self.whitened.products_of_four(&rest));
-        self.whitened.take_out_of_four(&mut rest, &shares);
+    /// [`Self::whitened_rest`] of N lists of values side by side.
+    pub fn whitened_rest_of_each<const N: usize>(&self, values: &[[f64; N]]) -> Vec<[f64; N]> {
+        let mut rest = self.whitened.whitening.multiply_each(values);
+        let shares = self.trend_covariance.multiply_each(&self.whitened.products_of_each(&rest));
+        self.whitened.take_out_of_each(&mut rest, &shares);
         rest
     }
 
@@ -277,15 +282,21 @@ impl Model {
         let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
         let mut rest = Vec::with_capacity(places.div_ceil(4) * size);
         let mut deviations = Vec::with_capacity(places);
-        for (distances, terms) in seen.distances.chunks(4 * count).zip(seen.terms.chunks(4 * size)) {
-            let known = fours(&self.kernel.at_distances(distances), count);
-            let (own, own_rest) = self.whitened.at_four_places(&known, &fours(terms, size));
-            let of_rest = dots_of_four(&own_rest, &self.trend_covariance.multiply_four(&own_rest));
-            let of_own = dots_of_four(&own, &own);
+        for (distances, terms) in
+            seen.distances.chunks(PLACES_AT_ONCE * count).zip(seen.terms.chunks(PLACES_AT_ONCE * size))
+        {
+            let known = side_by_side::<PLACES_AT_ONCE>(&self.kernel.at_distances(distances), count);
+            let (own, own_rest) = self.whitened.at_places(&known, &side_by_side(terms, size));
+            let of_rest = dots_of_each(&own_rest, &self.trend_covariance.multiply_each(&own_rest));
+            let of_own = dots_of_each(&own, &own);
             let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
-            deviations.extend(variances.take(distances.len() / count).map(|variance| variance.max(0.0).sqrt()));
-            correlations.extend(own);
-            rest.extend(own_rest);
+            let own_places = distances.len() / count;
+            deviations.extend(variances.take(own_places).map(|variance| variance.max(0.0).sqrt()));
+            for first in (0..own_places).step_by(4) {
+                let four = |entry: &[f64; PLACES_AT_ONCE]| from_fn(|place| entry[first + place]);
+                correlations.extend(own.iter().map(four));
+                rest.extend(own_rest.iter().map(four));
+            }
         }
         let correlations = FourRows::of_fours(places, count, correlations);
         AtPlaces { correlations, rest: FourRows::of_fours(places, size, rest), deviations }
@@ -305,10 +316,10 @@ impl AtPlaces {
         means
     }
 
-    /// [`Self::means`] of four lists of estimates.
-    pub fn means_of_four(&self, white: &[FourNumbers], of_trend: &[FourNumbers]) -> Vec<FourNumbers> {
-        let mut means = self.correlations.multiply_four(white);
-        for (means, of_polynomial) in means.iter_mut().zip(self.rest.multiply_four(of_trend)) {
+    /// [`Self::means`] of N lists of estimates side by side.
+    pub fn means_of_each<const N: usize>(&self, white: &[[f64; N]], of_trend: &[[f64; N]]) -> Vec<[f64; N]> {
+        let mut means = self.correlations.multiply_each(white);
+        for (means, of_polynomial) in means.iter_mut().zip(self.rest.multiply_each(of_trend)) {
             for (mean, of_polynomial) in means.iter_mut().zip(of_polynomial) {
                 *mean += of_polynomial;
             }
@@ -322,15 +333,9 @@ impl AtPlaces {
     }
 }
 
-/// At most four `rows` of `length` numbers beside one another.
-fn fours(rows: &[f64], length: usize) -> Vec<FourNumbers> {
-    let mut fours = vec![[0.0; 4]; length];
-    for (place, row) in rows.chunks_exact(length).enumerate() {
-        for (four, entry) in fours.iter_mut().zip(row) {
-            four[place] = *entry;
-        }
-    }
-    fours
+/// At most N `rows` of `length` numbers side by side; those that are missing are zero.
+fn side_by_side<const N: usize>(rows: &[f64], length: usize) -> Vec<[f64; N]> {
+    beside_one_another(&rows.chunks_exact(length).collect::<Vec<_>>())
 }
 
 /// Whether there is nothing to be whitened, as of a quantity that is the same everywhere.

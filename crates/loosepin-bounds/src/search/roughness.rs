@@ -35,6 +35,9 @@ const LEAST_GAIN: f64 = 1e-9;
 /// Standardised errors of predicting each estimate from the others may go up to this before a model is mistrusted.
 const EXPECTED_SURPRISE: f64 = 2.5;
 
+/// Replicates that are worked out side by side.
+const REPLICATES_AT_ONCE: usize = 8;
+
 /// How the errors of a model at the points are scattered.
 #[derive(Debug, Clone)]
 pub(super) struct Scatter {
@@ -203,11 +206,11 @@ impl RoughPart {
         let of_noise = if count < 2.0 {
             0.0
         } else {
-            let of_four = |own: &[Vec<f64>]| {
+            let of_each = |own: &[Vec<f64>]| {
                 let own: Vec<&[f64]> = own.iter().map(Vec::as_slice).collect();
-                model.nuggets_of_four(&beside_one_another(&own)).into_iter().take(own.len())
+                model.nuggets_of_each::<REPLICATES_AT_ONCE>(&beside_one_another(&own)).into_iter().take(own.len())
             };
-            replicates.chunks(4).flat_map(of_four).sum::<f64>() / (count * (count - 1.0))
+            replicates.chunks(REPLICATES_AT_ONCE).flat_map(of_each).sum::<f64>() / (count * (count - 1.0))
         };
         let freedom_of_noise = freedom * (count - 1.0).max(1.0);
         let points = residual.len() as f64;

@@ -21,8 +21,17 @@ pub(crate) struct Observed<'a> {
     pub moments: &'a [(f64, f64)],
     /// Mean at the place of every scout, as a model of the means has it.
     pub means: &'a [f64],
-    /// The runs at all outer points less their mean, in standard deviations, in increasing order.
-    pub scatter: &'a [f64],
+    /// How far chance alone brings a scout from its mean to either side, in standard deviations: [`ends_by_chance`].
+    pub ends: [f64; 2],
+}
+
+/// Of the runs at outer points, `standardised` (less their mean, in standard deviations), those that all but one of as many as there are
+/// `scouts` lie within on either side; nothing without any. The runs are put in another order.
+pub(crate) fn ends_by_chance(standardised: &mut [f64], scouts: usize) -> Option<[f64; 2]> {
+    let most = standardised.len().checked_sub(1)?;
+    let further_out = standardised.len().checked_div(scouts)?.min(most);
+    let mut at = |place: usize| *standardised.select_nth_unstable_by(place, f64::total_cmp).1;
+    Some([at(further_out), at(most - further_out)])
 }
 
 impl Search<'_> {
@@ -40,20 +49,13 @@ impl Search<'_> {
     /// the outer points lie from their own mean in all but one of as many: chance alone brings one of them to either side. The furthest
     /// first; at most `count`.
     pub fn calls(&self, scouts: &Scouts<'_>, observed: &Observed<'_>, count: usize) -> Vec<Place> {
-        let runs = observed.scatter.len();
-        if runs == 0 || scouts.places.is_empty() {
-            return Vec::new();
-        }
-        // One in as many runs as there are scouts lies further out.
-        let further_out = (runs / scouts.places.len()).min(runs - 1);
-        let ends = [observed.scatter[further_out], observed.scatter[runs - 1 - further_out]];
         let deviations = observed.moments.iter().map(|(_, deviation)| *deviation);
         let least = LEAST_DEVIATION * deviations.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max);
         let mut calls: Vec<(f64, &Place)> = Vec::new();
         for (scout, place) in scouts.places.iter().enumerate() {
             let Some(nearest) = scouts.nearest[scout] else { continue };
             let out = (observed.values[scout] - observed.means[scout]) / observed.moments[nearest].1.max(least);
-            let further = Direction::BOTH.map(|direction| direction.sign() * (out - ends[direction.index()]));
+            let further = Direction::BOTH.map(|direction| direction.sign() * (out - observed.ends[direction.index()]));
             let furthest = further[0].max(further[1]);
             if furthest > 0.0 {
                 calls.push((furthest, place));
@@ -66,7 +68,7 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::Observed;
+    use super::{Observed, ends_by_chance};
     use crate::data::direction::Direction;
     use crate::search::models::Search;
     use crate::search::search_box::{Axes, Place};
@@ -86,8 +88,14 @@ mod tests {
             hill + 0.1 * normal_quantile(level(7 * run % 1000))
         };
         let values: Vec<f64> = (0..1000).map(value).collect();
-        let scatter: Vec<f64> = (0..10_000).map(|run| normal_quantile((f64::from(run) + 0.5) / 10_000.0)).collect();
-        let observed = Observed { values: &values, moments: &[(0.0, 0.1); 11], means: &[0.0; 1000], scatter: &scatter };
+        // In another order than that of their values.
+        let mut scatter: Vec<f64> =
+            (0..10_000).map(|run| normal_quantile((f64::from(7 * run % 10_000) + 0.5) / 10_000.0)).collect();
+        let ends = ends_by_chance(&mut scatter, places.len()).unwrap();
+        // Ten runs of 10,000 lie beyond the one that is taken.
+        let expected = normal_quantile(10.5 / 10_000.0);
+        assert!((ends[0] - expected).abs() < 1e-12 && (ends[1] + expected).abs() < 1e-12, "{ends:?}, not ±{expected}");
+        let observed = Observed { values: &values, moments: &[(0.0, 0.1); 11], means: &[0.0; 1000], ends };
         let search = Search::new(&axes, &points, &[], []);
         let called = search.calls(&search.scouts(&places), &observed, 4);
         assert!((0.62..0.63).contains(&called[0].at[0]), "{called:?}");

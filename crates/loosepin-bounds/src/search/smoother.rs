@@ -29,10 +29,13 @@ use super::prediction::{Allowance, Prediction, Roughness};
 use super::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use super::search_box::{Axes, Region};
 use loosepin_math::dense::dot;
-use loosepin_math::{beside_one_another, dots_of_four};
+use loosepin_math::{beside_one_another, dots_of_each};
 
 /// A deviation σ below this share of the range of the estimates is round-off.
 const LEAST_DEVIATION: f64 = 1e-12;
+
+/// Lists of values that are worked out side by side: as many as there are numbers in two vectors.
+const LISTS_AT_ONCE: usize = 8;
 
 /// Round-off of a misfit, of the order of 1e-13, is far below this.
 const ROUND_OFF_OF_MISFIT: f64 = 1e-6;
@@ -100,18 +103,16 @@ impl Smoother {
         self.fitted(own, assessment)
     }
 
-    /// [`Self::fit`] of each of several lists of values, with the means at all places. What is done for four lists at once takes half the time
-    /// and has the same bits.
+    /// [`Self::fit`] of each of several lists of values, with the means at all places. What is done for lists side by side takes a third of the
+    /// time and has the same bits.
     pub fn fit_all(&self, all: &[(&[f64], &Noise)]) -> Vec<Fit<'_>> {
         let prepared: Vec<Prepared<'_>> =
             all.iter().map(|(values, noise)| Prepared::new(self, values, noise)).collect();
         let together: Vec<usize> = (0..all.len()).filter(|&index| !prepared[index].is_constant).collect();
         let mut assessments: Vec<Option<Assessment<'_>>> = all.iter().map(|_| None).collect();
-        for four in together.chunks(4) {
-            let found = self.assess_four(&four.iter().map(|&index| &prepared[index]).collect::<Vec<_>>());
-            for (&index, found) in four.iter().zip(found) {
-                assessments[index] = Some(found);
-            }
+        let found = self.assess_all(&together.iter().map(|&index| &prepared[index]).collect::<Vec<_>>());
+        for (index, found) in together.into_iter().zip(found) {
+            assessments[index] = Some(found);
         }
         let mut fits = Vec::with_capacity(all.len());
         for (own, assessment) in prepared.into_iter().zip(assessments) {
@@ -122,7 +123,7 @@ impl Smoother {
         fits
     }
 
-    /// Means of `fits` at all places, four of the same model at once.
+    /// Means of `fits` at all places, those of the same model side by side.
     fn find_means(&self, fits: &[Fit<'_>]) {
         let mut groups: Vec<(&Model, Vec<&Fit<'_>>)> = Vec::new();
         for fit in fits {
@@ -131,13 +132,14 @@ impl Smoother {
                 None => groups.push((fit.model, vec![fit])),
             }
         }
-        for four in groups.iter().flat_map(|(_, own)| own.chunks(4)).filter(|four| four.len() > 1) {
-            let white: Vec<&[f64]> = four.iter().map(|fit| &fit.whitened.0[..]).collect();
-            let of_trend: Vec<&[f64]> = four.iter().map(|fit| &fit.whitened.1[..]).collect();
-            let at = self.at_places(four[0].model);
-            let means = at.means_of_four(&beside_one_another(&white), &beside_one_another(&of_trend));
-            for (place, fit) in four.iter().enumerate() {
-                fit.means.get_or_init(|| means.iter().map(|four| four[place]).collect());
+        for (model, own) in groups.into_iter().filter(|(_, own)| own.len() > 1) {
+            let at = self.at_places(model);
+            for some in own.chunks(LISTS_AT_ONCE).filter(|some| some.len() > 1) {
+                if some.len() > LISTS_AT_ONCE / 2 {
+                    find_means_of_each::<LISTS_AT_ONCE>(at, some);
+                } else {
+                    find_means_of_each::<{ LISTS_AT_ONCE / 2 }>(at, some);
+                }
             }
         }
     }
@@ -201,25 +203,43 @@ impl Smoother {
         assessment
     }
 
-    /// [`Self::assess`] of at most four lists of values.
-    fn assess_four(&self, four: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
-        let residuals = beside_one_another(&four.iter().map(|own| &own.residual[..]).collect::<Vec<_>>());
-        let mut assessments: Vec<Assessment<'_>> = four.iter().map(|own| own.assessment()).collect();
+    /// [`Self::assess`] of all lists of values, model by model.
+    fn assess_all(&self, all: &[&Prepared<'_>]) -> Vec<Assessment<'_>> {
+        let residuals: Vec<Vec<[f64; LISTS_AT_ONCE]>> = all
+            .chunks(LISTS_AT_ONCE)
+            .map(|some| beside_one_another(&some.iter().map(|own| &own.residual[..]).collect::<Vec<_>>()))
+            .collect();
+        let mut assessments: Vec<Assessment<'_>> = all.iter().map(|own| own.assessment()).collect();
         for level in 0..self.grid.levels() {
             let is_open = |own: &Assessment<'_>| own.next_level() == Some(level);
             if !assessments.iter().any(is_open) {
                 break;
             }
             for model in self.grid.level(level) {
-                let rest = model.whitened_rest_of_four(&residuals);
-                let squares = dots_of_four(&rest, &rest);
-                for (own, square) in assessments.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
-                    own.take(model, square);
+                for (residuals, some) in residuals.iter().zip(assessments.chunks_mut(LISTS_AT_ONCE)) {
+                    if !some.iter().any(is_open) {
+                        continue;
+                    }
+                    let rest = model.whitened_rest_of_each(residuals);
+                    let squares = dots_of_each(&rest, &rest);
+                    for (own, square) in some.iter_mut().zip(squares).filter(|(own, _)| is_open(own)) {
+                        own.take(model, square);
+                    }
                 }
             }
             assessments.iter_mut().filter(|own| is_open(own)).for_each(Assessment::end_level);
         }
         assessments
+    }
+}
+
+/// Means of at most N `fits` of the same model at its places.
+fn find_means_of_each<const N: usize>(at: &AtPlaces, fits: &[&Fit<'_>]) {
+    let white: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.0[..]).collect();
+    let of_trend: Vec<&[f64]> = fits.iter().map(|fit| &fit.whitened.1[..]).collect();
+    let means = at.means_of_each::<N>(&beside_one_another(&white), &beside_one_another(&of_trend));
+    for (list, fit) in fits.iter().enumerate() {
+        fit.means.get_or_init(|| means.iter().map(|own| own[list]).collect());
     }
 }
 
