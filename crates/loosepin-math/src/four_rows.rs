@@ -313,12 +313,19 @@ fn products_of_rows<const N: usize>(rows: &[Four], vectors: &[[f64; N]]) -> [[f6
         add_products(&mut rest, four, values);
     }
     let mut parts = [[[0.0; N]; PARTS]; 4];
-    if N <= 4 {
-        (0..PARTS).step_by(2).for_each(|part| add_parts::<N, 2>(&mut parts, row_blocks, blocks, part));
-    } else {
-        (0..PARTS).for_each(|part| add_parts::<N, 1>(&mut parts, row_blocks, blocks, part));
+    // A closure would be compiled without the vectors that this is inlined for.
+    for pair in 0..PARTS / 2 {
+        if N <= 4 {
+            add_parts::<N, 2>(&mut parts, row_blocks, blocks, 2 * pair);
+        } else {
+            add_parts::<N, 1>(&mut parts, row_blocks, blocks, 2 * pair);
+            add_parts::<N, 1>(&mut parts, row_blocks, blocks, 2 * pair + 1);
+        }
     }
-    from_fn(|row| together(&parts[row], &rest[row]))
+    for (parts, rest) in parts.iter().zip(&mut rest) {
+        *rest = together(parts, rest);
+    }
+    rest
 }
 
 /// P partial sums from `first` on.
@@ -355,10 +362,12 @@ fn add_products<const N: usize>(sums: &mut [[f64; N]; 4], four: &Four, values: &
 /// The sums of all parts and of the rest.
 #[inline(always)]
 fn together<const N: usize>([a, b, c, d, e, f, g, h]: &[[f64; N]; PARTS], rest: &[f64; N]) -> [f64; N] {
-    from_fn(|k| {
+    let mut sums = [0.0; N];
+    for k in 0..N {
         let (first, last) = ((a[k] + b[k]) + (c[k] + d[k]), (e[k] + f[k]) + (g[k] + h[k]));
-        first + last + rest[k]
-    })
+        sums[k] = first + last + rest[k];
+    }
+    sums
 }
 
 /// The scalar products of four rows with a vector.

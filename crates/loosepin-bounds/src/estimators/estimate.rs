@@ -82,12 +82,6 @@ pub(crate) fn mean_of(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// Standard deviation of `values` about their own mean, over their number; not a number of none.
-pub(crate) fn deviation_of(values: &[f64]) -> f64 {
-    let mean = mean_of(values);
-    (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / values.len() as f64).sqrt()
-}
-
 /// Sums of powers of the distances of some values from their mean.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PowerSums {
@@ -102,11 +96,20 @@ pub(crate) struct PowerSums {
 impl PowerSums {
     /// Those of `values`.
     pub fn of(values: &[f64]) -> Self {
-        let mean = mean_of(values);
+        Self::about(values, mean_of(values))
+    }
+
+    /// Those of `values`, whose `mean` is known.
+    pub fn about(values: &[f64], mean: f64) -> Self {
         let (square, cube) = values.iter().map(|value| value - mean).fold((0.0, 0.0), |(square, cube), deviation| {
             (square + deviation * deviation, cube + deviation * deviation * deviation)
         });
         Self { count: values.len() as f64, mean, square, cube }
+    }
+
+    /// Standard deviation of the values, over their number; not a number of none.
+    pub fn deviation(&self) -> f64 {
+        (self.square / self.count).sqrt()
     }
 
     /// Skewness of the values, 0 where they do not differ.

@@ -7,8 +7,8 @@ use super::sample::{Gathering, Sample};
 use crate::data::scratch::Scratch;
 use crate::data::table::{Purpose, SampleTable};
 
-/// So many columns are gathered at once: they lie beside one another in memory, row by row.
-const COLUMNS_AT_ONCE: usize = 8;
+/// So many columns are gathered at once: they lie beside one another in memory, row by row, and are read in long pieces.
+const COLUMNS_AT_ONCE: usize = 64;
 /// Fewer values of a point than these stay in memory: every part of a file has pages of its own, and systems allow some ten thousand.
 const LEAST_MOVED: usize = 1 << 13;
 /// So many values of a point are moved together.

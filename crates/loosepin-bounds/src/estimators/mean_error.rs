@@ -37,19 +37,20 @@ pub(crate) fn error_of_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> (
     let means: Vec<f64> = ordered.sample.replicates().map(mean_of).collect();
     let negated: Vec<f64> = sorted.iter().rev().map(|value| -value).collect();
     let excess = [&negated, sorted].map(|sorted| excess(sorted, means.len(), |value| value));
-    error(&means, sorted, ordered.sums(), excess, confidence)
+    error(&means, sorted, ordered.sample.sums(), excess, confidence)
 }
 
 /// The same for the mean square of its distances from the mean, which have a tail upwards only; the tail is exponential in the distance.
 pub(crate) fn error_of_mean_square(ordered: &Ordered<'_>, confidence: &Confidence) -> (f64, f64) {
-    let (sample, mean) = (ordered.sample, ordered.sums().mean);
+    let sample = ordered.sample;
+    let &PowerSums { count, mean, square: sum_of_squares, .. } = sample.sums();
     let square = |distance: f64| distance * distance;
     let mut sorted = ordered.distances(mean);
     let excess = [0.0, excess(&sorted, sample.replicates().count(), square)];
     sorted.iter_mut().for_each(|distance| *distance = square(*distance));
     let squares: Vec<f64> = sample.values().iter().map(|value| square(value - mean)).collect();
     let means: Vec<f64> = sample.replicate_ranges().map(|own| mean_of(&squares[own])).collect();
-    error(&means, &sorted, &PowerSums::of(&squares), excess, confidence)
+    error(&means, &sorted, &PowerSums::about(&squares, sum_of_squares / count), excess, confidence)
 }
 
 /// Both distances; `means`: those of the replicates, `sorted`: all values in increasing order, `sums`: theirs, `excess`: e downwards and

@@ -21,7 +21,7 @@ fn find_mean(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     if let Some(smooth) = sample.smooth() {
         return smooth.mean(confidence);
     }
-    let value = ordered.sums().mean;
+    let value = sample.sums().mean;
     if !value.is_finite() {
         return Estimate::UNDEFINED;
     }
@@ -59,7 +59,7 @@ fn find_variance(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     if sample.runs() == 1 {
         return Estimate::symmetric(0.0, 0.0);
     }
-    let sums = ordered.sums();
+    let sums = sample.sums();
     let means: Vec<f64> = sample.replicates().map(mean_of).collect();
     let shortfall = variance_of_mean(&means);
     let error = error_of_mean_square(ordered, confidence);

@@ -1,20 +1,18 @@
-//! A sample together with its values in increasing order, and with the sums that its estimates share.
+//! A sample together with its values in increasing order.
 
 use std::cell::OnceCell;
 
-use super::estimate::PowerSums;
 use super::sample::Sample;
 
-/// A sample whose values are sorted and summed once, when that is first asked for, for all that is estimated of it.
+/// A sample whose values are sorted once, when they are first asked for, for all that is estimated of it.
 pub(crate) struct Ordered<'a> {
     pub sample: &'a Sample,
     sorted: OnceCell<Vec<f64>>,
-    sums: OnceCell<PowerSums>,
 }
 
 impl<'a> Ordered<'a> {
     pub fn new(sample: &'a Sample) -> Self {
-        Self { sample, sorted: OnceCell::new(), sums: OnceCell::new() }
+        Self { sample, sorted: OnceCell::new() }
     }
 
     /// The finished values in increasing order.
@@ -25,11 +23,6 @@ impl<'a> Ordered<'a> {
     /// The same where they have been sorted already.
     pub fn known_order(&self) -> Option<&[f64]> {
         self.sorted.get().map(Vec::as_slice)
-    }
-
-    /// Sums of powers of the finished values.
-    pub fn sums(&self) -> &PowerSums {
-        self.sums.get_or_init(|| PowerSums::of(self.sample.values()))
     }
 
     /// The distances of the finished values from `centre` in increasing order: those of the values below and above are in order each.

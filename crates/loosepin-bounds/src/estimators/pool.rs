@@ -14,7 +14,7 @@ use super::together::work_out;
 use crate::data::bound::Witness;
 use crate::data::problem::Request;
 use crate::data::statistic::Statistic;
-use crate::data::table::{Purpose, SampleTable};
+use crate::data::table::{Purpose, RunInputs, SampleTable};
 
 /// The runs of one purpose, point by point, for some of the columns.
 #[derive(Debug, Clone)]
@@ -44,14 +44,7 @@ impl Pool {
         for (slot, entry) in slots.values_mut().enumerate() {
             *entry = slot;
         }
-        // Runs of a point lie behind one another in the table, ordered by replicate and index.
-        let mut runs: BTreeMap<u32, BTreeMap<u32, Vec<usize>>> = BTreeMap::new();
-        for (run, inputs) in table.inputs().iter().enumerate() {
-            if inputs.purpose == purpose {
-                runs.entry(inputs.point).or_default().entry(inputs.replicate).or_default().push(run);
-            }
-        }
-        let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs.into_iter().collect();
+        let runs: Vec<(u32, BTreeMap<u32, Vec<usize>>)> = runs_by_point(table, purpose).into_iter().collect();
         let gathered: Arc<Gathered> = table.kept();
         let mut samples: Vec<(Arc<OfPoint>, bool)> = runs
             .par_iter()
@@ -123,6 +116,22 @@ impl Pool {
             .get(&column)
             .map_or_else(Vec::new, |&slot| self.points.iter().map(|point| &*point.samples[slot]).collect())
     }
+}
+
+/// Runs of `purpose` in the order of the table, by point and replicate.
+fn runs_by_point(table: &SampleTable, purpose: Purpose) -> BTreeMap<u32, BTreeMap<u32, Vec<usize>>> {
+    let mut runs: BTreeMap<u32, BTreeMap<u32, Vec<usize>>> = BTreeMap::new();
+    let place = |inputs: &RunInputs| (inputs.purpose, inputs.point, inputs.replicate);
+    // Runs of a replicate lie behind one another in the table.
+    let mut first = 0;
+    for own in table.inputs().chunk_by(|a, b| place(a) == place(b)) {
+        let (own_purpose, point, replicate) = place(&own[0]);
+        if own_purpose == purpose {
+            runs.entry(point).or_default().entry(replicate).or_default().extend(first..first + own.len());
+        }
+        first += own.len();
+    }
+    runs
 }
 
 impl PoolPoint {

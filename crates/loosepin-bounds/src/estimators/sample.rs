@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
+use super::estimate::PowerSums;
 use super::in_order::in_order;
 use super::known::Known;
 use super::smooth::Smooth;
@@ -18,6 +19,7 @@ pub(crate) struct Sample {
     smooth: Option<Box<Smooth>>,
     known: Known,
     ends: OnceLock<Option<(f64, f64)>>,
+    sums: OnceLock<PowerSums>,
 }
 
 /// A sample whose values are still being put in.
@@ -65,7 +67,8 @@ impl Sample {
     }
 
     fn of(values: Numbers, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
-        Self { values, replicate_ends, failed, smooth: None, known: Known::default(), ends: OnceLock::new() }
+        let (ends, sums) = (OnceLock::new(), OnceLock::new());
+        Self { values, replicate_ends, failed, smooth: None, known: Known::default(), ends, sums }
     }
 
     /// A sample of these runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
@@ -120,7 +123,7 @@ impl Sample {
     /// The same values, known to be smooth in the random inputs.
     pub fn with_polynomials(&self, smooth: Smooth) -> Self {
         let plain = Self::of(self.values.clone(), self.replicate_ends.clone(), self.failed);
-        Self { smooth: Some(Box::new(smooth)), ..plain }
+        Self { smooth: Some(Box::new(smooth)), ends: self.ends.clone(), sums: self.sums.clone(), ..plain }
     }
 
     /// Finished values.
@@ -150,6 +153,11 @@ impl Sample {
             Some(self.values.iter().fold((first, first), |(low, high), &value| (low.min(value), high.max(value))))
         };
         *self.ends.get_or_init(find)
+    }
+
+    /// Sums of powers of the finished values.
+    pub fn sums(&self) -> &PowerSums {
+        self.sums.get_or_init(|| PowerSums::of(&self.values))
     }
 
     /// The finished values of each replicate that has any.

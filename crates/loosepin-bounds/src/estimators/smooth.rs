@@ -33,14 +33,14 @@ pub(crate) struct Smooth {
 }
 
 impl Smooth {
-    /// The fit of `design` to the `values` of its runs.
-    pub fn new(design: Arc<DesignMatrix>, values: &[f64]) -> Self {
-        Self { fit: design.fit(values), design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
+    /// The polynomials of `design` with their `fit` to the runs of a sample.
+    pub fn new(design: Arc<DesignMatrix>, fit: CrossFit) -> Self {
+        Self { fit, design, conditional: Arc::new(OnceLock::new()), tails: Default::default() }
     }
 
     /// The fit to other values of these runs.
     pub fn refitted(&self, values: &[f64]) -> Self {
-        Self::new(self.design.clone(), values)
+        Self::new(self.design.clone(), self.design.fit(values))
     }
 
     /// The mean as each replicate sees it.

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::estimate::deviation_of;
-use super::inner_basis::{DesignMatrix, InnerBasis};
+use super::inner_basis::{CrossFit, DesignMatrix, InnerBasis};
 use super::sample::Sample;
 use super::smooth::{ROUND_OFF, Smooth, largest_magnitude};
 
@@ -25,11 +24,7 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
         return;
     }
     let is_as_before = |point: usize| point > 0 && Arc::ptr_eq(samples[point], samples[point - 1]);
-    let mut deviations: Vec<f64> = Vec::with_capacity(samples.len());
-    for (point, sample) in samples.iter().enumerate() {
-        let known = deviations.last().copied().filter(|_| is_as_before(point));
-        deviations.push(known.unwrap_or_else(|| deviation_of(sample.values())));
-    }
+    let deviations: Vec<f64> = samples.iter().map(|sample| sample.sums().deviation()).collect();
     let largest = deviations.iter().fold(0.0_f64, |largest, deviation| largest.max(*deviation));
     let magnitude = samples.iter().fold(0.0_f64, |most, sample| most.max(largest_magnitude(sample.values())));
     // A response that is the same in all runs may still differ in those that were not made.
@@ -37,12 +32,11 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
         return;
     }
     let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
-    // Relative to what is allowed.
-    let left = |design: &DesignMatrix, point: usize| {
-        let residual = largest_magnitude(&design.fit(samples[point].values()).residuals);
+    // Largest residual of a fit, relative to what is allowed.
+    let residual_share = |fit: &CrossFit, point: usize| {
         // Of a response that does not scatter at all, round-off is left.
         let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
-        (residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
+        (largest_magnitude(&fit.residuals) - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
     };
     let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
     let mut chosen: Option<(&Arc<DesignMatrix>, f64)> = None;
@@ -53,7 +47,10 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
             if point >= step && Arc::ptr_eq(samples[point], samples[point - step]) {
                 continue;
             }
-            most = most.max(left(design, point));
+            most = most.max(residual_share(&design.fit(samples[point].values()), point));
+            if most > HOPELESS {
+                return;
+            }
             if most >= known && chosen.is_some() {
                 break;
             }
@@ -61,27 +58,28 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
         if chosen.is_none() || most < known {
             chosen = Some((design, most));
         }
-        if most > HOPELESS {
-            return;
-        }
     }
     let Some((design, most)) = chosen else { return };
     if !(most <= 1.0) {
         return;
     }
-    let design = design.clone();
-    if (0..samples.len()).any(|point| !is_as_before(point) && !(left(&design, point) <= 1.0)) {
-        return;
-    }
-    let mut before: Option<[Arc<Sample>; 2]> = None;
-    for sample in samples.iter_mut() {
-        let known = before.as_ref().filter(|[plain, _]| Arc::ptr_eq(plain, sample));
-        let fitted = match known {
-            Some([_, fitted]) => fitted.clone(),
-            None => Arc::new(sample.with_polynomials(Smooth::new(design.clone(), sample.values()))),
+    let mut fitted: Vec<Arc<Sample>> = Vec::with_capacity(samples.len());
+    for (point, sample) in samples.iter().enumerate() {
+        let as_before = fitted.last().cloned().filter(|_| is_as_before(point));
+        let own = match as_before {
+            Some(known) => known,
+            None => {
+                let fit = design.fit(sample.values());
+                if !(residual_share(&fit, point) <= 1.0) {
+                    return;
+                }
+                Arc::new(sample.with_polynomials(Smooth::new(design.clone(), fit)))
+            }
         };
-        let plain = core::mem::replace(*sample, fitted.clone());
-        before = Some([plain, fitted]);
+        fitted.push(own);
+    }
+    for (sample, fitted) in samples.iter_mut().zip(fitted) {
+        **sample = fitted;
     }
 }
 

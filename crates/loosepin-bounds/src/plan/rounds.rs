@@ -46,9 +46,7 @@ impl DoubleLoop {
         if round == 0 {
             return Ok(self.first_round());
         }
-        let mut runs = Vec::new();
-        let searched = in_turn(self.setup.searched(), round);
-        let outer = Pool::gather(table, Purpose::DoubleLoop, searched.iter().map(|search| search.0.column));
+        let outer = Pool::gather(table, Purpose::DoubleLoop, []);
         if let Some([replicates, each]) = self.smaller_sample(table, &outer) {
             let of_point = |point: &PoolPoint| self.runs_at(round, point.point, point.epistemic.clone());
             let wanted = outer.points.iter().flat_map(of_point);
@@ -60,14 +58,13 @@ impl DoubleLoop {
             return Ok(runs);
         }
         self.check_points(&outer)?;
-        // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
-        let is_curve = searched.len() > MOST_LOCATED_TARGETS;
-        let outer = if is_curve { outer } else { outer.with_polynomials(self.setup.inner_basis()) };
-        let rest = self.problem().sampling.outer.saturating_sub(outer.points.len());
+        let known = outer.points.len();
+        let rest = self.problem().sampling.outer.saturating_sub(known);
+        let mut runs = Vec::new();
         if !self.setup.has_no_box() && rest > 0 {
             let count = rest.min(points_per_round(self.problem().sampling.outer, &self.first_outer));
-            for place in self.next_outer(table, &outer, &searched, count) {
-                let point = (outer.points.len() + runs.len() / self.inner_runs()) as u32;
+            for place in self.next_outer(table, round, count) {
+                let point = (known + runs.len() / self.inner_runs()) as u32;
                 runs.extend(self.runs_at(round, point, self.setup.epistemic_box.values_at(&place)));
             }
         }
@@ -103,8 +100,14 @@ impl DoubleLoop {
         runs
     }
 
-    /// At most `count` further outer points, for the extremes of what is `searched`.
-    fn next_outer(&self, table: &SampleTable, pool: &Pool, searched: &[Searched], count: usize) -> Vec<Place> {
+    /// At most `count` outer points of `round`.
+    fn next_outer(&self, table: &SampleTable, round: u32, count: usize) -> Vec<Place> {
+        let searched = &in_turn(self.setup.searched(), round)[..];
+        // A row is read once for all of its columns.
+        let pool = Pool::gather(table, Purpose::DoubleLoop, self.setup.needed_columns());
+        // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
+        let is_curve = searched.len() > MOST_LOCATED_TARGETS;
+        let pool = &if is_curve { pool } else { pool.with_polynomials(self.setup.inner_basis()) };
         let points = self.setup.outer_places(pool);
         // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
         // many, the quantiles of each element have to do.

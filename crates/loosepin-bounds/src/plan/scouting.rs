@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use super::double_loop::DoubleLoop;
 use super::steering::Searched;
 use crate::data::table::{Purpose, SampleTable};
-use crate::estimators::estimate::{deviation_of, mean_of};
 use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
 use crate::search::measure::Measure;
@@ -89,7 +88,7 @@ struct Scatter {
 
 impl Scatter {
     fn new(samples: &[&Sample]) -> Self {
-        let moments = |sample: &&Sample| (mean_of(sample.values()), deviation_of(sample.values()));
+        let moments = |sample: &&Sample| (sample.sums().mean, sample.sums().deviation());
         let moments: Vec<(f64, f64)> = samples.iter().map(moments).collect();
         let standardised: Vec<f64> = samples
             .iter()

@@ -63,6 +63,15 @@ struct Slopes {
     mean: f64,
 }
 
+/// The likeliest slopes.
+struct Fitted {
+    slopes: Slopes,
+    /// v(u) at the points.
+    variances: Vec<f64>,
+    /// What they gain in -2 ln likelihood against the same variance everywhere.
+    gain: f64,
+}
+
 /// What ln v(u) may depend on, for one set of points.
 pub(super) struct Regressors {
     /// ū
@@ -112,12 +121,13 @@ impl Scatter {
     /// As [`Scatter::even`], with a variance that depends on u where likelihood says so; `seen` are the points.
     pub fn new(seen: &[Vec<f64>], regressors: &Regressors, errors: &[f64], freedom: f64) -> Self {
         let even = Self::even(errors, freedom);
-        let Some((slopes, gain)) = Slopes::fit(seen, regressors, &squares(errors)) else { return even };
+        let Some(Fitted { slopes, variances, gain }) = Slopes::fit(seen, regressors, &squares(errors)) else {
+            return even;
+        };
         // n errors of a model that has been fitted to them tell as much as ν independent ones.
         let gain = gain * freedom / errors.len() as f64;
         let parameters = (slopes.coefficients.len() - 1) as f64;
-        let own: Vec<f64> =
-            seen.iter().zip(errors).map(|(point, error)| error / slopes.variance(point).sqrt()).collect();
+        let own: Vec<f64> = errors.iter().zip(variances).map(|(error, variance)| error / variance.sqrt()).collect();
         let uneven = Self::with(Some(slopes), &own, freedom, GAIN_OF_A_PARAMETER * parameters - gain);
         if uneven.price < even.price { uneven } else { even }
     }
@@ -131,8 +141,8 @@ impl Scatter {
 }
 
 impl Slopes {
-    /// The likeliest ones, with what they gain in -2 ln likelihood against the same variance everywhere.
-    fn fit(seen: &[Vec<f64>], regressors: &Regressors, ratios: &[f64]) -> Option<(Self, f64)> {
+    /// The likeliest ones.
+    fn fit(seen: &[Vec<f64>], regressors: &Regressors, ratios: &[f64]) -> Option<Fitted> {
         let Regressors { centre, by_point, rows, covariance } = regressors;
         let covariance = covariance.as_ref()?;
         let (count, size) = (ratios.len() as f64, centre.len() + 1);
@@ -178,15 +188,24 @@ impl Slopes {
         }
         let (centre, covariance) = (centre.clone(), covariance.clone());
         let mut slopes = Self { centre, coefficients, covariance, mean: 1.0 };
-        slopes.mean = seen.iter().map(|point| slopes.variance(point)).sum::<f64>() / count;
-        slopes.mean.is_finite().then_some((slopes, even - least))
+        let variances = slopes.variances(seen);
+        slopes.mean = variances.iter().sum::<f64>() / count;
+        slopes.mean.is_finite().then_some(Fitted { slopes, variances, gain: even - least })
     }
 
-    /// v(u)
-    fn variance(&self, point: &[f64]) -> f64 {
-        let [constant, slopes @ ..] = &self.coefficients[..] else { return 1.0 };
+    /// ln v(u)
+    fn ln_variance(&self, point: &[f64]) -> f64 {
+        let [constant, slopes @ ..] = &self.coefficients[..] else { return 0.0 };
         let sloped = slopes.iter().zip(point).zip(&self.centre).map(|((slope, x), centre)| slope * (x - centre));
-        libm::exp(constant + sloped.sum::<f64>())
+        constant + sloped.sum::<f64>()
+    }
+
+    /// v(u) at many places.
+    fn variances(&self, places: &[Vec<f64>]) -> Vec<f64> {
+        let exponents: Vec<f64> = places.iter().map(|place| self.ln_variance(place)).collect();
+        let mut variances = vec![0.0; exponents.len()];
+        exponentials(&exponents, &mut variances);
+        variances
     }
 
     /// xᵀ(XᵀX)⁻¹x; without a list of its own, for it is asked for at thousands of places.
@@ -235,14 +254,28 @@ impl RoughPart {
     ///
     /// The factor n/ν: n errors of a model that has been fitted to them tell as much as ν independent ones.
     pub fn at(&self, place: &[f64]) -> Roughness {
+        let slopes = self.scatter.slopes.as_ref();
+        let sloped = slopes.map(|slopes| (slopes, libm::exp(slopes.ln_variance(place)), place));
+        self.roughness(sloped)
+    }
+
+    /// [`Self::at`] all of `places`.
+    pub fn at_places(&self, places: &[Vec<f64>]) -> Vec<Roughness> {
+        let Some(slopes) = &self.scatter.slopes else { return vec![self.roughness(None); places.len()] };
+        let variances = slopes.variances(places).into_iter();
+        places.iter().zip(variances).map(|(place, variance)| self.roughness(Some((slopes, variance, place)))).collect()
+    }
+
+    /// [`Self::at`] a place where the scatter has this v(u); the same everywhere where it has no slopes.
+    fn roughness(&self, sloped: Option<(&Slopes, f64, &[f64])>) -> Roughness {
         if self.nugget == 0.0 {
             return Roughness::default();
         }
-        let (share, leverage) = match &self.scatter.slopes {
+        let (share, leverage) = match sloped {
             None => (1.0, 1.0 / self.freedom),
-            Some(slopes) => {
+            Some((slopes, variance, place)) => {
                 let leverage = self.points / self.freedom * slopes.leverage(place);
-                (slopes.variance(place) / slopes.mean, leverage)
+                (variance / slopes.mean, leverage)
             }
         };
         let nugget = share * self.nugget;
@@ -271,7 +304,7 @@ fn price(distrust: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{GAIN_OF_A_PARAMETER, Regressors, Scatter, Slopes, squares};
+    use super::{Fitted, GAIN_OF_A_PARAMETER, Regressors, Scatter, Slopes, squares};
     use crate::search::design::first_points;
     use loosepin_uncertainty::{hash, normal_quantile};
 
@@ -290,7 +323,8 @@ mod tests {
         let (mut found, seeds) = ([0.0; 2], 20);
         for seed in 0..seeds {
             let (points, errors) = errors(seed, |u| (3.0 * (u[0] - 0.5)).exp());
-            let (slopes, gain) = Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap();
+            let Fitted { slopes, gain, .. } =
+                Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap();
             assert!(gain > 0.0, "{gain}");
             for (sum, own) in found.iter_mut().zip(&slopes.coefficients[1..]) {
                 *sum += own / seeds as f64;
@@ -306,7 +340,7 @@ mod tests {
         let seeds = 200;
         let taken = (0..seeds).filter(|&seed| {
             let (points, errors) = errors(seed, |_| 1.0);
-            Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap().1 > 2.0 * GAIN_OF_A_PARAMETER
+            Slopes::fit(&points, &Regressors::new(&points), &squares(&errors)).unwrap().gain > 2.0 * GAIN_OF_A_PARAMETER
         });
         let share = taken.count() as f64 / seeds as f64;
         assert!((share - 0.135).abs() < 3.0 * (0.135 * 0.865 / seeds as f64).sqrt(), "{share}");

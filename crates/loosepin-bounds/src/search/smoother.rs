@@ -186,6 +186,7 @@ impl Smoother {
                 replicates: noise.replicates.clone(),
                 scatter,
                 part: OnceLock::new(),
+                at_places: OnceLock::new(),
             }),
         }
     }
@@ -290,6 +291,8 @@ struct Rough {
     replicates: Vec<Vec<f64>>,
     scatter: Scatter,
     part: OnceLock<RoughPart>,
+    /// At all places of the smoother.
+    at_places: OnceLock<Vec<Roughness>>,
 }
 
 impl Rough {
@@ -298,6 +301,10 @@ impl Rough {
             let replicates: Vec<Vec<f64>> = self.replicates.iter().map(|own| fit.smoother.grid.residual(own)).collect();
             RoughPart::new(fit.model, &self.residual, &replicates, self.scatter.clone())
         })
+    }
+
+    fn at_places(&self, fit: &Fit<'_>) -> &[Roughness] {
+        self.at_places.get_or_init(|| self.part(fit).at_places(&fit.smoother.seen_places.places))
     }
 }
 
@@ -346,9 +353,12 @@ impl Fit<'_> {
     /// Predictions of S at every place, with what an allowance asks for: first the candidates, then the points.
     pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = Prediction> {
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
-        let seen = self.smoother.seen_places.places.iter();
-        seen.zip(self.smooth_at_places())
-            .map(move |(seen, at)| Prediction { roughness: self.rough_at(rough, seen), ..at })
+        let rough = rough.map(|rough| rough.at_places(self));
+        let of = move |(place, at)| match rough {
+            Some(rough) => Prediction { roughness: rough[place], ..at },
+            None => at,
+        };
+        self.smooth_at_places().enumerate().map(of)
     }
 
     /// The same without what is rough.
@@ -369,13 +379,8 @@ impl Fit<'_> {
         let seen = self.smoother.axes.seen(place);
         let found = self.model.mean_and_deviation(&seen, (&self.whitened.0, &self.whitened.1));
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
-        let (mean, deviation) = (self.centre + found.0, self.deviation * found.1);
-        Prediction { mean, deviation, roughness: self.rough_at(rough, &seen) }
-    }
-
-    /// The `rough` part at a place in the coordinates of the models.
-    fn rough_at(&self, rough: Option<&Rough>, seen: &[f64]) -> Roughness {
-        rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen))
+        let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(&seen));
+        Prediction { mean: self.centre + found.0, deviation: self.deviation * found.1, roughness }
     }
 }
 
