@@ -16,10 +16,25 @@ pub struct Cholesky {
 
 impl Cholesky {
     /// Factorises `matrix` (row by row, `order` x `order`); nothing where it is not positive definite to round-off.
-    pub fn new(mut matrix: Vec<f64>, order: usize) -> Option<Self> {
+    pub fn new(matrix: Vec<f64>, order: usize) -> Option<Self> {
+        Self::with_known_rows(matrix, order, 0)
+    }
+
+    /// Factorises `matrix`, to whose first rows and columns, those of this one, others have been appended: with the bits of [`Self::new`],
+    /// by what the appended rows take.
+    pub fn appended(&self, mut matrix: Vec<f64>, order: usize) -> Option<Self> {
+        for (row, known) in matrix.chunks_mut(order.max(1)).zip(self.factor.chunks(self.order.max(1))) {
+            row[..self.order].copy_from_slice(known);
+            row[self.order..].fill(0.0);
+        }
+        Self::with_known_rows(matrix, order, self.order)
+    }
+
+    /// Factorises `matrix`, whose first `known` rows are those of the factor already.
+    fn with_known_rows(mut matrix: Vec<f64>, order: usize, known: usize) -> Option<Self> {
         let is_definite = on_vectors(
             #[inline(always)]
-            || factorise(&mut matrix, order),
+            || factorise(&mut matrix, order, known),
         );
         is_definite.then_some(Self { order, factor: matrix })
     }
@@ -47,20 +62,31 @@ impl Cholesky {
 
     /// L⁻¹.
     pub fn inverse_factor(&self) -> LowerTriangle {
+        self.inverse_factor_after(None)
+    }
+
+    /// L⁻¹, whose first rows are those `known` where this factor was appended to another.
+    pub fn inverse_factor_after(&self, known: Option<&LowerTriangle>) -> LowerTriangle {
         let order = self.order;
         let mut entries = vec![0.0; order * order];
+        let first = known.map_or(0, |known| known.0.order());
+        for (row, own) in entries.chunks_mut(order.max(1)).enumerate().take(first) {
+            own.iter_mut()
+                .zip(known.into_iter().flat_map(|known| known.0.row(row)))
+                .for_each(|(own, entry)| *own = entry);
+        }
         on_vectors(
             #[inline(always)]
-            || self.invert_into(&mut entries),
+            || self.invert_into(&mut entries, first),
         );
         LowerTriangle(FourTriangleRows::new(&entries, order))
     }
 
-    /// Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii; all of them are zero before.
+    /// Row i of L⁻¹ is (e_i - Σ_(j<i) L_ij row_j)/L_ii, from row `first` on; these are zero before.
     #[inline(always)]
-    fn invert_into(&self, rows: &mut [f64]) {
+    fn invert_into(&self, rows: &mut [f64], first: usize) {
         let order = self.order;
-        for i in 0..order {
+        for i in first..order {
             let (done, rest) = rows.split_at_mut(i * order);
             let row = &mut rest[..=i];
             row[i] = 1.0;
@@ -136,11 +162,11 @@ impl LowerTriangle {
     }
 }
 
-/// Puts the factor L in the place of `matrix`; whether it is positive definite to round-off.
+/// Puts the factor L in the place of `matrix`, whose first `known` rows are those of L; whether it is positive definite to round-off.
 #[inline(always)]
-fn factorise(matrix: &mut [f64], order: usize) -> bool {
+fn factorise(matrix: &mut [f64], order: usize, known: usize) -> bool {
     for j in 0..order {
-        for i in j..order {
+        for i in j.max(known)..order {
             let (row_i, row_j) = (&matrix[i * order..i * order + j], &matrix[j * order..j * order + j]);
             let sum = matrix[i * order + j] - dot_in_lanes(row_i, row_j);
             if i == j {
@@ -235,6 +261,39 @@ mod tests {
         let double = Cholesky::new(matrix.iter().map(|x| 2.0 * x).collect(), order).unwrap();
         let expected = cholesky.ln_determinant() + 7.0 * 2.0_f64.ln();
         assert!((double.ln_determinant() - expected).abs() < TOLERANCE);
+    }
+
+    #[test]
+    fn identity_appended_rows_give_the_bits_of_the_whole_matrix() {
+        let entry = |i: usize, j: usize| {
+            let [x, y] = [i, j].map(|k| (1.7 * k as f64 + 0.3).sin());
+            libm::exp(-2.0 * (x - y) * (x - y)) + if i == j { 1e-6 } else { 0.0 }
+        };
+        let matrix = |order: usize| -> Vec<f64> {
+            (0..order * order)
+                .map(|k| (k / order, k % order))
+                .map(|(i, j)| if j <= i { entry(i, j) } else { 0.0 })
+                .collect()
+        };
+        for known in [0, 1, 2, 7, 8, 9, 20] {
+            let first = Cholesky::new(matrix(known), known).unwrap();
+            for order in [known, known + 1, known + 3, known + 11] {
+                let whole = Cholesky::new(matrix(order), order).unwrap();
+                let appended = first.appended(matrix(order), order).unwrap();
+                assert_eq!(bits(&appended.factor), bits(&whole.factor), "{known} of {order}");
+                let inverse = appended.inverse_factor_after(Some(&first.inverse_factor()));
+                let (vector, whole) = ((0..order).map(|i| 0.3 + i as f64).collect::<Vec<_>>(), whole.inverse_factor());
+                assert_eq!(bits(&inverse.multiply(&vector)), bits(&whole.multiply(&vector)), "{known} of {order}");
+                assert_eq!(bits(&inverse.gram()), bits(&whole.gram()), "{known} of {order}");
+            }
+        }
+        // The leading part is the one of the factor, whatever else stands there; what is appended makes it singular.
+        let first = Cholesky::new(vec![4.0], 1).unwrap();
+        assert!(first.appended(vec![4.0, 0.0, 4.0, 4.0], 2).is_none());
+    }
+
+    fn bits(values: &[f64]) -> Vec<u64> {
+        values.iter().map(|value| value.to_bits()).collect()
     }
 
     #[test]

@@ -4,6 +4,8 @@
 //! up to 1e13, that of L the square root of it.
 
 use loosepin_math::FourRows;
+use std::sync::Arc;
+
 use loosepin_math::dense::{Cholesky, LowerTriangle};
 
 /// Matérn's correlation with ν = 5/2 (two derivatives) by s = √5 r: (1 + s + s²/3) exp(-s), and its factor exp(-s).
@@ -13,15 +15,49 @@ pub fn matern_five_halves(s: f64) -> (f64, f64) {
 }
 
 /// The same where the factor exp(-s) is known.
+#[inline(always)]
 pub fn matern_five_halves_of(s: f64, decay: f64) -> f64 {
     (1.0 + s + s * s / 3.0) * decay
+}
+
+/// V factorised as L Lᵀ, and W = L⁻¹.
+#[derive(Debug, Clone)]
+pub struct Factor {
+    /// L, for as long as values may be appended.
+    open: Option<Cholesky>,
+    whitening: LowerTriangle,
+    ln_determinant: f64,
+}
+
+impl Factor {
+    /// Factorises V (row by row, its lower triangle); nothing where it is singular to round-off.
+    pub fn try_new(covariance: Vec<f64>, order: usize) -> Option<Self> {
+        let cholesky = Cholesky::new(covariance, order)?;
+        Some(Self::of(cholesky.inverse_factor(), cholesky))
+    }
+
+    fn of(whitening: LowerTriangle, cholesky: Cholesky) -> Self {
+        Self { ln_determinant: cholesky.ln_determinant(), whitening, open: Some(cholesky) }
+    }
+
+    /// Without L, which takes twice the memory of W: nothing can be appended.
+    #[must_use]
+    pub fn closed(self) -> Self {
+        Self { open: None, ..self }
+    }
+
+    /// Factorises V, to whose first values, those of this one, others have been appended: the same bits as [`Self::try_new`] in less time.
+    pub fn appended(&self, covariance: Vec<f64>, order: usize) -> Option<Self> {
+        let Some(open) = &self.open else { return Self::try_new(covariance, order) };
+        let cholesky = open.appended(covariance, order)?;
+        Some(Self::of(cholesky.inverse_factor_after(Some(&self.whitening)), cholesky))
+    }
 }
 
 /// V factorised, with the trend whitened.
 #[derive(Debug, Clone)]
 pub struct Whitened {
-    /// W
-    pub whitening: LowerTriangle,
+    factor: Arc<Factor>,
     /// B, column by column.
     pub trend: Vec<Vec<f64>>,
     /// B and Bᵀ for products with vectors.
@@ -38,17 +74,31 @@ impl Whitened {
         trend: impl IntoIterator<Item = &'c Vec<f64>>,
         order: usize,
     ) -> Option<Self> {
-        let cholesky = Cholesky::new(covariance, order)?;
-        let whitening = cholesky.inverse_factor();
+        Some(Self::of_factor(Arc::new(Factor::try_new(covariance, order)?.closed()), order, trend))
+    }
+
+    /// [`Self::try_new`] of a V that has been factorised.
+    pub fn of_factor<'c>(factor: Arc<Factor>, order: usize, trend: impl IntoIterator<Item = &'c Vec<f64>>) -> Self {
+        let whitening = &factor.whitening;
         let trend: Vec<Vec<f64>> = trend.into_iter().map(|column| whitening.multiply(column)).collect();
         let by_point: Vec<f64> = (0..order).flat_map(|point| trend.iter().map(move |column| column[point])).collect();
-        Some(Self {
+        Self {
             by_point: FourRows::new(&by_point, trend.len()),
             by_column: FourRows::new(&trend.concat(), order),
-            whitening,
+            ln_determinant: factor.ln_determinant,
+            factor,
             trend,
-            ln_determinant: cholesky.ln_determinant(),
-        })
+        }
+    }
+
+    /// W
+    pub fn whitening(&self) -> &LowerTriangle {
+        &self.factor.whitening
+    }
+
+    /// L and W.
+    pub fn factor(&self) -> &Arc<Factor> {
+        &self.factor
     }
 
     /// Bᵀ w of a whitened vector.
@@ -73,12 +123,12 @@ impl Whitened {
 
     /// Columns of Wᵀ B.
     pub fn projected_trend(&self) -> Vec<Vec<f64>> {
-        self.trend.iter().map(|column| self.whitening.multiply_transposed(column)).collect()
+        self.trend.iter().map(|column| self.whitening().multiply_transposed(column)).collect()
     }
 
     /// c = W k and r = f - Bᵀc at a place with the covariances k and the terms f of the trend.
     pub fn at_place(&self, covariances: &[f64], terms: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let white = self.whitening.multiply(covariances);
+        let white = self.whitening().multiply(covariances);
         let rest = terms.iter().zip(self.products(&white)).map(|(term, known)| term - known).collect();
         (white, rest)
     }
@@ -89,7 +139,7 @@ impl Whitened {
         covariances: &[[f64; N]],
         terms: &[[f64; N]],
     ) -> (Vec<[f64; N]>, Vec<[f64; N]>) {
-        let white = self.whitening.multiply_each(covariances);
+        let white = self.whitening().multiply_each(covariances);
         let mut rest = self.products_of_each(&white);
         for (known, terms) in rest.iter_mut().zip(terms) {
             for (known, term) in known.iter_mut().zip(terms) {

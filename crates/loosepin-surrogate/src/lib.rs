@@ -49,7 +49,7 @@ pub use data::{FEWEST_RUNS, TrainingData, TrainingOutput};
 pub use ensemble::Ensemble;
 pub use error::SurrogateError;
 pub use fitted::{Fitted, Form, Kind};
-pub use gaussian_process::{Whitened, matern_five_halves, matern_five_halves_of};
+pub use gaussian_process::{Factor, Whitened, matern_five_halves, matern_five_halves_of};
 pub use input::Input;
 pub use kernel::Kernel;
 pub use kriging::Kriging;

@@ -79,12 +79,12 @@ impl Observations<'_> {
         let size = trend.len();
         let gram = (0..size * size).map(|k| dot(&trend[k / size], &trend[k % size])).collect();
         let information = Cholesky::new(gram, size)?;
-        let mut rest = whitened.whitening.multiply(self.values);
+        let mut rest = whitened.whitening().multiply(self.values);
         let mut coefficients = whitened.products(&rest);
         information.solve(&mut coefficients);
         whitened.take_out(&mut rest, &coefficients);
         let deviance = whitened.ln_determinant + information.ln_determinant() + dot(&rest, &rest);
-        let weights = whitened.whitening.multiply_transposed(&rest);
+        let weights = whitened.whitening().multiply_transposed(&rest);
         deviance.is_finite().then_some(Solved { whitened, information, coefficients, weights, deviance })
     }
 
@@ -124,7 +124,7 @@ impl Solved {
     /// P, row by row, its lower triangle.
     fn projection(&self) -> Vec<f64> {
         let count = self.weights.len();
-        let mut projection = self.whitened.whitening.gram();
+        let mut projection = self.whitened.whitening().gram();
         for column in self.trend_directions() {
             for i in 0..count {
                 let factor = column[i];
@@ -154,7 +154,7 @@ impl Solved {
 
     /// Errors of predicting each value from all the others, (P y)_i/P_ii, and their variances 1/P_ii.
     pub fn leave_one_out(&self) -> (Vec<f64>, Vec<f64>) {
-        let mut diagonal = self.whitened.whitening.column_squares();
+        let mut diagonal = self.whitened.whitening().column_squares();
         for direction in self.trend_directions() {
             for (entry, value) in diagonal.iter_mut().zip(&direction) {
                 *entry -= value * value;

@@ -1,19 +1,22 @@
 //! What is kept beside the rows of a table.
 
-use std::any::Any;
+use std::any::{Any, TypeId};
+use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// One value, of any type, that is made when it is first asked for. A copy begins without: rows that are added to it are not those that are
-/// added to the original.
+/// A value of each type, made when it is first asked for. A copy begins without: rows that are added to it are not those that are added to
+/// the original.
 #[derive(Default)]
-pub(super) struct Beside(OnceLock<Arc<dyn Any + Send + Sync>>);
+pub(super) struct Beside(Mutex<BTreeMap<TypeId, Arc<dyn Any + Send + Sync>>>);
 
 impl Beside {
-    /// What is kept; a new one where nothing is, or where it is of another type.
+    /// What is kept of this type; a new one where nothing is.
     pub fn get<K: Any + Send + Sync + Default>(&self) -> Arc<K> {
-        let kept = self.0.get_or_init(|| Arc::new(K::default()));
-        kept.clone().downcast().unwrap_or_default()
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = kept.entry(TypeId::of::<K>()).or_insert_with(|| Arc::new(K::default()));
+        // It is of the type that it is kept by.
+        Arc::clone(own).downcast().unwrap_or_default()
     }
 }
 

@@ -73,7 +73,7 @@ impl DoubleLoop {
             let rest = self.problem().sampling.extreme.saturating_sub(extremes.points.len());
             let count = rest.min(points_per_round(self.problem().sampling.extreme, &self.first_extreme));
             if count > 0 {
-                let next = self.next_extremes(&extremes, count);
+                let next = self.next_extremes(table, &extremes, count);
                 let known = extremes.points.len();
                 runs.extend(
                     next.iter()
@@ -144,7 +144,7 @@ impl DoubleLoop {
         if readings.any(|reading| reading == Reading::RandomSet) {
             targets.extend(self.single_runs(table, searched));
         }
-        let grids = SharedGrids::default();
+        let grids = SharedGrids::after(table, Purpose::DoubleLoop);
         let search = Search::sharing(
             &grids,
             self.setup.epistemic_box.axes(),
@@ -154,7 +154,9 @@ impl DoubleLoop {
         );
         let called = self.called_places(table, pool, searched, (&search, &grids), count / CALLED_SHARE);
         let next = search.next_places(&targets, &self.searched_elements, count);
-        search.new_places(called.into_iter().chain(next), count)
+        let places = search.new_places(called.into_iter().chain(next), count);
+        grids.keep(table, Purpose::DoubleLoop);
+        places
     }
 
     /// The response itself at some of the inner runs: where every sample may have its own u, their extremes are wanted.
@@ -174,7 +176,7 @@ impl DoubleLoop {
         columns.into_iter().flat_map(of_column).collect()
     }
 
-    fn next_extremes(&self, pool: &Pool, count: usize) -> Vec<Place> {
+    fn next_extremes(&self, table: &SampleTable, pool: &Pool, count: usize) -> Vec<Place> {
         let points = self.setup.extreme_places(pool);
         let targets: Vec<(Target, Vec<Direction>)> = self
             .problem()
@@ -182,13 +184,17 @@ impl DoubleLoop {
             .iter()
             .map(|&column| (self.setup.extreme_target(pool, column), Direction::BOTH.to_vec()))
             .collect();
-        let search = Search::new(
+        let grids = SharedGrids::after(table, Purpose::Extreme);
+        let search = Search::sharing(
+            &grids,
             self.setup.joint_box.axes(),
             &points,
             &self.setup.joint_candidates,
             targets.iter().map(|(target, _)| target),
         );
-        search.next_places(&targets, &self.whole_joint_box, count)
+        let places = search.next_places(&targets, &self.whole_joint_box, count);
+        grids.keep(table, Purpose::Extreme);
+        places
     }
 
     /// Replicates, and runs in each, at the outer points of `pool`, where the plan has more of either: `table` is then that of a

@@ -3,7 +3,7 @@
 use super::setup::Setup;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
-use crate::data::table::SampleTable;
+use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
@@ -36,7 +36,8 @@ pub(crate) struct Focal<'a> {
 impl<'a> Experiment<'a> {
     /// The runs of `pool`, gathered from `table`.
     pub fn new(setup: &'a Setup, pool: &'a Pool, table: &'a SampleTable) -> Self {
-        Self { setup, pool, table, places: setup.outer_places(pool), grids: SharedGrids::default() }
+        let grids = SharedGrids::after(table, Purpose::DoubleLoop);
+        Self { setup, pool, table, places: setup.outer_places(pool), grids }
     }
 
     /// The focal elements of `cut`.

@@ -16,6 +16,7 @@ use crate::estimators::quantile::quantile;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
 use crate::search::search_box::Region;
+use crate::search::shared_grids::SharedGrids;
 use crate::search::target::SEARCH_RESOLUTION;
 
 /// A band for a column, by one treatment.
@@ -157,7 +158,8 @@ fn interval_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[usize
     let setup = experiment.setup;
     let places = setup.extreme_places(pool);
     let targets: Vec<_> = columns.par_iter().map(|&column| setup.extreme_target(pool, column)).collect();
-    let search = Search::new(setup.joint_box.axes(), &places, &setup.joint_candidates, &targets);
+    let grids = SharedGrids::after(experiment.table, Purpose::Extreme);
+    let search = Search::sharing(&grids, setup.joint_box.axes(), &places, &setup.joint_candidates, &targets);
     let whole = Region::whole(setup.joint_box.dimensions());
     columns
         .par_iter()

@@ -10,11 +10,15 @@
 //! V itself is never inverted: its condition number is up to 1e13, that of L the square root of it.
 
 use core::array::from_fn;
+use std::sync::Arc;
 
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot, gram};
-use loosepin_math::{FourRows, beside_one_another, dots_of_each, exponentials};
-use loosepin_surrogate::{Whitened, matern_five_halves_of};
+use loosepin_math::{FourRows, beside_one_another, dots_of_each, exponentials, on_vectors};
+use loosepin_surrogate::{Factor, Whitened, matern_five_halves_of};
+
+/// To the factors of no more points than this others are appended: those of many take memory for as long as they are kept.
+pub(super) const MOST_APPENDED_TO: usize = 128;
 
 /// Places that are predicted side by side: as many as there are numbers in two vectors.
 const PLACES_AT_ONCE: usize = 8;
@@ -76,19 +80,33 @@ impl Kernel {
             Smoothness::Twice => 5.0_f64.sqrt(),
             Smoothness::FourTimes => 3.0,
         };
-        let of = match self.smoothness {
-            Smoothness::Once => |s: f64, decay: f64| (1.0 + s) * decay,
-            Smoothness::Twice => matern_five_halves_of,
-            Smoothness::FourTimes => {
-                |s, decay| (1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)))) * decay
-            }
-        };
         let negated: Vec<f64> = distances.iter().map(|distance| -(factor * (distance / self.length_scale))).collect();
         let mut correlations = vec![0.0; distances.len()];
         exponentials(&negated, &mut correlations);
-        for (correlation, negated) in correlations.iter_mut().zip(negated) {
-            *correlation = of(-negated, *correlation);
-        }
+        // Every smoothness has a loop of its own, which vectors do.
+        on_vectors(
+            #[inline(always)]
+            || {
+                let each = correlations.iter_mut().zip(&negated).map(|(decay, negated)| (-negated, decay));
+                match self.smoothness {
+                    Smoothness::Once => {
+                        for (s, decay) in each {
+                            *decay *= 1.0 + s;
+                        }
+                    }
+                    Smoothness::Twice => {
+                        for (s, decay) in each {
+                            *decay = matern_five_halves_of(s, *decay);
+                        }
+                    }
+                    Smoothness::FourTimes => {
+                        for (s, decay) in each {
+                            *decay *= 1.0 + s * (1.0 + s * (3.0 / 7.0 + s * (2.0 / 21.0 + s / 105.0)));
+                        }
+                    }
+                }
+            },
+        );
         correlations
     }
 }
@@ -131,7 +149,7 @@ struct Prediction {
 
 impl Model {
     /// The model at `place` of a grid on `points` with the `covariance` of its kernel, whose polynomial has these `terms` there (row by row);
-    /// nothing where V is singular to round-off.
+    /// nothing where V is singular to round-off. The points may have been appended to those of a factor that is `known`.
     pub fn try_new(
         place: usize,
         points: &[Vec<f64>],
@@ -139,6 +157,7 @@ impl Model {
         (trend, terms): (Trend, &[f64]),
         kernel: Kernel,
         noise_ratio: f64,
+        known: Option<&Factor>,
     ) -> Option<Self> {
         let count = points.len();
         let size = terms.len() / count;
@@ -147,13 +166,18 @@ impl Model {
         }
         let columns: Vec<Vec<f64>> =
             (0..size).map(|column| terms.chunks(size).map(|row| row[column]).collect()).collect();
-        let whitened = Whitened::try_new(covariance, &columns, count)?;
+        let factor = match known {
+            Some(known) => known.appended(covariance, count)?,
+            None => Factor::try_new(covariance, count)?,
+        };
+        let factor = if count > MOST_APPENDED_TO { factor.closed() } else { factor };
+        let whitened = Whitened::of_factor(Arc::new(factor), count, &columns);
         let by_point: Vec<f64> = (0..count).flat_map(|i| whitened.trend.iter().map(move |column| column[i])).collect();
         let information = Cholesky::new(gram(&by_point, size), size)?;
         let trend_covariance = FourRows::new(&information.inverse(), size);
         // Rows of WᵀB give the part of P_ii that the polynomial takes away.
         let projected = whitened.projected_trend();
-        let mut projection_diagonal = whitened.whitening.column_squares();
+        let mut projection_diagonal = whitened.whitening().column_squares();
         for (i, entry) in projection_diagonal.iter_mut().enumerate() {
             let row: Vec<f64> = projected.iter().map(|column| column[i]).collect();
             *entry -= dot(&row, &trend_covariance.multiply(&row));
@@ -169,6 +193,11 @@ impl Model {
             ln_determinants: whitened.ln_determinant + information.ln_determinant(),
             whitened,
         })
+    }
+
+    /// V factorised.
+    pub fn factor(&self) -> &Arc<Factor> {
+        self.whitened.factor()
     }
 
     /// Its place in its grid.
@@ -196,7 +225,7 @@ impl Model {
     /// Gaussian processes", Neural Computation 13 (2001) 1103-1118. A function that is rougher in one place than in others
     /// shows itself here.
     pub fn errors(&self, rest: &[f64]) -> Vec<f64> {
-        let projected = self.whitened.whitening.multiply_transposed(rest);
+        let projected = self.whitened.whitening().multiply_transposed(rest);
         let of = |(error, diagonal): (&f64, &f64)| if *diagonal > 0.0 { error / diagonal.sqrt() } else { 0.0 };
         projected.iter().zip(&self.projection_diagonal).map(of).collect()
     }
@@ -218,7 +247,7 @@ impl Model {
 
     /// [`Self::nugget`] of N lists of values side by side.
     pub fn nuggets_of_each<const N: usize>(&self, values: &[[f64; N]]) -> [f64; N] {
-        let projected = self.whitened.whitening.multiply_transposed_each(&self.whitened_rest_of_each(values));
+        let projected = self.whitened.whitening().multiply_transposed_each(&self.whitened_rest_of_each(values));
         let trace: f64 = self.projection_diagonal.iter().sum();
         dots_of_each(&projected, &projected).map(|square| self.noise_ratio * square / trace)
     }
@@ -230,7 +259,7 @@ impl Model {
 
     /// P y
     fn projected(&self, values: &[f64]) -> Vec<f64> {
-        self.whitened.whitening.multiply_transposed(&self.whitened_rest(values))
+        self.whitened.whitening().multiply_transposed(&self.whitened_rest(values))
     }
 
     /// (1 - B G Bᵀ) W y, whose square is yᵀP y.
@@ -238,7 +267,7 @@ impl Model {
         if is_zero(values) {
             return values.to_vec();
         }
-        let mut rest = self.whitened.whitening.multiply(values);
+        let mut rest = self.whitened.whitening().multiply(values);
         let shares = self.trend_covariance.multiply(&self.whitened.products(&rest));
         self.whitened.take_out(&mut rest, &shares);
         rest
@@ -246,7 +275,7 @@ impl Model {
 
     /// [`Self::whitened_rest`] of N lists of values side by side.
     pub fn whitened_rest_of_each<const N: usize>(&self, values: &[[f64; N]]) -> Vec<[f64; N]> {
-        let mut rest = self.whitened.whitening.multiply_each(values);
+        let mut rest = self.whitened.whitening().multiply_each(values);
         let shares = self.trend_covariance.multiply_each(&self.whitened.products_of_each(&rest));
         self.whitened.take_out_of_each(&mut rest, &shares);
         rest
@@ -257,7 +286,7 @@ impl Model {
         if is_zero(values) {
             return (values.to_vec(), vec![0.0; self.whitened.trend.len()]);
         }
-        let white = self.whitened.whitening.multiply(values);
+        let white = self.whitened.whitening().multiply(values);
         let of_trend = self.trend_covariance.multiply(&self.whitened.products(&white));
         (white, of_trend)
     }

@@ -1,15 +1,17 @@
 //! The models of one set of points, whatever their values and wherever predictions are wanted.
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
 use super::assessment::NOISE_RATIOS;
-use super::gaussian_process::{Kernel, Model, Smoothness};
+use super::gaussian_process::{Kernel, MOST_APPENDED_TO, Model, Smoothness};
 use super::roughness::Regressors;
 use super::search_box::Axes;
 use super::trend::Trend;
 use loosepin_math::dense::{Cholesky, dot};
+use loosepin_surrogate::Factor;
 
 /// Length scales ℓ of the grid, in units of the diagonal of the box.
 const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
@@ -30,6 +32,8 @@ pub(crate) struct Grid {
     pub trend: Trend,
     /// Correlations of the points by length scale, of the kernels that every noise ratio has.
     covariances: [OnceLock<Vec<f64>>; LENGTH_SCALES.len()],
+    /// Factors of the models of an earlier grid, to whose points others have been appended, by their places.
+    known: BTreeMap<usize, Arc<Factor>>,
     /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
     /// others are prepared when they are asked for.
     levels: Vec<OnceLock<Vec<Model>>>,
@@ -37,16 +41,19 @@ pub(crate) struct Grid {
 
 impl Grid {
     /// Prepares the models for `points` of the unit box; those that pass beside the values take part where it `may_pass_beside`. Nothing where
-    /// there are too few points for any model.
-    pub fn try_new(points: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
+    /// there are too few points for any model. The factors of an `earlier` grid are taken over where the points begin with its own.
+    pub fn try_new(points: &[Vec<f64>], may_pass_beside: bool, axes: &Axes, earlier: &[Arc<Self>]) -> Option<Self> {
         let seen: Vec<Vec<f64>> = points.iter().map(|point| axes.seen(point)).collect();
+        let begins_so = |earlier: &&Arc<Self>| seen.starts_with(&earlier.seen);
+        let longest = earlier.iter().filter(begins_so).max_by_key(|earlier| earlier.seen.len());
+        let known = longest.map_or_else(BTreeMap::new, |earlier| earlier.factors());
         let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
         let regressors = Regressors::new(&seen);
         let diagonal = (points[0].len() as f64).sqrt();
         let covariances = Default::default();
-        let grid = Self { diagonal, terms, normal_equations, seen, regressors, trend, covariances, levels };
+        let grid = Self { diagonal, terms, normal_equations, seen, regressors, trend, covariances, known, levels };
         let kernels = grid.kernels(0).into_par_iter().enumerate();
         let without_noise: Vec<Model> = kernels.filter_map(|own| grid.model(own, 0)).collect();
         let is_empty = without_noise.is_empty();
@@ -71,6 +78,23 @@ impl Grid {
         self.levels[level].get_or_init(prepare)
     }
 
+    /// Whether points have been appended to those of an earlier grid.
+    #[cfg(test)]
+    pub fn is_appended(&self) -> bool {
+        !self.known.is_empty()
+    }
+
+    /// Whether points may be appended to it.
+    pub fn may_be_appended_to(&self) -> bool {
+        self.seen.len() <= MOST_APPENDED_TO
+    }
+
+    /// Factors of the models that have been prepared, by their places.
+    fn factors(&self) -> BTreeMap<usize, Arc<Factor>> {
+        let models = self.levels.iter().filter_map(OnceLock::get).flatten();
+        models.map(|model| (model.place(), Arc::clone(model.factor()))).collect()
+    }
+
     fn kernels(&self, level: usize) -> Vec<Kernel> {
         let diagonal = self.diagonal;
         // Noise hides how smooth a function is.
@@ -90,7 +114,8 @@ impl Grid {
         let find = || kernel.covariance(&self.seen);
         let covariance = shared.map_or_else(find, |shared| shared.get_or_init(find).clone());
         let place = level * MOST_KERNELS + place;
-        Model::try_new(place, &self.seen, covariance, (self.trend, &self.terms), kernel, NOISE_RATIOS[level])
+        let known = self.known.get(&place).map(|known| &**known);
+        Model::try_new(place, &self.seen, covariance, (self.trend, &self.terms), kernel, NOISE_RATIOS[level], known)
     }
 
     /// Residuals of the polynomial alone, by ordinary least squares: the models see the same misfit with less round-off.

@@ -76,7 +76,9 @@ impl LocalSmoothers {
     /// Smoothers with grids of their own; models that pass beside the values take part where it `may_pass_beside`. Nothing where there are
     /// too few `points` for any model.
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
-        Self::with(points, candidates, axes, |_, points| Grid::try_new(points, may_pass_beside, axes).map(Arc::new))
+        Self::with(points, candidates, axes, |_, points| {
+            Grid::try_new(points, may_pass_beside, axes, &[]).map(Arc::new)
+        })
     }
 
     /// Smoothers for any number of `points`; `grid` gives that of the points of each part.

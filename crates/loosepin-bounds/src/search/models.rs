@@ -130,8 +130,9 @@ impl<'a> Search<'a> {
                 .flat_map(|(point, _)| neighbours(axes, &points[point].at));
             let places: Vec<Vec<f64>> = candidates.iter().cloned().chain(near).collect();
             let known = defined.iter().map(|&i| points[i].at.clone()).collect();
-            let grid =
-                |part: usize, points: &[Vec<f64>]| grids.of(&defined, part, || Grid::try_new(points, true, axes));
+            let grid = |part: usize, points: &[Vec<f64>]| {
+                grids.of(&defined, part, |earlier| Grid::try_new(points, true, axes, earlier))
+            };
             let smoother = LocalSmoothers::with(known, &places, axes, grid);
             (defined, smoother)
         };

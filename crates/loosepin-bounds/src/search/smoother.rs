@@ -87,7 +87,7 @@ impl Smoother {
     /// too few points for any model.
     #[cfg(test)]
     pub fn try_new(points: Vec<Vec<f64>>, candidates: &[Vec<f64>], may_pass_beside: bool, axes: &Axes) -> Option<Self> {
-        let grid = Grid::try_new(&points, may_pass_beside, axes)?;
+        let grid = Grid::try_new(&points, may_pass_beside, axes, &[])?;
         Some(Self::new(Arc::new(grid), points, candidates, axes))
     }
 
