@@ -31,7 +31,7 @@ pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> 
     let poses: Vec<(&usize, &Vec<_>)> = columns.iter().filter(is_pose).collect();
     let of_curves: usize = poses.iter().map(|(_, own)| own.len()).sum();
     let turns = (of_curves / LEAST_OF_CURVES).max(1);
-    let is_left_out = |(pose, _): &(usize, &usize)| (pose + round as usize) % turns != 0;
+    let is_left_out = |(pose, _): &(usize, &usize)| !(pose + round as usize).is_multiple_of(turns);
     let columns = poses.into_iter().map(|(column, _)| column).enumerate();
     let left_out: BTreeSet<usize> = columns.filter(is_left_out).map(|(_, column)| *column).collect();
     searched.retain(|(request, _)| !left_out.contains(&request.column));
