@@ -5,7 +5,8 @@ more, and takes the largest magnitude and the rms of the acceleration of the sli
 5 %, the same for both. Alternatives are mechanisms that the study does not allow: a crank pin with play as well (`joint`), and
 friction in the worn pin (`friction`).
 
-    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative; the file there holds 42 of "none"
+    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative
+    python motion_readings.py 20 5 joint                   seeds 5 to 19 of one alternative
 
 Needs cases/oracle/requirements.txt.
 """
@@ -68,10 +69,10 @@ def features(text):
     return np.abs(acceleration).max(), np.sqrt(np.mean(acceleration**2)), len(onsets) / RECORDED
 
 
-def main(seeds):
+def main(seeds, alternatives):
     print("alternative,seed,play_mm,restitution,crank_mm,rod_mm,gain,peak_m_s2,rms_m_s2,impacts")
-    for alternative in ("none", "joint", "friction"):
-        for seed in range(seeds):
+    for alternative in alternatives:
+        for seed in seeds:
             random = np.random.default_rng([seed, 31])
             truth = [
                 float(random.uniform(0.1, 0.5)),
@@ -86,4 +87,5 @@ def main(seeds):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 100)
+    first, behind = int(sys.argv[2]) if len(sys.argv) > 2 else 0, int(sys.argv[1]) if len(sys.argv) > 1 else 100
+    main(range(first, behind), sys.argv[3:] or ("none", "joint", "friction"))

@@ -440,7 +440,10 @@ pub struct ExportArguments {
     Prints the bounds of every play and of every sum of plays that the readings fix, and the reading that would narrow them most. \
     Tables of kind = \"motion\" hold features of a motion: prints which values of all inputs under [epistemic] are consistent with them.\n\n\
     Exit status: 0 readings and motion are explained; 1 no values of the plays, or of the unknowns, explain them; 2 error.\n\n\
-    Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml\n  loosepin identify study.toml --plan"
+    --out also says which features of the motion tell most, and writes summary.json and report.html. --compare runs the study as it is and \
+    with the narrowed intervals, and shows what its bounds gain.\n\n\
+    Examples:\n  loosepin identify study.toml\n  loosepin identify study.toml --write narrowed.toml --compare\n  \
+    loosepin identify study.toml --out identified\n  loosepin identify study.toml --plan"
 )]
 pub struct IdentifyArguments {
     /// Study file with [[measured]] tables
@@ -449,6 +452,15 @@ pub struct IdentifyArguments {
     /// Write the study with narrowed intervals, comments kept, beside the study
     #[arg(long, value_name = "FILE")]
     pub write: Option<PathBuf>,
+    /// Run the study as it is and with the narrowed intervals, and compare their bounds
+    #[arg(long, conflicts_with = "plan")]
+    pub compare: bool,
+    /// Output folder for summary.json and report.html, created if it does not exist
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["plan", "json"])]
+    pub out: Option<PathBuf>,
+    /// Run again and replace existing results
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// Specimen whose readings and features count [default: all, each by itself]
     #[arg(long, value_name = "NAME")]
     pub specimen: Option<String>,

@@ -1,4 +1,4 @@
-//! How far a study is, on a terminal.
+//! How far a study or an identification is, on a terminal.
 
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
@@ -50,6 +50,16 @@ impl Bar {
 
     /// A bar of a study that continues with `kept` finished runs.
     pub fn going_on(kept: usize) -> Bar {
+        Bar::of("runs", kept)
+    }
+
+    /// A bar of values of the unknowns, each of which has many runs.
+    pub fn of_values() -> Bar {
+        Bar::of("values", 0)
+    }
+
+    /// A bar of what is counted, `kept` of it from before.
+    fn of(counted: &str, kept: usize) -> Bar {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
         let pace = Arc::new(Mutex::new(Pace { began: Instant::now(), kept, last: None }));
         let shown = Arc::clone(&pace);
@@ -61,7 +71,8 @@ impl Bar {
             };
         };
         // The template is fixed, so that the plain bar is never needed.
-        let style = ProgressStyle::with_template("[{bar:30}] {pos} of at most {len} runs, {remaining}{msg}")
+        let template = format!("[{{bar:30}}] {{pos}} of at most {{len}} {counted}, {{remaining}}{{msg}}");
+        let style = ProgressStyle::with_template(&template)
             .unwrap_or_else(|_| ProgressStyle::default_bar())
             .with_key("remaining", remaining);
         bar.set_style(style.progress_chars("=> "));

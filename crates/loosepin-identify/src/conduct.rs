@@ -7,12 +7,13 @@ use super::further::further;
 use super::influence::Influence;
 use super::locked::Test;
 use super::misfit::misfit;
-use super::motion::{MotionValues, identify_motion};
+use super::motion::{Heard, MotionValues, identify_motion};
 use super::rig::Rig;
 use super::states::States;
 use loosepin_result::identification::{
     Combination, Consistent, Identification, InputRange, Outcome, PlayBounds, Specimen, TestReading,
 };
+use loosepin_result::repeat::Repeat;
 use loosepin_study::{Measured, Push, ReadingScatter, Study};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
 use loosepin_text::units::{Dimension, DisplayUnits, SiUnit, format_value};
@@ -53,11 +54,11 @@ impl Default for Options {
     }
 }
 
-/// The plays that are consistent with the readings of `study`, specimen by specimen.
+/// The plays that are consistent with the readings of `study`, specimen by specimen. `heard` hears of values of the unknowns that have their runs.
 ///
 /// # Errors
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
-pub fn identify(study: &Study, options: &Options) -> Result<Identification, Complaints> {
+pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Identification, Complaints> {
     let confidence = options.confidence;
     if !(0.5..=MOST_CONFIDENCE).contains(&confidence) {
         return Err(Complaints::one(&IdentifyProblem::Confidence { found: confidence }, None));
@@ -68,7 +69,7 @@ pub fn identify(study: &Study, options: &Options) -> Result<Identification, Comp
     }
     let wanted = specimens(study, options)?;
     let asked = MotionValues { confidence, points: options.points, threads: options.threads };
-    let motion = identify_motion(study, options.specimen.as_ref(), &asked)?;
+    let motion = identify_motion(study, options.specimen.as_ref(), &asked, heard)?;
     let answer = |random_inputs, specimens| Identification {
         study: study.name.clone(),
         model: study.model.name.clone(),
@@ -78,6 +79,9 @@ pub fn identify(study: &Study, options: &Options) -> Result<Identification, Comp
         display_units: study.model.shown_in(DisplayUnits::default()),
         specimens,
         motion,
+        plan: None,
+        gain: None,
+        repeat: Repeat::default(),
     };
     if study.measured.is_empty() {
         return Ok(answer(Vec::new(), Vec::new()));

@@ -5,6 +5,7 @@ mod column;
 mod error;
 mod function_bounds;
 mod further_outputs;
+mod identification;
 mod inputs;
 mod made_in_python;
 mod model;
@@ -30,6 +31,7 @@ fn loosepin_python(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<run_rows::RunRows>()?;
     module.add_class::<study::Study>()?;
     module.add_class::<result::StudyResult>()?;
+    module.add_class::<identification::Identification>()?;
     module.add_class::<surrogates::Surrogates>()?;
     module.add_function(wrap_pyfunction!(function_bounds::input_names, module)?)?;
     module.add_function(wrap_pyfunction!(function_bounds::evaluate, module)?)

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
+use loosepin::identify::MotionValues;
 use loosepin::study::{self, FurtherOutputs, InputFile, Means, RunMaker, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
@@ -10,6 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::error::{Complaint, raise};
 use crate::further_outputs::{self, Asked, MadeBy};
+use crate::identification::{self, Identification, identified, planned};
 use crate::made_in_python::MadeInPython;
 use crate::model::Model;
 use crate::result::StudyResult;
@@ -22,6 +24,9 @@ type Recorded = (String, String, Option<Vec<f64>>);
 
 /// Threads, at most; as for the command.
 const MOST_THREADS: i64 = 1024;
+/// Values at which a motion is tested: as for the command.
+const LEAST_POINTS: i64 = 1;
+const MOST_POINTS: i64 = 1_000_000;
 
 /// A checked study.
 #[pyclass(frozen, module = "loosepin._loosepin")]
@@ -134,6 +139,35 @@ impl Study {
         study::Study::from_texts(&study_texts(texts)).map(Self).map_err(raise)
     }
 
+    /// What its readings and its motion say of its unknowns.
+    #[pyo3(signature = (points, confidence, specimen, threads, progress))]
+    fn identify(
+        &self,
+        py: Python<'_>,
+        points: i64,
+        confidence: f64,
+        specimen: Option<String>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Identification> {
+        let asked = identification::Asked { values: motion_values(points, confidence, threads)?, specimen };
+        identified(py, &self.0, &asked, progress.as_ref())
+    }
+
+    /// What features of its motion would tell: JSON, and the table of the terminal.
+    #[pyo3(signature = (confidence, specimen, threads, progress))]
+    fn plan_motion(
+        &self,
+        py: Python<'_>,
+        confidence: f64,
+        specimen: Option<String>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(String, String)> {
+        let asked = identification::Asked { values: motion_values(LEAST_POINTS, confidence, threads)?, specimen };
+        planned(py, &self.0, &asked, progress.as_ref())
+    }
+
     /// Columns of every run: name, SI unit, and for a curve the angles of the drive.
     fn recorded(&self, py: Python<'_>) -> PyResult<Vec<Recorded>> {
         let recorded = py.detach(|| FurtherOutputs::new(&self.0, 1, Vec::new()).map(|further| further.recorded()));
@@ -158,6 +192,15 @@ impl Study {
         let by = MadeBy { threads: count_threads(threads)?, maker: maker.map(MadeInPython::new) };
         further_outputs::bounds(py, &self.0, &function, &asked, &by, progress.as_ref())
     }
+}
+
+/// What is asked of a motion.
+fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult<MotionValues> {
+    if !(LEAST_POINTS..=MOST_POINTS).contains(&points) {
+        let text = format!("points {points}; must be between {LEAST_POINTS} and {MOST_POINTS}");
+        return Err(PyValueError::new_err(text));
+    }
+    Ok(MotionValues { confidence, points: points as usize, threads: count_threads(threads)? })
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.

@@ -1,11 +1,12 @@
 //! The answer of an identification for a terminal: readings, plays, sums that are fixed, what to measure next; or the misfit.
 
+use super::identification_gain::{bound_words, narrower_words};
 use super::motion_identification_text::push_motion;
 use super::number::{NumberWriter, Rounding};
 use super::terminal_table::{push_table, table, wrapped};
 use loosepin_result::identification::{
-    Combination, Consistent, Culprit, FurtherReading, Identification, Misfit, Outcome, PlayBounds, Searched, Specimen,
-    TestReading,
+    Combination, Consistent, Culprit, FurtherReading, Gain, Identification, Misfit, Outcome, PlayBounds, Searched,
+    Specimen, TestReading,
 };
 use loosepin_text::units::{SiUnit, counted, listed};
 
@@ -32,13 +33,35 @@ pub fn identification_text(answer: &Identification) -> String {
         }
         push_motion(&mut text, specimen, &writer);
     }
-    if !answer.specimens.is_empty() {
+    if let Some(gain) = &answer.gain {
+        push_gain(&mut text, gain, &writer);
+    }
+    if !answer.specimens.is_empty() || answer.gain.is_some() {
         text.push('\n');
     }
     for sentence in grounds(answer, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }
     text
+}
+
+/// Appends the bounds of the study before and after.
+fn push_gain(text: &mut String, gain: &Gain, writer: &NumberWriter<'_>) {
+    text.push_str("\nThe study before (A) and after (B)\n\n");
+    for sentence in std::iter::once(&gain.headline).chain(&gain.bands) {
+        text.push_str(&format!("{}\n", wrapped(sentence, "- ")));
+    }
+    let mut table = table(&["of", "statistic", "before", "after", "change"], &[]);
+    for bound in &gain.bounds {
+        table.add_row(vec![
+            bound.response.clone(),
+            bound.statistic.clone(),
+            bound_words(bound.before_si, bound, writer),
+            bound_words(bound.after_si, bound, writer),
+            narrower_words(bound, writer),
+        ]);
+    }
+    push_table(text, &table);
 }
 
 fn push_specimen(text: &mut String, specimen: &Specimen, writer: &NumberWriter<'_>) {
@@ -87,7 +110,7 @@ fn push_specimen(text: &mut String, specimen: &Specimen, writer: &NumberWriter<'
 }
 
 /// What became of the plays, in one sentence.
-fn headline(readings: &[TestReading], known: &Consistent, writer: &NumberWriter<'_>) -> String {
+pub(super) fn headline(readings: &[TestReading], known: &Consistent, writer: &NumberWriter<'_>) -> String {
     let fixed = known.plays.iter().filter(|play| play.is_identifiable).count();
     let plays = known.plays.len();
     let fix = if readings.len() == 1 { "fixes" } else { "fix" };
@@ -186,7 +209,7 @@ fn factors_table(readings: &[TestReading], plays: &[PlayBounds], writer: &Number
 }
 
 /// `crank_pin + 2 coupler_pin is 0.21 mm to 0.23 mm; 0.03 mm to 0.9 mm before`.
-fn sum_words(sum: &Combination, plays: &[PlayBounds], writer: &NumberWriter<'_>) -> String {
+pub(super) fn sum_words(sum: &Combination, plays: &[PlayBounds], writer: &NumberWriter<'_>) -> String {
     format!(
         "{} is {}; {} before",
         terms(&sum.weights, plays, writer),
@@ -220,7 +243,7 @@ fn names(places: &[usize], plays: &[PlayBounds]) -> String {
     listed(&names, "and")
 }
 
-fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
+pub(super) fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
     let which = if readings.len() == 1 { "the reading" } else { "every reading" };
     let of_group = |group: &Vec<usize>| {
         let is_equal = readings.iter().all(|reading| {
@@ -236,7 +259,7 @@ fn alike_words(known: &Consistent, readings: &[TestReading]) -> Vec<String> {
     known.alike.iter().map(of_group).collect()
 }
 
-fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn further_words(known: &Consistent, writer: &NumberWriter<'_>) -> Vec<String> {
     let of_searched = |searched: Searched| {
         format!("of the {} that looked best among {}", searched.in_full, counted(searched.candidates, "reading"))
     };
@@ -288,7 +311,7 @@ fn test_words(further: &FurtherReading, writer: &NumberWriter<'_>) -> String {
     format!("lock the drive at {pose}, {push}, read {}", further.reads)
 }
 
-fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter<'_>) -> Vec<String> {
     let of_culprit = |culprit: &Culprit| {
         let reading = &readings[culprit.reading];
         let who = if culprit.is_alone { "the intervals of the study by themselves" } else { "the other readings" };
@@ -329,7 +352,7 @@ fn misfit_words(misfit: &Misfit, readings: &[TestReading], writer: &NumberWriter
 }
 
 /// What the bounds rest on.
-fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
     let percent = writer.percent(answer.confidence, Rounding::Nearest);
     let of_motion = || {
         let scatter = "the scatter of the random inputs, independent errors and chaotic motion";
@@ -367,11 +390,11 @@ fn grounds(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<String> {
 }
 
 /// An interval that was stated, in the fewest digits that tell it.
-fn stated(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+pub(super) fn stated(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
     format!("{} to {}", writer.value_shortest(ends_si[0], unit), writer.value_shortest(ends_si[1], unit))
 }
 
-fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+pub(super) fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
     range_digits(ends_si, unit, DIGITS, writer)
 }
 

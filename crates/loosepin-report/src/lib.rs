@@ -11,7 +11,7 @@
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
-//! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs` |
+//! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs`; what that gains `identification_gain.rs` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
@@ -40,6 +40,9 @@ mod draft_text;
 mod figure;
 mod glossary;
 mod history_words;
+mod identification_figures;
+mod identification_gain;
+mod identification_page;
 mod identification_text;
 mod inverse;
 mod life_section;
@@ -89,6 +92,8 @@ pub use compare::{
 pub use draft_band::{DraftBand, draft_bands};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
+pub use identification_gain::identification_gain;
+pub use identification_page::identification_page;
 pub use identification_text::identification_text;
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};

@@ -1,7 +1,7 @@
 //! The answer of an identification from motion for a terminal: what is consistent, or the misfit; and what features would tell.
 
 use super::number::{NumberWriter, Rounding};
-use super::terminal_table::{push_table, table, wrapped};
+use super::terminal_table::{keep_words, push_table, table, wrapped};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{
     ConsistentMembers, MotionFeature, MotionMisfit, MotionPlan, MotionSpecimen, PlannedFeature,
@@ -81,8 +81,8 @@ fn unknowns_table(
         };
         table.add_row(vec![
             unknown.name.clone(),
-            range(unknown.before_si, &unknown.unit, writer),
-            range(unknown.after_si, &unknown.unit, writer),
+            motion_range(unknown.before_si, &unknown.unit, writer),
+            motion_range(unknown.after_si, &unknown.unit, writer),
             narrowed.to_owned(),
         ]);
     }
@@ -98,15 +98,20 @@ fn features_table(features: &[MotionFeature], writer: &NumberWriter<'_>) -> comf
             feature.name.clone(),
             writer.rounded(feature.measured_si, unit, DIGITS, Rounding::Nearest),
             feature.repeats.to_string(),
-            range(feature.found_si, unit, writer),
-            range(feature.predicted_before_si, unit, writer),
-            feature.predicted_after_si.map_or_else(|| "none".to_owned(), |ends_si| range(ends_si, unit, writer)),
+            motion_range(feature.found_si, unit, writer),
+            motion_range(feature.predicted_before_si, unit, writer),
+            feature.predicted_after_si.map_or_else(|| "none".to_owned(), |ends_si| motion_range(ends_si, unit, writer)),
         ]);
     }
+    keep_words(&mut table, 0);
     table
 }
 
-fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn misfit_words(
+    misfit: &MotionMisfit,
+    features: &[MotionFeature],
+    writer: &NumberWriter<'_>,
+) -> Vec<String> {
     let mut words: Vec<String> = misfit
         .culprits
         .iter()
@@ -118,7 +123,7 @@ fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &Numb
                 feature.name,
                 writer.rounded(feature.measured_si, &feature.unit, DIGITS, Rounding::Nearest),
                 writer.rounded(culprit.apart_si.abs(), &feature.unit, SHARE_DIGITS, Rounding::Nearest),
-                range(feature.predicted_before_si, &feature.unit, writer)
+                motion_range(feature.predicted_before_si, &feature.unit, writer)
             )
         })
         .collect();
@@ -165,7 +170,7 @@ pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
     text
 }
 
-fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
+pub(super) fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
     let tells = |feature: &PlannedFeature| feature.share_of_box < TELLS_NOTHING;
     let (telling, silent): (Vec<&PlannedFeature>, Vec<&PlannedFeature>) =
         plan.features.iter().partition(|feature| tells(feature));
@@ -203,7 +208,7 @@ fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
 }
 
 /// Both ends, rounded outwards.
-fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+pub(super) fn motion_range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
     let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
         if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
     });
@@ -212,11 +217,11 @@ fn range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String 
 
 #[cfg(test)]
 mod tests {
-    use super::{motion_plan_text, unknowns_table};
+    use super::{features_table, motion_plan_text, unknowns_table};
     use crate::number::NumberWriter;
     use loosepin_result::identification::PlayBounds;
     use loosepin_result::motion_identification::{
-        AlikeMembers, ConsistentMembers, MotionPlan, PlannedFeature, PlannedUnknown,
+        AlikeMembers, ConsistentMembers, MotionFeature, MotionPlan, PlannedFeature, PlannedUnknown,
     };
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
@@ -230,6 +235,26 @@ mod tests {
             is_identifiable: false,
             is_interval: false,
         }
+    }
+
+    #[test]
+    fn no_name_of_a_feature_is_cut() {
+        let feature = |name: &str| MotionFeature {
+            name: name.to_owned(),
+            unit: SiUnit::LENGTH,
+            measured_si: 189.805,
+            repeats: 1,
+            found_si: [180.766, 199.795],
+            predicted_before_si: [36.1234, 456.789],
+            predicted_after_si: Some([123.456, 234.567]),
+        };
+        let units = DisplayUnits::default();
+        let writer = NumberWriter::for_terminal(&units);
+        let table = features_table(&[feature("slider_acceleration, maximum absolute")], &writer).to_string();
+        for word in ["slider_acceleration,", "maximum", "absolute"] {
+            assert!(table.contains(word), "{word}\n{table}");
+        }
+        assert!(table.lines().all(|line| line.trim_end().chars().count() <= 100), "{table}");
     }
 
     #[test]

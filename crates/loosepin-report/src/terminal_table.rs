@@ -1,6 +1,6 @@
 //! Tables and paragraphs of a terminal: plain text, aligned, at most 100 columns.
 
-use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table, TableStyle};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, TableStyle, Width};
 
 /// Columns that a terminal is taken to have.
 pub const TERMINAL_COLUMNS: u16 = 100;
@@ -21,6 +21,17 @@ pub(super) fn table(head: &[&str], numbers: &[usize]) -> Table {
         }
     }
     table
+}
+
+/// Lets no word of a column be cut: the other columns wrap instead.
+pub(super) fn keep_words(table: &mut Table, column: usize) {
+    let cells = table.row_iter().filter_map(|row| row.cell_iter().nth(column)).map(|cell| cell.content());
+    let longest = cells.flat_map(|text| text.split_whitespace().map(|word| word.chars().count()).max()).max();
+    if let (Some(longest), Some(column)) = (longest, table.column_mut(column)) {
+        // One column of padding.
+        let width = u16::try_from(longest + 1).unwrap_or(TERMINAL_COLUMNS).min(TERMINAL_COLUMNS / 2);
+        column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(width)));
+    }
 }
 
 /// Adds a table that has rows.

@@ -1,7 +1,9 @@
 //! The record of an identification: what readings of a rig say of the plays of a mechanism.
 
-use crate::motion_identification::MotionSpecimen;
+pub use crate::identification_gain::{Gain, GainedBound};
+use crate::motion_identification::{MotionPlan, MotionSpecimen};
 pub use crate::play_bounds::PlayBounds;
+use crate::repeat::Repeat;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +28,15 @@ pub struct Identification {
     /// The specimens whose motion was measured, in the order of the file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub motion: Vec<MotionSpecimen>,
+    /// What features of the motion would tell, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<MotionPlan>,
+    /// What the narrower intervals gain, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gain: Option<Gain>,
+    /// How it is made again.
+    #[serde(default, skip_serializing_if = "Repeat::is_empty")]
+    pub repeat: Repeat,
 }
 
 /// The interval of an input that is no play.

@@ -5,6 +5,7 @@ use std::io;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
+use crate::identification::Identification;
 use crate::motion::MotionRecord;
 use crate::simulation::SimulationRecord;
 use crate::study::StudyResult;
@@ -40,7 +41,7 @@ macro_rules! stored {
     )*};
 }
 
-stored!(MotionRecord, SimulationRecord, StudyResult, SweepRecord);
+stored!(Identification, MotionRecord, SimulationRecord, StudyResult, SweepRecord);
 
 /// Any record as JSON: keys in the order of the type, floats in the shortest form that reads back to the same bits,
 /// lists of plain values on one line, a newline at the end. For records of a file of their own: [`Stored`].

@@ -3,6 +3,7 @@
 
 pub mod cases;
 pub mod identification;
+mod identification_gain;
 pub mod json;
 pub mod motion;
 pub mod motion_identification;

@@ -17,6 +17,12 @@ pub struct MotionSpecimen {
     pub lists: Vec<ConsistentMembers>,
     /// Share of the box that is consistent: cells whose middle is, and these with all cells beside them.
     pub share_of_box: [f64; 2],
+    /// Cells of the box along each unknown at the end, members of a list each one.
+    #[serde(default)]
+    pub grid: Vec<usize>,
+    /// The cells that are consistent, the first unknown changing fastest.
+    #[serde(default)]
+    pub cells: Vec<usize>,
     /// Values that were tested, with what came out.
     pub points: Vec<TestedPoint>,
     /// Runs at each of them.

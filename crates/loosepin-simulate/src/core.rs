@@ -65,7 +65,7 @@ impl<'a> Core<'a> {
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
         let way = match execution {
-            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, &follow.readings))),
+            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, follow))),
             Execution::Interpreted | Execution::MachineCode(_) => {
                 let recorded =
                     Recorded::new(mechanism, sample, arms, follow, &pass, lengths, (execution.level(), lanes));
@@ -419,6 +419,22 @@ impl<'a> Core<'a> {
             Way::Plain(plain) => plain.prepare_dense(pass, memory),
             Way::Recorded(recorded) => recorded.prepare_dense(memory),
         }
+    }
+
+    /// Takes in the values inside the accepted steps at hand that are recorded.
+    pub fn look_inside(&mut self) {
+        self.prepare_dense();
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) => plain.look_inside(pass, memory),
+            Way::Recorded(recorded) => recorded.look_inside(memory),
+        }
+    }
+
+    /// Value of a reading that is looked at inside the step at hand of a lane, at a point.
+    pub fn inside(&self, lane: usize, point: usize, reading: usize) -> f64 {
+        let place = self.pass.first_inside() + self.pass.follow.inside().value(point, reading);
+        self.memory.get(Block::Stages, place, lane)
     }
 
     /// The state of one lane at `share` in [0, 1] of the step. Inside of the step it needs [`Self::prepare_dense`].

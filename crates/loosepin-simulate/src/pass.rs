@@ -1,14 +1,14 @@
 //! The arithmetic of a pass over one lane: try a step, look at its end, take it over. Written once over [`Real`]: done as it
 //! stands for one run, written down for many ([`super::recorded`]).
 
-use super::follow::{Follow, FollowLayout, StepEnds};
+use super::follow::{Follow, FollowLayout, LOBATTO, StepEnds};
 use super::memory::{BLOCKS, LaneLayout, Named, Turn};
 use super::motion::{Layout, Motion, tolerances};
 use super::projection::Projection;
 use super::reads::ReadLayout;
 use super::settings::{STEP_SHARE, Settings};
-use loosepin_math::Real;
 use loosepin_math::integrate::{StepRows, Stepper, System};
+use loosepin_math::{Quintic, Real};
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SliderBlock, is_front_corner};
@@ -66,7 +66,8 @@ impl Pass {
     /// For each block, how many numbers a lane has in it, with so many numbers of its sample.
     pub fn block_lengths(&self, numbers: usize) -> [usize; BLOCKS] {
         let (row, reads) = (self.layout.length(), self.reads.length());
-        [numbers, self.lane.length(), row, self.stepper.rows() * row, row, row, reads, reads]
+        let stages = self.first_inside() + self.follow.inside().values();
+        [numbers, self.lane.length(), row, stages, row, row, reads, reads]
     }
 
     /// Tries the step of the lane; `system` reads at its end.
@@ -272,6 +273,32 @@ impl Pass {
         let time = sides.map(|reads| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]));
         let readings = sides.map(|reads| &reads[first..]);
         (&mut blocks.lane[self.lane.followed()], StepEnds { length, time, readings })
+    }
+
+    /// Where the values inside the step at hand begin among its slopes, behind the dense output: [`InsideLayout::value`].
+    ///
+    /// [`InsideLayout::value`]: super::follow::InsideLayout::value
+    pub fn first_inside(&self) -> usize {
+        self.stepper.rows() * self.layout.length()
+    }
+
+    /// The state at one of Lobatto's points of the step at hand, whose dense output is known; with integrals where `state` has room for them.
+    pub fn state_inside<T: Real>(&self, rows: &StepRows<'_, T>, point: usize, state: &mut [T]) {
+        let share = T::from_f64(LOBATTO[point].0);
+        for (i, value) in state.iter_mut().enumerate() {
+            *value = rows.start[i] + self.stepper.dense_change(i, share, |place| rows.stages[place]);
+        }
+    }
+
+    /// Takes the values inside the step at hand into their extremes and integrals, in the chosen lanes that are recorded.
+    pub fn take_inside<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let is_chosen = is_set(blocks.lane[LaneLayout::CHOSEN] * blocks.lane[LaneLayout::IS_RECORDED]);
+        let jet = |reads: &[T]| [0, 1, 2].map(|k| reads[ReadLayout::TIME + k]);
+        let time = Quintic::new(jet(blocks.start_reads), jet(blocks.end_reads), blocks.lane[LaneLayout::STEP]);
+        let values = &blocks.rows.stages[self.first_inside()..];
+        let numbers = &mut blocks.lane[self.lane.followed()];
+        let is_peak = self.follow.inside().take(numbers, values, &time, is_chosen);
+        numbers[FollowLayout::IS_PEAK] = is_peak;
     }
 
     /// Computes what looks inside of the step at hand need.

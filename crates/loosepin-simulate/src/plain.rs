@@ -1,6 +1,7 @@
 //! One run alone: the equations as they stand, on plain numbers.
 
 use super::column::{Arms, Reading};
+use super::follow::{Follow, LOBATTO};
 use super::memory::{Memory, Named};
 use super::motion::Motion;
 use super::pass::Pass;
@@ -14,16 +15,22 @@ pub struct Plain<'a> {
     motion: Motion<'a, f64>,
     projection: Option<Projection<f64>>,
     readings: Vec<Reading>,
+    /// What is looked at inside the steps, and the state there.
+    inside: Vec<Reading>,
+    state: Vec<f64>,
     arms: Arms,
 }
 
 impl<'a> Plain<'a> {
-    /// With the numbers of `sample` until another one is loaded; `readings` are read at the ends of steps.
-    pub fn new(mechanism: &'a Mechanism, sample: &Sample<f64>, arms: &Arms, readings: &[Reading]) -> Self {
+    /// With the numbers of `sample` until another one is loaded; reads what `follow` says.
+    pub fn new(mechanism: &'a Mechanism, sample: &Sample<f64>, arms: &Arms, follow: &Follow) -> Self {
+        let motion = Motion::new(mechanism, sample);
         Self {
-            motion: Motion::new(mechanism, sample),
+            state: vec![0.0; motion.layout.dimension],
+            motion,
             projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
-            readings: readings.to_vec(),
+            readings: follow.readings.clone(),
+            inside: follow.inside.clone(),
             arms: arms.clone(),
         }
     }
@@ -68,6 +75,32 @@ impl<'a> Plain<'a> {
     pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
         let Named { lane, mut rows, .. } = Named::new(memory.blocks());
         pass.prepare_dense(&mut rows, lane, &mut self.motion);
+    }
+
+    /// Takes in the values inside the step at hand, whose dense output is known.
+    pub fn look_inside(&mut self, pass: &Pass, memory: &mut Memory) {
+        let Self { motion, projection, inside, state, arms, .. } = self;
+        let mut named = Named::new(memory.blocks());
+        let rows = &mut named.rows;
+        let dimension = state.len();
+        for point in 0..LOBATTO.len() {
+            match point {
+                0 => state.copy_from_slice(&rows.start[..dimension]),
+                last if last + 1 == LOBATTO.len() => state.copy_from_slice(&rows.end[..dimension]),
+                _ => {
+                    pass.state_inside(rows, point, state);
+                    if let Some(projection) = projection {
+                        projection.hold(motion, state[pass.layout.time()], state);
+                    }
+                }
+            }
+            motion.evaluate(state[pass.layout.time()], state);
+            for (place, reading) in inside.iter().enumerate() {
+                let value = pass.first_inside() + pass.follow.inside().value(point, place);
+                rows.stages[value] = reading.value(arms, &motion.dynamics);
+            }
+        }
+        pass.take_inside(&mut named);
     }
 
     fn reading<'s>(&'s mut self, reads: &'s mut [f64]) -> ReadingSystem<'s, 'a> {

@@ -2,7 +2,7 @@
 //! [`Traced`] numbers.
 
 use super::column::Arms;
-use super::follow::Follow;
+use super::follow::{Follow, LOBATTO};
 use super::memory::{BLOCKS, Block, LaneLayout, Named};
 use super::motion::Motion;
 use super::pass::{Pass, play_state};
@@ -64,6 +64,19 @@ pub struct PassPrograms<P = Program> {
     pub follow: Option<P>,
     /// Readings at an instant within a step, where there are any.
     pub look: Option<P>,
+    /// Values inside a step, where any are reduced.
+    pub inside: Option<InsidePrograms<P>>,
+}
+
+/// Values inside a step.
+#[derive(Debug, Clone)]
+pub struct InsidePrograms<P = Program> {
+    /// The states at the points that are no ends, in [`Block::Point`].
+    pub points: Vec<P>,
+    /// The values at the state in [`Block::Point`], written to the first numbers of [`Block::Stages`].
+    pub values: P,
+    /// Extremes and integrals of the values.
+    pub take: P,
 }
 
 impl PassPrograms {
@@ -94,6 +107,11 @@ impl PassPrograms {
             look: self.look.map(&mut make),
             dense_points: self.dense_points.into_iter().map(&mut make).collect(),
             dense: make(self.dense),
+            inside: self.inside.map(|inside| InsidePrograms {
+                points: inside.points.into_iter().map(&mut make).collect(),
+                values: make(inside.values),
+                take: make(inside.take),
+            }),
         }
     }
 }
@@ -160,6 +178,7 @@ impl Tracing<'_> {
             account: self.written(hoisted, |blocks| self.pass.close_account(blocks)),
             follow: self.pass.follow.reduces().then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
             look: (self.pass.follow.readings() > 0).then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
+            inside: (self.pass.follow.inside().count > 0).then(|| self.inside(hoisted)),
             prepare: with_own_slots(hoisted.own_program()),
         }
     }
@@ -207,6 +226,40 @@ impl Tracing<'_> {
             (points.0, changes(&memory, &self.inputs()))
         });
         (points.iter().map(|point| program(hoisted, &graph, point)).collect(), program(hoisted, &graph, &dense))
+    }
+
+    /// Values inside a step.
+    fn inside(&self, hoisted: &mut Hoisted) -> InsidePrograms {
+        let holds = Projection::<Traced>::is_needed(self.mechanism);
+        let state = |point: usize| {
+            let (graph, outputs) = record(|| {
+                let mut memory = self.inputs();
+                let mut state = vec![Traced::zero(); self.pass.layout.dimension];
+                let Named { rows, .. } = Named::new(memory.each_mut().map(|block| &mut block[..]));
+                self.pass.state_inside(&rows, point, &mut state);
+                if holds {
+                    let (mut motion, _) = self.motion(true);
+                    let time_s = state[self.pass.layout.time()];
+                    Projection::new(self.mechanism).hold(&mut motion, time_s, &mut state);
+                }
+                outputs(Block::Point, &state)
+            });
+            (graph, outputs)
+        };
+        let points = (1..LOBATTO.len() - 1).map(state).collect::<Vec<_>>();
+        let (graph, outputs) = record(|| {
+            let (mut motion, arms) = self.motion(true);
+            let [_, _, _, _, point, ..] = &self.inputs();
+            motion.evaluate(point[self.pass.layout.time()], point);
+            let values: Vec<Traced> =
+                self.follow.inside.iter().map(|reading| reading.value(&arms, &motion.dynamics)).collect();
+            outputs(Block::Stages, &values)
+        });
+        InsidePrograms {
+            points: points.iter().map(|(graph, outputs)| program(hoisted, graph, outputs)).collect(),
+            values: program(hoisted, &graph, &outputs),
+            take: self.written(hoisted, |blocks| self.pass.take_inside(blocks)),
+        }
     }
 
     /// The program of the operations of `work` on the blocks.

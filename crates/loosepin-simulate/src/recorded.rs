@@ -22,6 +22,7 @@ struct Sequences {
     prepare_dense: Sequence,
     follow: Sequence,
     look: Sequence,
+    inside: Sequence,
 }
 
 impl Sequences {
@@ -69,6 +70,21 @@ impl Sequences {
         dense.push(as_written(programs.dense));
         let accept: Vec<_> =
             [Some(programs.accept), programs.hold_loops].into_iter().flatten().map(as_written).collect();
+        let mut inside = Vec::new();
+        if let Some(own) = &programs.inside {
+            // The values at the state in a block, put down behind those of the points before.
+            let values = |state: Block, point: usize| {
+                let mut places = Place::ALL;
+                places[Block::Point as usize] = Place { block: state as usize, first: 0 };
+                places[Block::Stages as usize].first = pass.first_inside() + pass.follow.inside().value(point, 0);
+                (own.values, places)
+            };
+            inside.push(values(Block::Start, 0));
+            for (before, point) in own.points.iter().enumerate() {
+                inside.extend([as_written(*point), values(Block::Point, before + 1)]);
+            }
+            inside.extend([values(Block::End, own.points.len() + 1), as_written(own.take)]);
+        }
         let restart = [slope(programs.end, Block::Start, end_row), as_written(programs.take_evaluation)];
         Self {
             prepare: sequence(&[as_written(programs.prepare)]),
@@ -81,6 +97,7 @@ impl Sequences {
             prepare_dense: sequence(&dense),
             follow: sequence(&programs.follow.map(as_written).into_iter().collect::<Vec<_>>()),
             look: sequence(&programs.look.map(as_written).into_iter().collect::<Vec<_>>()),
+            inside: sequence(&inside),
         }
     }
 }
@@ -175,6 +192,11 @@ impl<'a> Recorded<'a> {
     /// Reads at the instants that wait in `memory`, one in each place, of whatever step and run.
     pub fn look(&mut self, memory: &mut Memory) {
         run(&self.sequences.look, memory, &mut self.scratch);
+    }
+
+    /// Takes in the values inside the step at hand, whose dense output is known, in the chosen lanes.
+    pub fn look_inside(&mut self, memory: &mut Memory) {
+        run(&self.sequences.inside, memory, &mut self.scratch);
     }
 
     /// Computes what looks inside of the step at hand need.

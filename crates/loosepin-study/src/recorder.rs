@@ -1,6 +1,7 @@
 //! What a study keeps of one run: values at poses, and the recorded part reduced to single numbers.
 //!
-//! Positions are followed on the lanes ([`loosepin_simulate::Follow`]); everything else is read by looking inside the steps.
+//! Positions, and values of other outputs that are reduced, are followed on the lanes ([`loosepin_simulate::Follow`]); everything else is
+//! read by looking inside the steps.
 
 use super::columns::{ColumnPlan, Spot};
 use super::file::{Deviation, Reduction};
@@ -28,6 +29,8 @@ enum Origin {
     PathInstant { readings: [usize; 2], part: PathError, instant: usize },
     /// The same followed on the lanes: its index in [`Follow::paths`], and that of the part.
     FollowedPath { path: usize, part: usize, reduction: Reduction },
+    /// A value that is followed on the lanes inside the steps: its index in [`Follow::inside`].
+    Inside { value: usize, reduction: Reduction },
     /// The wear of a joint over the whole run.
     Wear { joint: JointId, measure: WearMeasure },
     /// A look inside a step at a pose.
@@ -80,12 +83,13 @@ pub fn positions(plan: &ColumnPlan) -> Vec<Reading> {
 }
 
 impl Shared {
-    /// The columns of `plan`, compared with the nominal ideal motion.
+    /// The columns of `plan`, compared with the nominal ideal motion; `is_integrated`: runs are, and not solved.
     pub fn new(
         plan: ColumnPlan,
         nominal_curve: IdealCurve,
         nominal_motion: Option<Arc<FreeMotion>>,
         nominal_at_pose: Vec<f64>,
+        is_integrated: bool,
     ) -> Self {
         let mut follow = Follow::readings(&positions(&plan));
         let (mut looked, mut looks, mut instants_turns) = (Vec::new(), Vec::new(), Vec::new());
@@ -103,10 +107,18 @@ impl Shared {
             let of = column.deviation;
             let followed = match plan.outputs[column.output].seen {
                 Seen::Wear(joint, measure) => Some(Origin::Wear { joint, measure }),
-                Seen::Reading(reading) => place(reading).map(|reading| match column.spot {
-                    Spot::Pose { turns, .. } => Origin::Instant { reading, instant: instant(turns) },
-                    Spot::Reduced(reduction) => follow_deviation(&mut follow.deviations, (reading, of), reduction),
-                }),
+                Seen::Reading(reading) => match (place(reading), column.spot) {
+                    (Some(reading), Spot::Pose { turns, .. }) => {
+                        Some(Origin::Instant { reading, instant: instant(turns) })
+                    }
+                    (Some(reading), Spot::Reduced(reduction)) => {
+                        Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
+                    }
+                    (None, Spot::Reduced(reduction)) if of == Deviation::Value && is_integrated => {
+                        Some(follow_inside(&mut follow.inside, reading, reduction))
+                    }
+                    (None, _) => None,
+                },
                 Seen::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| match column.spot {
                     Spot::Pose { turns, .. } => Origin::PathInstant { readings: [x, y], part, instant: instant(turns) },
                     Spot::Reduced(reduction) => follow_path(&mut follow.paths, ([x, y], of), part, reduction),
@@ -201,6 +213,15 @@ fn follow_path(
     known[path].parts[part] = true;
     known[path].is_integrated |= is_integral(reduction);
     Origin::FollowedPath { path, part, reduction }
+}
+
+/// A number of the value of an output that is no position, which joins those that are followed.
+fn follow_inside(known: &mut Vec<Reading>, reading: Reading, reduction: Reduction) -> Origin {
+    let value = known.iter().position(|one| *one == reading).unwrap_or_else(|| {
+        known.push(reading);
+        known.len() - 1
+    });
+    Origin::Inside { value, reduction }
 }
 
 fn is_integral(reduction: Reduction) -> bool {
@@ -303,6 +324,7 @@ impl<'r> Recorder<'r> {
                 Origin::FollowedPath { path, part, reduction } => {
                     reduced(&findings.paths[path][part], reduction, span_s)
                 }
+                Origin::Inside { value, reduction } => reduced(&findings.inside[value], reduction, span_s),
                 Origin::Looked { deviation, reduction } => reduced(&self.looked[deviation], reduction, span_s),
                 Origin::Wear { joint, measure } => self.wear_value(joint, measure, report),
                 Origin::Look => self.values[index],

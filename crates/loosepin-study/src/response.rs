@@ -171,7 +171,8 @@ impl StudyResponse {
         let ideal = mechanism.without_play();
         let nominal_ideal = Sample::new(mechanism, &drawing).map_err(RunFailure::from)?.without_play();
         let settings = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_study() };
-        let turns = study.cycle.recorded_turns;
+        // Where all motion is solved there are no steps with a dense output.
+        let turns = (study.cycle.recorded_turns, !mechanism.is_ideal());
         let shared = share_nominal(plan, &ideal, &drawing, &nominal_ideal, &nominal_window, &settings, turns)?;
         let play_name = |&play: &PlayId| study.model.play_name(play).to_owned();
         let restitutions = mechanism
@@ -411,7 +412,7 @@ fn share_nominal(
     nominal_ideal: &Sample<f64>,
     nominal_window: &Window,
     settings: &Settings,
-    turns: f64,
+    (turns, is_integrated): (f64, bool),
 ) -> Result<Shared, PrepareError> {
     let arms = Arms::new(ideal, drawing);
     let span_s = nominal_window.end_s - nominal_window.start_s;
@@ -458,5 +459,5 @@ fn share_nominal(
         };
     }
     check_paths(&plan, &positions, &nominal_curve, span_s)?;
-    Ok(Shared::new(plan, nominal_curve, nominal_motion, nominal_at_pose))
+    Ok(Shared::new(plan, nominal_curve, nominal_motion, nominal_at_pose, is_integrated))
 }

@@ -1,12 +1,12 @@
 //! Runs of a study for somebody else, who conducts it.
 
 use super::error::StudyError;
-use super::evaluate::{Work, evaluate};
+use super::evaluate::{Row, Work, evaluate};
 use super::file::Study;
 use super::loosened::with_loosened;
 use super::response::StudyResponse;
 use loosepin_bounds::{Failure, Purpose, RunInputs};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Mechanisms that are held ready, at most: that of the study, and those with inputs that are loosened at the moment.
@@ -53,6 +53,19 @@ impl RunRows {
         loosened: &[(usize, f64)],
         inputs: impl IntoIterator<Item = [Vec<f64>; 2]>,
     ) -> Result<Vec<Result<Vec<f64>, Failure>>, StudyError> {
+        self.make_heard(loosened, inputs, &|| true)
+    }
+
+    /// As [`Self::make`]; `finished` hears of every run that ends, and says whether others are to begin: rows of those that are not are left out.
+    ///
+    /// # Errors
+    /// Inputs cannot be loosened so.
+    pub fn make_heard(
+        &self,
+        loosened: &[(usize, f64)],
+        inputs: impl IntoIterator<Item = [Vec<f64>; 2]>,
+        finished: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Vec<Result<Vec<f64>, Failure>>, StudyError> {
         let response = self.response(loosened)?;
         let run = |[random, epistemic]: [Vec<f64>; 2]| {
             let [round, point, replicate, index] = [0; 4];
@@ -60,8 +73,14 @@ impl RunRows {
         };
         let batch: Vec<RunInputs> = inputs.into_iter().map(run).collect();
         let (is_waiting, stop) = (vec![true; batch.len()], AtomicBool::new(false));
+        let is_stopped = || stop.load(Ordering::Relaxed);
+        let heard = |_: usize, _: &Row| {
+            if !finished() {
+                stop.store(true, Ordering::Relaxed);
+            }
+        };
         let work = Work { batch: &batch, is_waiting: &is_waiting, response: &response, stop: &stop };
-        let rows = self.pool.install(|| evaluate(&work, vec![None; batch.len()], &|| false, &|_, _| {}));
+        let rows = self.pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &heard));
         Ok(rows.into_iter().flatten().collect())
     }
 

@@ -1,27 +1,32 @@
 //! `loosepin identify`.
 
-use loosepin::identify::record::{Identification, Outcome};
+use loosepin::identify::record::{Gain, Identification, Outcome};
 use loosepin::identify::{
-    IdentifyProblem, MotionValues, Options, identify, known_bounds, narrowed, plan_motion, write_narrowed,
+    Heard, IdentifyProblem, MotionValues, Options, identify, known_bounds, narrowed, plan_motion, write_narrowed,
 };
-use loosepin::report::{identification_text, motion_plan_text};
+use loosepin::report::{identification_gain, identification_page, identification_text, motion_plan_text};
 use loosepin::result::json::to_json;
-use loosepin::study::Study;
+use loosepin::result::repeat::Repeat;
+use loosepin::result::study::StudyResult;
+use loosepin::results::{Claim, InputsHash, InputsHasher, Place, ResultKind};
+use loosepin::study::{Means, Progress, Study, conduct, study_inputs};
 use loosepin::units::DisplayUnits;
 
-use super::inputs::read_study;
+use super::inputs::{add_model, add_study, read_study};
+use super::signals::stop_on_signals;
+use super::stored::{StoredResult, run_and_write, show_found, write_and_tell};
 use super::threads::threads;
 use crate::arguments::IdentifyArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
+use crate::progress::Bar;
 
-/// Shows what the readings of a study say of its plays, and writes the narrowed study where that is asked for.
+/// Shows what the readings of a study say of its plays; writes the narrowed study, and a page, where that is asked for.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
     let study = read_study(&arguments.study)?;
-    let threads = threads(arguments.threads);
     if arguments.plan {
-        let asked = MotionValues { confidence: arguments.confidence, points: arguments.points, threads };
-        let plan = plan_motion(&study, arguments.specimen.as_deref(), &asked)?;
+        let asked = motion_values(arguments);
+        let plan = with_bar(|heard| plan_motion(&study, arguments.specimen.as_deref(), &asked, heard))?;
         let text = if arguments.json {
             json(&plan)?
         } else {
@@ -30,36 +35,138 @@ pub fn run(arguments: &IdentifyArguments) -> Ending {
         console::print(&text)?;
         return Ok(Done::Well);
     }
+    let Some(folder) = &arguments.out else {
+        let answer = answer(&study, arguments)?;
+        let text = if arguments.json { json(&answer)? } else { identification_text(&answer) };
+        console::print(&text)?;
+        return write_asked(&study, &answer, arguments);
+    };
+    let claim = Claim {
+        kind: ResultKind::Identification,
+        name: study.name.clone(),
+        inputs: inputs(&study, arguments),
+        place: Place::Folder(folder.clone()),
+        with_force: arguments.force,
+    };
+    let folder = claim.take()?;
+    if folder.is_finished() {
+        let answer = Identification::read(&folder)?;
+        show_found::<Identification>(folder)?;
+        return write_asked(&study, &answer, arguments);
+    }
+    run_and_write(folder, |folder| {
+        let mut answer = answer(&study, arguments)?;
+        if !study.motion.is_empty() {
+            let asked = motion_values(arguments);
+            let plan = with_bar(|heard| plan_motion(&study, arguments.specimen.as_deref(), &asked, heard))?;
+            answer.plan = Some(plan);
+        }
+        answer.repeat = Repeat::new("identify", &stated(arguments), study.input_files());
+        write_and_tell(&answer, folder)?;
+        write_asked(&study, &answer, arguments)
+    })
+}
+
+impl StoredResult for Identification {
+    const PAGE: fn(&Self) -> String = identification_page;
+    const TEXT: fn(&Self) -> String = identification_text;
+
+    fn done(&self) -> Done {
+        if is_misfit(self) { Done::Misfit } else { Done::Well }
+    }
+}
+
+fn motion_values(arguments: &IdentifyArguments) -> MotionValues {
+    let threads = threads(arguments.threads);
+    MotionValues { confidence: arguments.confidence, points: arguments.points, threads }
+}
+
+/// What the readings and the motion say, and what the study gains by it where that is asked for.
+fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification, Failure> {
     let options = Options {
         confidence: arguments.confidence,
         specimen: arguments.specimen.clone(),
         points: arguments.points,
-        threads,
+        threads: threads(arguments.threads),
         ..Options::default()
     };
-    let answer = identify(&study, &options)?;
-    let text = if arguments.json { json(&answer)? } else { identification_text(&answer) };
-    console::print(&text)?;
-    let is_misfit = answer.specimens.iter().any(|specimen| matches!(specimen.outcome, Outcome::Misfit(_)))
-        || answer.motion.iter().any(|specimen| specimen.misfit.is_some());
-    if let Some(path) = &arguments.write {
-        // What is not explained is no ground for narrowing.
-        if is_misfit {
-            console::message(&format!("{} is not written: no values explain what was measured", path.display()));
+    let mut answer = with_bar(|heard| identify(study, &options, heard))?;
+    if arguments.compare {
+        if is_misfit(&answer) {
+            console::message("the study is not compared: no values explain what was measured");
         } else {
-            write(&study, &answer, path)?;
+            answer.gain = Some(gain(study, &answer, options.threads)?);
         }
     }
-    Ok(if is_misfit { Done::Misfit } else { Done::Well })
+    Ok(answer)
+}
+
+fn is_misfit(answer: &Identification) -> bool {
+    answer.specimens.iter().any(|specimen| matches!(specimen.outcome, Outcome::Misfit(_)))
+        || answer.motion.iter().any(|specimen| specimen.misfit.is_some())
+}
+
+/// The bounds of the study as it is and with the narrowed intervals.
+fn gain(study: &Study, answer: &Identification, threads: usize) -> Result<Gain, Failure> {
+    let (text, _) = narrowed(study, &known_bounds(answer)?);
+    let after = Study::from_text(study.source().name(), &text, study.model.clone())?;
+    let stop = stop_on_signals("Ctrl-C ends the study at once");
+    let conducted = |study: &Study| -> Result<StudyResult, Failure> {
+        let bar = Bar::new();
+        let means = Means { threads, progress: &bar, stop: &stop, store: None };
+        let outcome = conduct(study, &study_inputs(study, &[], None).to_string(), &means);
+        bar.finish();
+        Ok(outcome.map_err(|error| error.complaint(study))?.result)
+    };
+    Ok(identification_gain(&conducted(study)?, &conducted(&after)?))
+}
+
+/// What `work` gives, which takes a while, with a bar on a terminal.
+fn with_bar<T>(work: impl FnOnce(Heard<'_>) -> T) -> T {
+    let bar = Bar::of_values();
+    let heard = |finished: usize, most: usize| {
+        bar.runs(finished, most);
+        true
+    };
+    let done = work(&heard);
+    bar.finish();
+    done
+}
+
+/// The options that decide on the result.
+fn stated(arguments: &IdentifyArguments) -> Vec<String> {
+    let mut stated = vec!["--confidence".to_owned(), arguments.confidence.to_string()];
+    stated.extend(["--points".to_owned(), arguments.points.to_string()]);
+    stated.extend(arguments.specimen.iter().flat_map(|name| ["--specimen".to_owned(), name.clone()]));
+    stated.extend(arguments.compare.then(|| "--compare".to_owned()));
+    stated.extend(["--out".to_owned(), "identified".to_owned()]);
+    stated
+}
+
+fn inputs(study: &Study, arguments: &IdentifyArguments) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Identification);
+    add_study(&mut hasher, study);
+    add_model(&mut hasher, &study.model);
+    for stated in stated(arguments) {
+        hasher.add("stated", &stated);
+    }
+    hasher.finish()
 }
 
 fn json(answer: &impl serde::Serialize) -> Result<String, Failure> {
     to_json(answer).map_err(|error| Failure::of(&IdentifyProblem::NoJson { reason: error.to_string() }))
 }
 
-fn write(study: &Study, answer: &Identification, path: &std::path::Path) -> Result<(), Failure> {
-    let known = known_bounds(answer)?;
-    let (text, changes) = narrowed(study, &known);
+/// Writes the narrowed study where that is asked for.
+fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArguments) -> Ending {
+    let done = answer.done();
+    let Some(path) = &arguments.write else { return Ok(done) };
+    if done == Done::Misfit {
+        // What is not explained is no ground for narrowing.
+        console::message(&format!("{} is not written: no values explain what was measured", path.display()));
+        return Ok(done);
+    }
+    let (text, changes) = narrowed(study, &known_bounds(answer)?);
     write_narrowed(study, path, &text)?;
     console::message(&format!(
         "wrote {}: {}",
@@ -73,5 +180,5 @@ fn write(study: &Study, answer: &Identification, path: &std::path::Path) -> Resu
         let [before, after] = [&change.before, &change.after].map(|ends| format!("{} to {}", ends[0], ends[1]));
         console::message(&console::indented(&format!("{}: {after}, before {before}", change.path)));
     }
-    Ok(())
+    Ok(done)
 }

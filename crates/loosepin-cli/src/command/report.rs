@@ -4,6 +4,7 @@ use std::path::Path;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::diagnostics::{Code, nearest_name, problems};
+use loosepin::identify::record::Identification;
 use loosepin::model::{Rule, measured_argument};
 use loosepin::report::{Figure, figures};
 use loosepin::results::{ResultKind, ResultsError, ResultsFolder, write_whole};
@@ -50,6 +51,7 @@ pub fn run(arguments: &ReportArguments) -> Ending {
         ResultKind::Study => show_again::<StudyResult>(&mut folder),
         ResultKind::Sweep => show_again::<SweepRecord>(&mut folder),
         ResultKind::Motion => show_again::<MotionRecord>(&mut folder),
+        ResultKind::Identification => show_again::<Identification>(&mut folder),
         ResultKind::Networks => Err(ResultsError::NoPage { folder: folder.path().to_owned() }.into()),
     }
 }
@@ -95,6 +97,7 @@ fn page(folder: &Path) -> Result<String, Failure> {
         ResultKind::Study => page_of::<StudyResult>(&folder),
         ResultKind::Sweep => page_of::<SweepRecord>(&folder),
         ResultKind::Motion => page_of::<MotionRecord>(&folder),
+        ResultKind::Identification => page_of::<Identification>(&folder),
         ResultKind::Networks => Err(ResultsError::NoPage { folder: folder.path().to_owned() }.into()),
     }
 }

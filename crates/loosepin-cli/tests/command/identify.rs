@@ -91,3 +91,55 @@ fn json_holds_what_the_text_says() {
     let json: serde_json::Value = serde_json::from_str(&wrong.output).expect("it is JSON");
     assert_eq!(json.pointer("/specimens/0/outcome/misfit/culprits/0/reading"), Some(&serde_json::json!(3)));
 }
+
+/// A study of a crank between 49 and 51 mm whose stroke was measured: 2 r = 100.3 mm ± 0.2 mm.
+const STROKE: &str = "name = \"crank\"\nmodel = \"model.toml\"\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\
+    [sampling]\nouter = 8\ninner = 8\n[epistemic]\n\"parameter.crank_length\" = { interval = [\"49 mm\", \"51 mm\"] }\n\
+    [random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n\
+    [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum_absolute\"\nstatistics = [\"mean\"]\n\
+    [[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"range\"\nvalue = \"100.3 mm\"\nerror = \"± 0.2 mm\"\n";
+
+/// The worn pin without its play.
+fn stroke_desk() -> Desk {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    let is_play =
+        |line: &&str| !["bearing_radius", "radial_clearance", "contact = "].iter().any(|key| line.starts_with(key));
+    let text = case_text("slider_crank_worn_pin", "model.toml");
+    desk.write("model.toml", &text.lines().filter(is_play).collect::<Vec<&str>>().join("\n"));
+    desk.write("study.toml", STROKE);
+    desk
+}
+
+#[test]
+fn a_page_is_written_once_and_again_from_its_record() {
+    let desk = stroke_desk();
+    let said = desk.succeed(&["identify", "study.toml", "--points", "40", "--compare", "--out", "identified"]);
+    assert!(said.messages.contains("report: identified/report.html"), "{}", said.messages);
+    for words in ["The study before (A) and after (B)", "% narrower", "crank length"] {
+        assert!(said.output.contains(words), "{words}\n{}", said.output);
+    }
+    let page = desk.read("identified/report.html");
+    for words in
+        ["What the motion leaves", "Measured and predicted", "What to measure next", "The study before and after"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+    for name in ["map.first", "features.0", "next.features"] {
+        assert!(page.contains(&format!("data-figure=\"{name}\"")), "{name}");
+    }
+    let again = desk.succeed(&["identify", "study.toml", "--points", "40", "--compare", "--out", "identified"]);
+    assert!(again.messages.contains("identified already holds this identification"), "{}", again.messages);
+    assert_eq!(again.output, said.output);
+    assert_eq!(desk.succeed(&["report", "identified"]).output, said.output);
+}
+
+#[test]
+fn nothing_is_compared_for_a_misfit() {
+    let desk = stroke_desk();
+    desk.write("study.toml", &STROKE.replace("100.3 mm", "103 mm"));
+    let said = desk.run(&["identify", "study.toml", "--points", "40", "--compare", "--out", "identified"]);
+    assert_eq!(said.status, 1);
+    assert!(said.messages.contains("the study is not compared: no values explain what was measured"));
+    assert!(desk.read("identified/report.html").contains("Misfit: no values of the unknowns explain the motion."));
+    assert_eq!(desk.run(&["report", "identified"]).status, 1);
+}

@@ -6,6 +6,13 @@ use loosepin_study::{
 use loosepin_uncertainty::{QuantileLevel, hash, normal, uniform};
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Hears how many values of the unknowns have their runs, and how many will, about at most; says whether it goes on.
+pub type Heard<'h> = &'h (dyn Fn(usize, usize) -> bool + Sync);
+
+/// Nobody hears.
+pub const UNHEARD: Heard<'static> = &|_, _| true;
 
 /// Numbers of rows that are held at once, at most.
 const MOST_NUMBERS: usize = 8_000_000;
@@ -27,6 +34,10 @@ pub(crate) struct Bank<'s> {
     /// Of each feature its columns in a row; none for impacts.
     columns: Vec<Vec<usize>>,
     known: HashMap<Vec<u64>, Runs>,
+    heard: Heard<'s>,
+    /// Values that others have before these, and that all have together, about at most.
+    before: usize,
+    most: usize,
 }
 
 impl<'s> Bank<'s> {
@@ -72,7 +83,27 @@ impl<'s> Bank<'s> {
             None => Vec::new(),
         };
         let columns = asks.into_iter().map(|ask| ask.map_or_else(Vec::new, |ask| columns[ask].clone())).collect();
-        Ok(Self { study, features: features.to_vec(), runs, stretches, columns, known: HashMap::new() })
+        Ok(Self {
+            study,
+            features: features.to_vec(),
+            runs,
+            stretches,
+            columns,
+            known: HashMap::new(),
+            heard: UNHEARD,
+            before: 0,
+            most: 0,
+        })
+    }
+
+    /// Tells `heard` of values that have their runs, `before` of them elsewhere and at most about `most` together.
+    pub fn tell(&mut self, heard: Heard<'s>, before: usize, most: usize) {
+        (self.heard, self.before, self.most) = (heard, before, most);
+    }
+
+    /// Values that have their runs.
+    pub fn count(&self) -> usize {
+        self.known.len()
     }
 
     /// Features of the runs at each point, each with its own independent error.
@@ -107,8 +138,18 @@ impl<'s> Bank<'s> {
             .flat_map(|point| (0..self.runs).map(move |run| [self.random(point, run), point.to_vec()]))
             .collect();
         let mut sums = vec![vec![0.0; self.features.len()]; inputs.len()];
+        let (runs, runs_per_value) = (AtomicUsize::new(0), self.runs * self.stretches.len());
+        let (already, heard, most) = (self.before + self.known.len(), self.heard, self.most);
+        let finished = || {
+            let finished = runs.fetch_add(1, Ordering::Relaxed) + 1;
+            let values = already + finished / runs_per_value;
+            !finished.is_multiple_of(runs_per_value) || heard(values, most.max(values))
+        };
+        if !heard(already, most.max(already)) {
+            return Ok(Vec::new());
+        }
         for (stretch, rows) in self.stretches.iter().enumerate() {
-            let made = rows.make(&[], inputs.iter().cloned())?;
+            let made = rows.make_heard(&[], inputs.iter().cloned(), &finished)?;
             all_made(made.len(), inputs.len())?;
             for (row, sums) in made.into_iter().zip(&mut sums) {
                 let row = row.ok();

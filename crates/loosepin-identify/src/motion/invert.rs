@@ -1,6 +1,6 @@
 //! Inversion of the joint test: the values of the unknowns at which it keeps the measurement.
 
-use super::bank::{Bank, Runs};
+use super::bank::{Bank, Heard, Runs};
 use super::grid::{Axis, Grid};
 use super::joint_test::{Observation, Verdict, joint_test, runs_for};
 use super::unknowns::{axis, bounds, value};
@@ -132,6 +132,18 @@ impl<'s> MotionRig<'s> {
         Ok(points.into_iter().zip(&all).filter(|(_, runs)| is_kept(runs)).map(|(point, _)| point).collect())
     }
 
+    /// Features of all runs at so many values along each unknown, evenly over the box; those of failed runs left out.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn predicted(&mut self, counts: &[usize]) -> Result<Vec<Vec<f64>>, Complaints> {
+        let grid = Grid::untested(&self.axes, counts.to_vec());
+        let points: Vec<Vec<f64>> = (0..grid.cells.len()).map(|cell| self.values(&grid.middle(cell))).collect();
+        let all = self.runs_at(&points)?;
+        let is_whole = |run: &&Vec<f64>| run.iter().all(|value| value.is_finite());
+        Ok(all.iter().flat_map(|runs| runs.iter()).filter(is_whole).cloned().collect())
+    }
+
     fn specimen(
         &self,
         name: Option<String>,
@@ -215,6 +227,8 @@ impl<'s> MotionRig<'s> {
             unknowns: grid.axes.iter().enumerate().map(of_axis).collect(),
             lists: study.epistemic.iter().enumerate().filter_map(list).collect(),
             share_of_box: [consistent.len() as f64 / cells, widened.len() as f64 / cells],
+            grid: grid.counts.clone(),
+            cells: consistent.clone(),
             points: tested
                 .iter()
                 .map(|(values, verdict, _)| TestedPoint {
@@ -245,6 +259,7 @@ pub(crate) fn identify_motion(
     study: &Study,
     specimen: Option<&String>,
     asked: &MotionValues,
+    heard: Heard<'_>,
 ) -> Result<Vec<MotionSpecimen>, Complaints> {
     let mut names: Vec<&Option<String>> = Vec::new();
     for feature in &study.motion {
@@ -253,6 +268,7 @@ pub(crate) fn identify_motion(
             names.push(&feature.specimen);
         }
     }
+    let (mut before, most) = (0, asked.points * names.len());
     let of_specimen = |name: &Option<String>| {
         let features: Vec<&MeasuredMotion> = study.motion.iter().filter(|feature| feature.specimen == *name).collect();
         let values = features.iter().map(|feature| {
@@ -262,7 +278,11 @@ pub(crate) fn identify_motion(
             })
         });
         let values: Vec<f64> = values.collect::<Result<_, _>>()?;
-        MotionRig::new(study, &features, asked, 0)?.invert(name.clone(), &values)
+        let mut rig = MotionRig::new(study, &features, asked, 0)?;
+        rig.bank.tell(heard, before, most);
+        let found = rig.invert(name.clone(), &values);
+        before += rig.bank.count();
+        found
     };
     names.into_iter().map(of_specimen).collect()
 }

@@ -7,6 +7,7 @@ mod joint_test;
 mod plan;
 mod unknowns;
 
+pub use bank::{Heard, UNHEARD};
 pub(crate) use invert::identify_motion;
 pub use invert::{MotionRig, MotionValues};
 pub use plan::plan_motion;

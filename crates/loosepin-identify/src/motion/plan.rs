@@ -1,5 +1,6 @@
 //! What features would tell, before anything is measured.
 
+use super::bank::Heard;
 use super::grid::{Axis, Grid, place};
 use super::invert::{MotionRig, MotionValues};
 use super::unknowns::name;
@@ -62,11 +63,17 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
 }
 
 /// What each feature of `study` alone, and all together, would leave of the box: the mean over measurements that are imagined at values
-/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`.
+/// spread evenly over it. Of `specimen` alone, where one is named; how many values are tried does not depend on `asked`. `heard` hears of values
+/// that have their runs.
 ///
 /// # Errors
 /// As of an identification.
-pub fn plan_motion(study: &Study, specimen: Option<&str>, asked: &MotionValues) -> Result<MotionPlan, Complaints> {
+pub fn plan_motion(
+    study: &Study,
+    specimen: Option<&str>,
+    asked: &MotionValues,
+    heard: Heard<'_>,
+) -> Result<MotionPlan, Complaints> {
     if let Some(wanted) = specimen {
         known_specimen(study, wanted)?;
     }
@@ -78,6 +85,7 @@ pub fn plan_motion(study: &Study, specimen: Option<&str>, asked: &MotionValues) 
     let cells: usize = counts.iter().product();
     let grid = Grid::untested(&axes, counts.clone());
     let points: Vec<Vec<f64>> = (0..cells).map(|cell| rig.values(&grid.middle(cell))).collect();
+    rig.bank.tell(heard, 0, cells);
     let all = rig.runs_at(&points)?;
     let counted = all.first().map_or(0, |runs| runs.len()) - IMAGINED;
     let has_failed = |run: &[f64]| run.iter().any(|value| !value.is_finite());

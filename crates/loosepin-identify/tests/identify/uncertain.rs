@@ -118,7 +118,11 @@ fn identity_factors_hold_where_all_lengths_are_at_an_end_together() {
 fn analytic_a_push_beyond_the_contact_law_is_refused() {
     // Steel and bronze a metre deep would carry some 1e11 N, and the pins get the moment over 0.13 m.
     let text = text_of("first.toml").replace("moment = \"1.5 N m\"", "moment = \"1e12 N m\"");
-    let refused = loosepin_identify::identify(&study(&text_of("model.toml"), &text), &Default::default());
+    let refused = loosepin_identify::identify(
+        &study(&text_of("model.toml"), &text),
+        &Default::default(),
+        loosepin_identify::UNHEARD,
+    );
     let error = refused.expect_err("no contact carries it").to_string();
     assert!(error.contains("by more than its contact law carries"), "{error}");
 }

@@ -122,12 +122,12 @@ impl Stepper {
     /// Unknown `i` at `share` in [0, 1] of the step over its value at the start, by Hairer's nested form of the dense output;
     /// `number` reads a number of [`StepRows::stages`].
     #[inline]
-    pub fn dense_change(&self, i: usize, share: f64, number: impl Fn(usize) -> f64) -> f64 {
+    pub fn dense_change<T: Real>(&self, i: usize, share: T, number: impl Fn(usize) -> T) -> T {
         let terms = 3 + self.tableau.dense.len();
-        let mut sum = 0.0;
+        let mut sum = T::zero();
         for (k, term) in (0..terms).rev().enumerate() {
             sum += number((self.dense_row() + term) * self.stride + i);
-            sum *= if (terms - 1 - k).is_multiple_of(2) { share } else { 1.0 - share };
+            sum *= if (terms - 1 - k).is_multiple_of(2) { share } else { T::one() - share };
         }
         sum
     }

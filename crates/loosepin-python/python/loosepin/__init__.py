@@ -10,6 +10,7 @@ Numbers are SI unless a name says otherwise. Files and their keys are those of t
 """
 
 from ._function_bounds import Band, Box, FunctionBounds, bounds
+from ._identification import Identification, MotionPlan, Unknown
 from ._inputs import (
     Beta,
     Discrete,
@@ -54,11 +55,13 @@ __all__ = [
     "Fuzzy",
     "Gamma",
     "Gumbel",
+    "Identification",
     "Interval",
     "Lognormal",
     "LoosepinError",
     "LoosepinWarning",
     "Model",
+    "MotionPlan",
     "Normal",
     "OneOf",
     "Output",
@@ -72,5 +75,6 @@ __all__ = [
     "Triangular",
     "TruncatedNormal",
     "Uniform",
+    "Unknown",
     "Weibull",
 ]

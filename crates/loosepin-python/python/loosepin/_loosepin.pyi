@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 __all__ = [
     "Column",
     "Complaint",
+    "Identification",
     "LoosepinError",
     "Model",
     "RunRows",
@@ -101,6 +102,13 @@ class Simulation:
     def picture(self) -> str: ...
 
 @final
+class Identification:
+    def json(self) -> str: ...
+    def text(self) -> str: ...
+    def page(self) -> str: ...
+    def narrowed(self) -> Study: ...
+
+@final
 class Study:
     @staticmethod
     def load(path: str | os.PathLike[str]) -> Study: ...
@@ -129,6 +137,21 @@ class Study:
     def texts(self) -> _Texts: ...
     @staticmethod
     def from_texts(texts: _Texts) -> Study: ...
+    def identify(
+        self,
+        points: int,
+        confidence: float,
+        specimen: str | None,
+        threads: int | None,
+        progress: Callable[[int, int], object] | None,
+    ) -> Identification: ...
+    def plan_motion(
+        self,
+        confidence: float,
+        specimen: str | None,
+        threads: int | None,
+        progress: Callable[[int, int], object] | None,
+    ) -> tuple[str, str]: ...
     def recorded(self) -> list[tuple[str, str, list[float] | None]]: ...
     def bounds(
         self,

@@ -14,14 +14,14 @@ _WIDTH = 30
 _EVERY_S = 0.25
 
 
-def listener(progress: bool | Listener) -> _Line | _Callable | None:
-    """Listener for the progress of `Study.run`."""
+def listener(progress: bool | Listener, counted: str = "runs") -> _Line | _Callable | None:
+    """Listener for the progress of `Study.run`, or of other work that is `counted` otherwise."""
     if callable(progress):
         return _Callable(progress)
     if not progress:
         return None
     show = _notebook_line() or _terminal_line()
-    return None if show is None else _Line(show)
+    return None if show is None else _Line(show, counted)
 
 
 class _Callable:
@@ -39,8 +39,9 @@ class _Callable:
 
 
 class _Line:
-    def __init__(self, show: Callable[[str], None]) -> None:
+    def __init__(self, show: Callable[[str], None], counted: str) -> None:
         self._show = show
+        self._counted = counted
         self._began = time.monotonic()
         self._next = self._began
 
@@ -54,7 +55,7 @@ class _Line:
             left = f"at most {_duration((now - self._began) / finished * (most - finished))} left"
         else:
             left = "the first runs have started"
-        self._show(f"[{bar}] {finished} of at most {most} runs, {left}")
+        self._show(f"[{bar}] {finished} of at most {most} {self._counted}, {left}")
 
     def close(self) -> None:
         """Removes the line."""

@@ -10,6 +10,7 @@ from typing import Any
 from . import _loosepin
 from ._cluster import maker
 from ._function_bounds import FunctionBounds, Statistic, requests, table
+from ._identification import Identification, MotionPlan
 from ._model import Model
 from ._progress import Listener, listener
 from ._result import Array, StudyResult
@@ -106,6 +107,47 @@ class Study:
             if told is not None:
                 told.close()
         return StudyResult(native)
+
+    def identify(
+        self,
+        *,
+        points: int = 400,
+        confidence: float = 0.99,
+        specimen: str | None = None,
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> Identification:
+        """Which values of the unknowns are consistent with the `[[measured]]` tables: the answer of `loosepin identify`.
+
+        points: values of the unknowns at which a motion is tested, about at most. confidence: probability with which all bounds of a
+        specimen hold together. specimen: the one whose readings and features count; all, each by itself, where it is left out.
+        progress: as for `run`; a callable is told (finished, at most) values.
+
+        Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
+        """
+        told = listener(progress, "values")
+        try:
+            return Identification(self._native.identify(points, confidence, specimen, threads, told))
+        finally:
+            if told is not None:
+                told.close()
+
+    def plan_motion(
+        self,
+        *,
+        confidence: float = 0.99,
+        specimen: str | None = None,
+        threads: int | None = None,
+        progress: bool | Listener = True,
+    ) -> MotionPlan:
+        """What features of the motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
+        told = listener(progress, "values")
+        try:
+            record, text = self._native.plan_motion(confidence, specimen, threads, told)
+        finally:
+            if told is not None:
+                told.close()
+        return MotionPlan(text, record)
 
     @cached_property
     def recorded(self) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 use super::{Batch, lanes_of};
 use crate::core::Core;
-use crate::follow::{Findings, FollowLayout};
+use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, extremes_within};
 use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
@@ -22,9 +22,15 @@ impl Batch<'_> {
 
     /// Follows the accepted steps at hand, those of them that are recorded; another piece of the curves and instants may be `due`.
     pub(super) fn follow(&mut self, accepted: u32, due: u32) {
+        let recorded = self.core.flags(LaneLayout::IS_RECORDED);
+        if accepted & recorded == 0 {
+            return;
+        }
+        if self.follow.inside().count > 0 {
+            self.look_inside(accepted & recorded);
+        }
         let Self { core, runs, follow: layout, .. } = self;
-        let recorded = core.flags(LaneLayout::IS_RECORDED);
-        if layout.readings() == 0 || accepted & recorded == 0 {
+        if layout.readings() == 0 {
             return;
         }
         if layout.reduces() {
@@ -40,6 +46,53 @@ impl Batch<'_> {
         let Self { core, runs, .. } = self;
         for (lane, run) in of_lanes(runs, due & recorded) {
             core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
+        }
+    }
+
+    /// Takes in the values inside the accepted steps at hand that are `recorded`.
+    fn look_inside(&mut self, recorded: u32) {
+        self.core.look_inside();
+        let evaluations = self.core.pass.stepper.evaluations_for_dense();
+        for lane in lanes_of(recorded) {
+            self.core.add_evaluations(lane, evaluations);
+        }
+        for lane in lanes_of(self.core.followed_flags(FollowLayout::IS_PEAK) & recorded) {
+            for reading in 0..self.follow.inside().count {
+                self.take_peak(lane, reading);
+            }
+        }
+    }
+
+    /// Locates the extremes of a reading inside the step at hand of a lane, where its values allow new ones.
+    fn take_peak(&mut self, lane: usize, reading: usize) {
+        let Self { core, runs, view, view_projection, view_state, viewed, .. } = self;
+        let (Some(run), Some(read)) = (&runs[lane], self.inside.get(reading)) else { return };
+        let mut point = 0;
+        let points = LOBATTO.map(|(share, _)| {
+            point += 1;
+            (share, core.inside(lane, point - 1, reading))
+        });
+        let largest = self.follow.inside().reading(reading);
+        let known = [core.followed(lane, largest), core.followed(lane, largest + 1)];
+        let value = |share: f64| {
+            if *viewed != run.number {
+                *viewed = run.number;
+                view.dynamics.sample_mut().clone_from(&run.sample);
+            }
+            for (contact, state) in view.states.iter_mut().enumerate() {
+                *state = core.contact(lane, contact).0;
+            }
+            core.interpolate(lane, share, view_state);
+            let time_s = view_state[view.layout.time()];
+            if let Some(projection) = view_projection {
+                projection.hold(view, time_s, view_state);
+            }
+            view.evaluate(time_s, view_state);
+            read.value(&run.arms, &view.dynamics)
+        };
+        let found = extremes_within(&points, InsideLayout::limits(&points), known, value);
+        for (place, extreme) in found.into_iter().enumerate() {
+            core.set_followed(lane, largest + place, extreme);
         }
     }
 

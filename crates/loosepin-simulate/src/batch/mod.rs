@@ -13,6 +13,7 @@ mod switch;
 pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
+use crate::column::Reading;
 use crate::core::Core;
 use crate::depth_limit::DepthLimit;
 use crate::execution::Execution;
@@ -60,6 +61,8 @@ pub(super) struct Batch<'a> {
     settings: Settings,
     /// Where everything is among the numbers of what is followed.
     follow: FollowLayout,
+    /// What is looked at inside the steps.
+    inside: Vec<Reading>,
     /// Instants that wait to be read at: the lane of each, and its number in the run.
     waiting: Vec<(usize, usize)>,
     /// Lanes with a run; those whose derivative is to be evaluated again before the next step; those whose energy account begins then.
@@ -100,6 +103,7 @@ impl<'a> Batch<'a> {
             waiting: Vec::with_capacity(execution.lanes()),
             settings: *settings,
             follow: FollowLayout::new(follow),
+            inside: follow.inside.clone(),
             active: 0,
             restarts: 0,
             openings: 0,

@@ -32,6 +32,7 @@ impl LaneFollow {
             at_instants,
             deviations: vec![DeviationRange::NONE; deviations],
             paths: vec![[DeviationRange::NONE; 4]; paths],
+            inside: vec![DeviationRange::NONE; layout.inside().count],
         };
         let readings = Vec::with_capacity(layout.readings());
         Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
@@ -39,14 +40,15 @@ impl LaneFollow {
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
     pub fn begin(&mut self, layout: &FollowLayout, time_s: f64, mut set: impl FnMut(usize, f64)) {
-        if !layout.reduces() {
-            return;
-        }
         let begin_range = |first: usize, set: &mut dyn FnMut(usize, f64)| {
             for (k, number) in [f64::NEG_INFINITY, f64::INFINITY, 0.0, 0.0].into_iter().enumerate() {
                 set(first + k, number);
             }
         };
+        (0..layout.inside().count).for_each(|reading| begin_range(layout.inside().reading(reading), &mut set));
+        if !layout.reduces() {
+            return;
+        }
         for deviation in 0..layout.deviations() {
             let first = layout.deviation(deviation);
             for (k, number) in self.reference(layout.of(deviation), time_s).into_iter().enumerate() {
@@ -183,6 +185,9 @@ impl LaneFollow {
         }
         for (path, own) in layout.paths().iter().zip(&mut self.findings.paths) {
             *own = [0, 1, 2, 3].map(|part| range(path.part(part)));
+        }
+        for (reading, own) in self.findings.inside.iter_mut().enumerate() {
+            *own = range(layout.inside().reading(reading));
         }
         std::mem::take(&mut self.findings)
     }

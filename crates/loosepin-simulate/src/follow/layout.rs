@@ -2,6 +2,7 @@
 //! down for many.
 
 use super::extremes::{extremes_within, points_within};
+use super::inside::InsideLayout;
 use super::path::PathLayout;
 use super::plan::Follow;
 use super::step_ends::{GAUSS, StepEnds, array, deviation_at};
@@ -17,6 +18,7 @@ pub(crate) struct FollowLayout {
     readings: usize,
     deviations: Vec<(usize, Deviation, bool)>,
     paths: Vec<PathLayout>,
+    inside: InsideLayout,
 }
 
 impl FollowLayout {
@@ -28,8 +30,10 @@ impl FollowLayout {
     pub const INSTANT: usize = 2;
     /// 1 where some deviation may have a new extreme within the step.
     pub const IS_EXTREME: usize = 3;
+    /// 1 where some value that is looked at inside the step may be a new extreme between the points.
+    pub const IS_PEAK: usize = 4;
     /// The readings at the instant.
-    pub const VALUES: usize = 4;
+    pub const VALUES: usize = 5;
     /// Numbers of a deviation, from [`Self::deviation`] on: the polynomial that it is compared with, over the piece.
     pub const REFERENCE: usize = 0;
     /// Value, rate and acceleration of that at the start of the step.
@@ -47,10 +51,13 @@ impl FollowLayout {
     /// For what `follow` says.
     pub fn new(follow: &Follow) -> Self {
         let deviations = follow.deviations.iter().map(|one| (one.reading, one.deviation, one.is_integrated)).collect();
-        let mut layout = Self { readings: follow.readings.len(), deviations, paths: Vec::new() };
+        let inside = InsideLayout::default();
+        let mut layout = Self { readings: follow.readings.len(), deviations, paths: Vec::new(), inside };
         let first = layout.deviation(layout.deviations.len());
         let paths = follow.paths.iter().enumerate();
         layout.paths = paths.map(|(k, &path)| PathLayout { first: first + PathLayout::LENGTH * k, path }).collect();
+        layout.inside =
+            InsideLayout { first: first + PathLayout::LENGTH * layout.paths.len(), count: follow.inside.len() };
         layout
     }
 
@@ -69,7 +76,12 @@ impl FollowLayout {
         &self.paths
     }
 
-    /// Whether anything is reduced over the recorded part.
+    /// Readings that are looked at inside the steps.
+    pub fn inside(&self) -> &InsideLayout {
+        &self.inside
+    }
+
+    /// Whether anything is reduced over the recorded part that the ends of the steps tell.
     pub fn reduces(&self) -> bool {
         !self.deviations.is_empty() || !self.paths.is_empty()
     }
@@ -88,7 +100,8 @@ impl FollowLayout {
     /// How many numbers there are.
     pub fn length(&self) -> usize {
         let paths = PathLayout::LENGTH * self.paths.len();
-        if self.readings == 0 { 0 } else { self.deviation(self.deviations.len()) + paths }
+        let is_empty = self.readings == 0 && self.inside.count == 0;
+        if is_empty { 0 } else { self.deviation(self.deviations.len()) + paths + self.inside.length() }
     }
 
     /// Follows a step to its end, where `is_chosen`: integrals, the polynomials of the deviations, and whether their extremes may be new.

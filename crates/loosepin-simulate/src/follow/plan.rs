@@ -15,6 +15,8 @@ pub struct Follow {
     pub deviations: Vec<FollowedDeviation>,
     /// Errors of points from their ideal paths that are reduced over the recorded part.
     pub paths: Vec<FollowedPath>,
+    /// Readings of any kind whose values are reduced over the recorded part; of a motion that is integrated.
+    pub inside: Vec<Reading>,
 }
 
 /// A deviation that is reduced over the recorded part.
@@ -62,6 +64,8 @@ pub struct Findings {
     pub deviations: Vec<DeviationRange>,
     /// The parts of each path, in the order of [`Follow::paths`] and [`loosepin_result::study::PathError::ALL`].
     pub paths: Vec<[DeviationRange; 4]>,
+    /// Values, in the order of [`Follow::inside`].
+    pub inside: Vec<DeviationRange>,
 }
 
 /// A deviation over the recorded part of a run.
@@ -86,6 +90,6 @@ impl DeviationRange {
 impl Follow {
     /// Reads these at both ends of every step, and nothing more.
     pub fn readings(readings: &[Reading]) -> Self {
-        Self { readings: readings.to_vec(), deviations: Vec::new(), paths: Vec::new() }
+        Self { readings: readings.to_vec(), ..Self::default() }
     }
 }

@@ -22,6 +22,8 @@ const INSTANTS: u32 = 40;
 struct Case {
     mechanism: Mechanism,
     readings: Vec<Reading>,
+    /// What is looked at inside the steps: velocity and acceleration of each position, then forces and all else.
+    inside: Vec<Reading>,
     turn_s: f64,
 }
 
@@ -43,9 +45,15 @@ fn compiled(name: &str, text: &str) -> Case {
     let model = Model::from_text(name, text).unwrap_or_else(|complaints| panic!("{complaints}"));
     let nominal = model.quantities.nominal();
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let readings = columns(&mechanism.model).iter().map(|column| column.reading).filter(Reading::is_position).collect();
+    let all = columns(&mechanism.model).into_iter().map(|column| column.reading);
+    let (readings, others): (Vec<Reading>, Vec<Reading>) = all.partition(Reading::is_position);
+    let rates = |reading: &Reading| match *reading {
+        Reading::Position(of) => vec![Reading::Velocity(of), Reading::Acceleration(of)],
+        _ => Vec::new(),
+    };
+    let inside = readings.iter().flat_map(rates).chain(others).collect();
     let turn_s = model.cycle_input(&nominal).turn_s();
-    Case { mechanism, readings, turn_s }
+    Case { mechanism, readings, inside, turn_s }
 }
 
 /// Everything that an observer can see of a run.
@@ -53,6 +61,8 @@ fn compiled(name: &str, text: &str) -> Case {
 struct Seen {
     /// Ends of all steps with the bits of the outputs there: a zero has a sign.
     steps: Vec<(f64, Vec<u64>)>,
+    /// dt/ds at the start and at the end of each.
+    paces: Vec<[f64; 2]>,
     /// A look inside of some steps: positions of all bodies.
     looks: Vec<u64>,
     contacts: Vec<(f64, f64)>,
@@ -71,6 +81,7 @@ impl Observer for Watcher {
     fn step(&mut self, step: &mut Step<'_, '_>) {
         let bits = step.outputs.iter().flatten().flatten().map(|value| value.to_bits()).collect();
         self.seen.steps.push((step.end_s, bits));
+        self.seen.paces.push([0, 1].map(|side| step.time(side)[1]));
         if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
             let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
             let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]);
@@ -141,7 +152,7 @@ fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, s
 fn follow(case: &Case) -> Follow {
     let deviation = |reading| FollowedDeviation { reading, deviation: Deviation::Value, is_integrated: true };
     let deviations = (0..case.readings.len()).map(deviation).collect();
-    Follow { readings: case.readings.clone(), deviations, paths: Vec::new() }
+    Follow { readings: case.readings.clone(), deviations, paths: Vec::new(), inside: case.inside.clone() }
 }
 
 #[test]
@@ -176,6 +187,35 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
             let end = last.iter().skip(3).step_by(6).map(|bits| f64::from_bits(*bits));
             let at_end = &findings.at_instants[findings.at_instants.len() - case.readings.len()..];
             assert!(at_end.iter().zip(end).all(|(a, b)| (a - b).abs() < 1e-12), "{name}: {at_end:?}");
+        }
+    }
+}
+
+#[test]
+fn identity_velocities_inside_the_steps_sum_up_to_positions_and_accelerations_to_velocities() {
+    for (name, turns) in [("slider_crank_5000", 1.2), ("six_bar", 0.2), ("slider_crank_friction", 0.6)] {
+        let case = case(name);
+        let settings = Settings { tolerance_m: 1e-10, ..Settings::for_study() };
+        for seen in conducted(&case, (0..4).collect(), turns, Execution::best(), &settings).iter().take(4) {
+            let findings = &seen.report.as_ref().expect("a report").findings;
+            let jet = |bits: &[u64]| [0, 1, 2].map(|k| f64::from_bits(bits[k]));
+            // Outputs of the first and the last step that was shown: those of the recorded part.
+            let last = seen.steps.len() - 1;
+            let ends = [&seen.steps[0].1[..], &seen.steps[last].1[..]];
+            let paces = [seen.paces[0][0], seen.paces[last][1]];
+            for reading in 0..case.readings.len() {
+                let (start, end) = (jet(&ends[0][6 * reading..]), jet(&ends[1][6 * reading + 3..]));
+                for order in [0, 1] {
+                    let range = &findings.inside[2 * reading + order];
+                    // d/ds = w d/dt.
+                    let over_time = |value: f64, pace: f64| if order == 0 { value } else { value / pace };
+                    let change = over_time(end[order], paces[1]) - over_time(start[order], paces[0]);
+                    let size = range.integral_of_square.sqrt().max(change.abs());
+                    let missed = (range.integral - change).abs() / size;
+                    assert!(missed < 1e-7, "{name}: reading {reading}, order {order}: {} {change}", range.integral);
+                    assert!(range.smallest < range.largest, "{name}: {range:?}");
+                }
+            }
         }
     }
 }
@@ -367,7 +407,7 @@ fn identity_a_run_is_not_changed_by_who_looks_at_it() {
     let case = case("six_bar");
     let mut reports: Vec<Vec<Option<RunReport>>> = Vec::new();
     for readings in [case.readings.clone(), Vec::new()] {
-        let case = Case { mechanism: case.mechanism.clone(), readings, turn_s: case.turn_s };
+        let case = Case { mechanism: case.mechanism.clone(), readings, inside: Vec::new(), turn_s: case.turn_s };
         let seen = conducted(&case, (0..RUNS).collect(), 0.03, Execution::best(), &Settings::for_study());
         let without_findings = |report: RunReport| RunReport { findings: Findings::default(), ..report };
         reports.push(seen.into_iter().map(|seen| seen.report.map(without_findings)).collect());

@@ -17,18 +17,21 @@ pub enum ResultKind {
     Study,
     /// Runs for many values of a quantity.
     Sweep,
+    /// What readings and motion of a rig say of the unknowns.
+    Identification,
     /// Neural networks of a study, for other programs.
     Networks,
 }
 
 impl ResultKind {
-    /// As a noun: `simulation`, `motion`, `study`, `sweep`, `export of networks`.
+    /// As a noun: `simulation`, `motion`, `study`, `sweep`, `identification`, `export of networks`.
     pub fn words(self) -> &'static str {
         match self {
             Self::Simulation => "simulation",
             Self::Motion => "motion",
             Self::Study => "study",
             Self::Sweep => "sweep",
+            Self::Identification => "identification",
             Self::Networks => "export of networks",
         }
     }

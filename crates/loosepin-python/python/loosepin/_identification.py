@@ -1,0 +1,112 @@
+"""What readings and motion of a rig say of the unknowns of a study."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _loosepin
+
+if TYPE_CHECKING:
+    from ._study import Study
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """An input of the study before and after an identification, SI."""
+
+    path: str
+    """Path in the model."""
+    name: str
+    """Name in sentences."""
+    unit: str
+    """SI unit."""
+    before: tuple[float, float]
+    """Interval of the study."""
+    after: tuple[float, float]
+    """Interval that is consistent with what was measured; that of the study where nothing is."""
+    specimen: str | None
+    """The mechanism that was measured, where the file says."""
+
+    @property
+    def is_narrowed(self) -> bool:
+        """Whether either end is narrower than before."""
+        return self.after[0] > self.before[0] or self.after[1] < self.before[1]
+
+
+class Identification:
+    """The answer of `Study.identify`: that of the command `loosepin identify`."""
+
+    def __init__(self, native: _loosepin.Identification) -> None:
+        """Use `Study.identify`."""
+        self._native = native
+
+    @cached_property
+    def record(self) -> dict[str, Any]:
+        """Everything that `loosepin identify --json` prints."""
+        record: dict[str, Any] = json.loads(self._native.json())
+        return record
+
+    @cached_property
+    def unknowns(self) -> tuple[Unknown, ...]:
+        """Plays of backlash tests and unknowns of motions before and after, specimen by specimen."""
+        found = []
+        for specimen in self.record["specimens"]:
+            plays = specimen["outcome"].get("consistent", {}).get("plays", [])
+            found += [_unknown(play, specimen["name"]) for play in plays]
+        for specimen in self.record.get("motion", []):
+            found += [_unknown(unknown, specimen["name"]) for unknown in specimen["unknowns"]]
+        return tuple(found)
+
+    @cached_property
+    def is_misfit(self) -> bool:
+        """Whether no values explain what was measured at some specimen."""
+        of_readings = ("misfit" in specimen["outcome"] for specimen in self.record["specimens"])
+        of_motion = (specimen["misfit"] is not None for specimen in self.record.get("motion", []))
+        return any(of_readings) or any(of_motion)
+
+    def narrowed(self) -> Study:
+        """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit."""
+        from ._study import Study
+
+        return Study(self._native.narrowed())
+
+    def report(self, path: str | os.PathLike[str]) -> None:
+        """Writes the page."""
+        Path(path).write_text(self._native.page(), encoding="utf-8")
+
+    def __str__(self) -> str:
+        return self._native.text()
+
+
+class MotionPlan:
+    """What features of a motion would tell, before anything is measured: the answer of `loosepin identify --plan`."""
+
+    def __init__(self, text: str, record: str) -> None:
+        """Use `Study.plan_motion`."""
+        self._text = text
+        self._record = record
+
+    @cached_property
+    def record(self) -> dict[str, Any]:
+        """Everything that `loosepin identify --plan --json` prints."""
+        record: dict[str, Any] = json.loads(self._record)
+        return record
+
+    @property
+    def features(self) -> dict[str, float]:
+        """Share of the box that each feature alone would leave, the most telling first."""
+        return {feature["name"]: feature["share_of_box"] for feature in self.record["features"]}
+
+    def __str__(self) -> str:
+        return self._text
+
+
+def _unknown(record: dict[str, Any], specimen: str | None) -> Unknown:
+    before, after = record["before_si"], record["after_si"]
+    unit = record["unit"]
+    return Unknown(record["path"], record["name"], unit, (before[0], before[1]), (after[0], after[1]), specimen)

@@ -1,0 +1,105 @@
+//! What readings and motion of a rig say of the unknowns of a study.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use loosepin::identify::{MotionValues, Options, identify, known_bounds, narrowed, plan_motion, record};
+use loosepin::report::{identification_page, identification_text, motion_plan_text};
+use loosepin::result::json::to_json;
+use loosepin::study::{self, Progress};
+use loosepin::units::DisplayUnits;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::error::raise;
+use crate::study::Study;
+use crate::waiting::{Told, wait_for};
+
+/// The answer of an identification.
+#[pyclass(frozen, module = "loosepin._loosepin")]
+pub struct Identification {
+    answer: record::Identification,
+    study: study::Study,
+}
+
+#[pymethods]
+impl Identification {
+    /// The answer as JSON.
+    fn json(&self) -> PyResult<String> {
+        to_json(&self.answer).map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The tables of the terminal.
+    fn text(&self) -> String {
+        identification_text(&self.answer)
+    }
+
+    /// The page.
+    fn page(&self) -> String {
+        identification_page(&self.answer)
+    }
+
+    /// The study with narrowed intervals.
+    fn narrowed(&self) -> PyResult<Study> {
+        let known = known_bounds(&self.answer).map_err(raise)?;
+        let (text, _) = narrowed(&self.study, &known);
+        let study = study::Study::from_text(self.study.source().name(), &text, self.study.model.clone());
+        study.map(Study).map_err(raise)
+    }
+}
+
+/// What is asked of readings and motion.
+pub struct Asked {
+    /// Values that are tested, confidence, threads.
+    pub values: MotionValues,
+    /// Specimen, or all.
+    pub specimen: Option<String>,
+}
+
+/// Identifies the unknowns of `study`.
+pub fn identified(
+    py: Python<'_>,
+    study: &study::Study,
+    asked: &Asked,
+    progress: Option<&Py<PyAny>>,
+) -> PyResult<Identification> {
+    let Asked { values, specimen } = asked;
+    let MotionValues { confidence, points, threads } = *values;
+    let options = Options { confidence, points, threads, specimen: specimen.clone(), ..Options::default() };
+    let answer = told(py, progress, |heard| identify(study, &options, heard).map_err(raise))?;
+    Ok(Identification { answer, study: study.clone() })
+}
+
+/// What features of the motion of `study` would tell: JSON, and the table of the terminal.
+pub fn planned(
+    py: Python<'_>,
+    study: &study::Study,
+    asked: &Asked,
+    progress: Option<&Py<PyAny>>,
+) -> PyResult<(String, String)> {
+    let plan =
+        told(py, progress, |heard| plan_motion(study, asked.specimen.as_deref(), &asked.values, heard).map_err(raise))?;
+    let text = motion_plan_text(&plan, &study.model.shown_in(DisplayUnits::default()));
+    let json = to_json(&plan).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok((json, text))
+}
+
+/// Does `work`, which hears of values that have their runs, while Python listens to Ctrl-C.
+fn told<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    work: impl FnOnce(loosepin::identify::Heard<'_>) -> PyResult<T> + Send,
+) -> PyResult<T> {
+    let (stop, told) = (AtomicBool::new(false), Told::default());
+    let heard = |finished: usize, most: usize| {
+        told.runs(finished, most);
+        !stop.load(Ordering::Relaxed)
+    };
+    let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress), || work(&heard));
+    match raised {
+        Some(error) => Err(error),
+        None => {
+            told.tell(py, progress)?;
+            outcome
+        }
+    }
+}

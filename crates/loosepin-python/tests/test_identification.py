@@ -1,0 +1,72 @@
+"""Identification in Python: the answer of the command."""
+
+import json
+import shutil
+
+import loosepin as lp
+import pytest
+from conftest import REPOSITORY, command
+
+CASE = REPOSITORY / "cases/backlash_test"
+
+# The stroke is twice the crank, whatever else is: 100.3 mm ± 0.2 mm say 50.05 to 50.25 mm.
+STROKE = """
+name = "crank"
+model = "model.toml"
+[cycle]
+transient_turns = 0
+recorded_turns = 1
+[epistemic]
+"parameter.crank_length" = { interval = ["49 mm", "51 mm"] }
+[[ask]]
+output = "slider"
+of = "total"
+reduce = "rms"
+statistics = ["mean"]
+[[measured]]
+kind = "motion"
+output = "slider"
+feature = "range"
+value = "100.3 mm"
+error = "± 0.2 mm"
+"""
+
+
+@pytest.fixture
+def rig(tmp_path):
+    for name in ["model.toml", "first.toml", "study.toml"]:
+        shutil.copy(CASE / name, tmp_path / name)
+    return tmp_path
+
+
+def test_readings_give_the_answer_of_the_command(rig):
+    found = lp.Study.load(rig / "study.toml").identify(progress=False)
+    ended = command("identify", "study.toml", "--json", cwd=rig)
+    assert ended.returncode == 0, ended.stderr
+    assert found.record == json.loads(ended.stdout)
+    assert str(found) == command("identify", "study.toml", cwd=rig).stdout
+    assert len(found.unknowns) == 3 and all(unknown.is_narrowed for unknown in found.unknowns)
+    command("identify", "study.toml", "--write", "narrowed.toml", cwd=rig)
+    assert found.narrowed().text == (rig / "narrowed.toml").read_text(encoding="utf-8")
+    found.report(rig / "page.html")
+    assert "What the readings leave" in (rig / "page.html").read_text(encoding="utf-8")
+
+
+def test_a_motion_narrows_its_unknown_and_a_misfit_is_none(tmp_path):
+    # Without play: the three lines of the gudgeon that say so.
+    text = (REPOSITORY / "cases/slider_crank_worn_pin/model.toml").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith(("bearing_radius", "radial_clearance", "contact ="))]
+    model = lp.Model.from_text("\n".join(lines))
+    told = []
+    found = lp.Study.from_text(STROKE, model=model).identify(progress=lambda *seen: told.append(seen))
+    (crank,) = found.unknowns
+    assert crank.unit == "m" and not found.is_misfit
+    # A cell and a half of a twentieth of the set at either end.
+    assert 50.03e-3 < crank.after[0] <= 50.05e-3 and 50.25e-3 <= crank.after[1] < 50.27e-3
+    assert told and told[-1][0] <= told[-1][1]
+    plan = lp.Study.from_text(STROKE, model=model).plan_motion(progress=False)
+    assert list(plan.features) == ["slider, range"] and "most telling alone: slider, range" in str(plan)
+    wrong = lp.Study.from_text(STROKE.replace("100.3 mm", "103 mm"), model=model).identify(progress=False)
+    assert wrong.is_misfit
+    with pytest.raises(lp.LoosepinError, match="no values explain what was measured"):
+        wrong.narrowed()
