@@ -1,6 +1,6 @@
 //! What narrower intervals gain: the study before and after, beside each other.
 
-use super::compare::compare_studies;
+use super::compare::{NOTHING_IN_COMMON, compare_studies};
 use super::number::{NumberWriter, Rounding};
 use super::wording::{output_unit, response_words, statistic_words};
 use loosepin_result::identification::{Gain, GainedBound};
@@ -32,10 +32,18 @@ pub fn identification_gain(before: &StudyResult, after: &StudyResult) -> Gain {
     };
     // On a terminal a space that does not break is one that cannot be searched for.
     let plain = |text: &String| text.replace('\u{a0}', " ");
+    let bounds: Vec<GainedBound> = before.bounds.iter().filter(is_shown).filter_map(gained).collect();
+    let headline = match bounds.first() {
+        Some(first) if compared.headline == NOTHING_IN_COMMON => {
+            let [a, b] = [first.before_si, first.after_si].map(|ends_si| bound_words(ends_si, first, &writer));
+            format!("The {} of {} is {a} in A, {b} in B.", first.statistic, first.response)
+        }
+        _ => plain(&compared.headline),
+    };
     Gain {
-        headline: plain(&compared.headline),
+        headline,
         bands: compared.bands.iter().map(|band| plain(&format!("{}. {}", band.title, band.words))).collect(),
-        bounds: before.bounds.iter().filter(is_shown).filter_map(gained).collect(),
+        bounds,
         runs: [before.counts.runs, after.counts.runs],
     }
 }

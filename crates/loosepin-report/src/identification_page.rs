@@ -144,7 +144,7 @@ fn unknowns(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) 
         @if places.len() == 1 && index > 0 { (strip(specimen, places[0], format!("map.{index}"), writer)) }
         @for pair in &pairs { (map(specimen, *pair, format!("map.{index}.{}-{}", pair[0], pair[1]), writer)) }
         p.quiet {
-            (specimen.points.len()) " values were tested with " (specimen.runs_per_point) " runs each."
+            (specimen.points.len()) " values were tested with " (counted(specimen.runs_per_point, "run")) " each."
             @if specimen.failed > 0 {
                 " " (counted(specimen.failed, "run")) " failed: each counts as if it lay further off than the measurement."
             }

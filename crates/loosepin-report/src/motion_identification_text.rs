@@ -19,9 +19,9 @@ const TELLS_NOTHING: f64 = 0.95;
 pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: &NumberWriter<'_>) {
     let features = counted(specimen.features.len(), "feature");
     let runs = format!(
-        "{} values of the unknowns were tested with {} runs each",
+        "{} values of the unknowns were tested with {} each",
         specimen.points.len(),
-        specimen.runs_per_point
+        counted(specimen.runs_per_point, "run")
     );
     let mut sentences = vec![runs];
     match &specimen.misfit {

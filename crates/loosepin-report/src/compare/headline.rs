@@ -9,6 +9,8 @@ use crate::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
 
+/// Where the studies share no main answer.
+pub const NOTHING_IN_COMMON: &str = "The two studies have no answer in common.";
 /// Digits of the values.
 const DIGITS: usize = 3;
 
@@ -23,7 +25,7 @@ struct Main<'r> {
 /// The answer that A puts first of those that B has as well.
 pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &NumberWriter) -> String {
     let Some(main) = told(pair[0]).into_iter().find_map(|told| main(told, pair, outputs, writer)) else {
-        return "The two studies have no answer in common.".to_owned();
+        return NOTHING_IN_COMMON.to_owned();
     };
     let [before, after] = main.values_si;
     let values =

@@ -22,6 +22,7 @@ use loosepin_result::study::StudyResult;
 
 pub use band::ComparedBand;
 pub use changed_inputs::ChangedInput;
+pub(crate) use headline::NOTHING_IN_COMMON;
 pub use requirements::ComparedRequirement;
 pub use statistics::{ComparedEnd, ComparedStatistic, Weight};
 
