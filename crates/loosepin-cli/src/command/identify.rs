@@ -1,6 +1,6 @@
 //! `loosepin identify`.
 
-use loosepin::identify::record::{Gain, Identification, Outcome};
+use loosepin::identify::record::{Gain, Identification, Outcome, PlayBounds};
 use loosepin::identify::{
     Heard, IdentifyProblem, MotionValues, Options, identify, known_bounds, narrowed, plan_motion, write_narrowed,
 };
@@ -95,7 +95,11 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
         if is_misfit(&answer) {
             console::message("the study is not compared: no values explain what was measured");
         } else {
-            answer.gain = Some(gain(study, &answer, options.threads)?);
+            match known_bounds(&answer) {
+                Ok(known) => answer.gain = Some(gain(study, &known, options.threads)?),
+                // What was found is shown all the same.
+                Err(complaints) => console::complain(&complaints),
+            }
         }
     }
     Ok(answer)
@@ -107,8 +111,8 @@ fn is_misfit(answer: &Identification) -> bool {
 }
 
 /// The bounds of the study as it is and with the narrowed intervals.
-fn gain(study: &Study, answer: &Identification, threads: usize) -> Result<Gain, Failure> {
-    let (text, _) = narrowed(study, &known_bounds(answer)?);
+fn gain(study: &Study, known: &[PlayBounds], threads: usize) -> Result<Gain, Failure> {
+    let (text, _) = narrowed(study, known);
     let after = Study::from_text(study.source().name(), &text, study.model.clone())?;
     let stop = stop_on_signals("Ctrl-C ends the study at once");
     let conducted = |study: &Study| -> Result<StudyResult, Failure> {
