@@ -11,7 +11,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::raise;
-use crate::study::Study;
+use crate::run_rows::Texts;
 use crate::waiting::{Told, wait_for};
 
 /// The answer of an identification.
@@ -38,12 +38,13 @@ impl Identification {
         identification_page(&self.answer)
     }
 
-    /// The study with narrowed intervals.
-    fn narrowed(&self) -> PyResult<Study> {
+    /// The texts of the study with narrowed intervals.
+    fn narrowed(&self) -> PyResult<Texts> {
         let known = known_bounds(&self.answer).map_err(raise)?;
         let (text, _) = narrowed(&self.study, &known);
         let study = study::Study::from_text(self.study.source().name(), &text, self.study.model.clone());
-        study.map(Study).map_err(raise)
+        let study::StudyTexts { study, model, model_path, tables } = study.map_err(raise)?.texts();
+        Ok((study, model, model_path, tables))
     }
 }
 

@@ -73,7 +73,7 @@ class Identification:
         """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit."""
         from ._study import Study
 
-        return Study(self._native.narrowed())
+        return Study(_loosepin.Study.from_texts(self._native.narrowed()))
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the page."""
