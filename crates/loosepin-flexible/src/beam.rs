@@ -1,6 +1,7 @@
 //! A beam in its floating frame: where its points are, its inertia and its elastic forces.
 
-use super::shapes::{MassPoint, Shapes, Station};
+use super::shapes::{MassPoint, Shapes};
+use super::station::Station;
 use loosepin_math::{Real, Vec2, numbers};
 
 /// The numbers of a straight uniform beam.

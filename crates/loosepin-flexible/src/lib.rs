@@ -5,18 +5,24 @@
 //! and gets points, mass matrix, bias forces and elastic forces. [`NodalBeam`] is the beam that may bend as far as it likes: a chain of the
 //! elements of a [`Mesh`], whose nodes hold position and slope.
 
+mod basis;
 mod beam;
 mod cuts;
 mod functions;
+mod legendre;
 mod nodal;
+mod point_shapes;
 mod shapes;
 mod spectrum;
+mod station;
 
+pub use basis::{Basis, Span};
 pub use beam::{Beam, Inertia};
 pub use cuts::Cuts;
 pub use functions::Frame;
 pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, Nodal, NodalBeam, NotBalanced, Rule, TipLoad};
-pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes, Station, stations};
+pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes};
+pub use station::Station;
 
 #[cfg(test)]
 mod tests;

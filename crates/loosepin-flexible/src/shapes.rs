@@ -1,26 +1,10 @@
 //! The shapes of a beam: what of it does not depend on its length, section and material.
 
-use super::functions::{Frame, axial, lateral};
+use super::basis::Basis;
+use super::functions::Frame;
+use super::point_shapes::span_rule;
 use super::spectrum::{eigenvalues, root_damping};
-use loosepin_math::legendre_rule;
-
-/// Numbers that are round-off of a zero at an end of the beam.
-const ROUND_OFF: f64 = 1e-12;
-
-/// The shapes at one place along the beam, s = x/L.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Station {
-    /// s.
-    pub share: f64,
-    /// ψ of the axial shapes.
-    pub axial: Vec<f64>,
-    /// φ/L of the lateral shapes.
-    pub lateral: Vec<f64>,
-    /// φ' = dφ/dx of the lateral shapes.
-    pub slopes: Vec<f64>,
-    /// H/L of (F1), ∫₀ˢ φ_i' φ_j' ds, row by row.
-    pub shortening: Vec<f64>,
-}
+use super::station::Station;
 
 /// A place that carries a share of the mass.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +30,8 @@ pub struct Shapes {
     pub root: Station,
     /// The end at s = 1.
     pub tip: Station,
+    /// Places inside, as many as were asked for.
+    pub inside: Vec<Station>,
     /// ∫ψ'ψ'ᵀ, to be multiplied with EA/L.
     pub axial_stiffness: Vec<f64>,
     /// ∫φ''φ''ᵀ of φ' over s, to be multiplied with EI/L.
@@ -62,31 +48,49 @@ pub type AxialFunction<'f> = &'f dyn Fn(usize, f64) -> [f64; 2];
 pub type LateralFunction<'f> = &'f dyn Fn(usize, f64) -> [f64; 3];
 
 impl Shapes {
-    /// The shapes of a frame: axial s, sin(πs), sin(2πs), …; lateral those of [`Frame`].
-    ///
-    /// Points: 8 and four for each further shape of the kind that has more of them, which leaves 1e-10 of the integrals for one shape
-    /// and round-off from two on.
+    /// The shapes of a frame without points inside: axial s, sin(πs), sin(2πs), …; lateral those of [`Frame`].
     pub fn new(frame: Frame, axial_count: usize, lateral_count: usize) -> Self {
-        let points = point_count(axial_count, lateral_count);
-        let lateral = |index, s| lateral(frame, index, s);
-        Self::from_functions((axial_count, &axial), (lateral_count, &lateral), points)
+        Self::of(&Basis::new(frame, [axial_count, lateral_count], &[]), &[])
     }
 
-    /// Any shapes that vanish at the root, with the number of each kind, and a number of points of Gauss.
+    /// The shapes of a basis, with their values at the shares `inside`.
+    pub fn of(basis: &Basis, inside: &[f64]) -> Self {
+        let spans = basis.spans();
+        let rule: Vec<[f64; 2]> = spans.iter().flat_map(|span| span_rule(span.start, span.end, span.points)).collect();
+        Self::assembled(
+            [basis.axial_count(), basis.lateral_count()],
+            (&|index, s| basis.axial(index, s), &|index, s| basis.lateral(index, s)),
+            &|share| basis.station(share, &spans),
+            &rule,
+            inside,
+        )
+    }
+
+    /// Any smooth shapes that vanish at the root, with the number of each kind, and a number of points of Gauss.
     pub fn from_functions(
         (axial_count, axial): (usize, AxialFunction<'_>),
         (lateral_count, lateral): (usize, LateralFunction<'_>),
         points: usize,
     ) -> Self {
-        let gauss = gauss_points(points);
-        let station = |share: f64| station(share, (axial_count, axial), (lateral_count, lateral), &gauss);
+        let rule: Vec<[f64; 2]> = span_rule(0.0, 1.0, points).collect();
+        let station = |share: f64| station(share, (axial_count, axial), (lateral_count, lateral), &rule);
+        Self::assembled([axial_count, lateral_count], (axial, lateral), &station, &rule, &[])
+    }
+
+    fn assembled(
+        [axial_count, lateral_count]: [usize; 2],
+        (axial, lateral): (AxialFunction<'_>, LateralFunction<'_>),
+        station: &dyn Fn(f64) -> Station,
+        rule: &[[f64; 2]],
+        inside: &[f64],
+    ) -> Self {
         let mass_points: Vec<MassPoint> =
-            gauss.iter().map(|&[share, weight]| MassPoint { station: station(share), weight }).collect();
+            rule.iter().map(|&[share, weight]| MassPoint { station: station(share), weight }).collect();
         let integral = |count: usize, value: &dyn Fn(usize, f64) -> f64| {
             let mut matrix = vec![0.0; count * count];
             for (place, entry) in matrix.iter_mut().enumerate() {
                 let (i, j) = (place / count, place % count);
-                *entry = gauss.iter().map(|&[s, weight]| weight * value(i, s) * value(j, s)).sum();
+                *entry = rule.iter().map(|&[s, weight]| weight * value(i, s) * value(j, s)).sum();
             }
             matrix
         };
@@ -97,8 +101,9 @@ impl Shapes {
         Self {
             axial: axial_count,
             lateral: lateral_count,
-            root: cleaned(station(0.0)),
-            tip: cleaned(station(1.0)),
+            root: station(0.0).cleaned(),
+            tip: station(1.0).cleaned(),
+            inside: inside.iter().map(|share| station(*share).cleaned()).collect(),
             axial_damping: root_damping(&axial_mass, &axial_stiffness, axial_count),
             bending_damping: root_damping(&lateral_mass, &bending_stiffness, lateral_count),
             points: mass_points,
@@ -143,31 +148,14 @@ impl Shapes {
     }
 }
 
-/// The shapes of a frame at places along the beam.
-pub fn stations(frame: Frame, axial_count: usize, lateral_count: usize, shares: &[f64]) -> Vec<Station> {
-    let gauss = gauss_points(point_count(axial_count, lateral_count));
-    let lateral = |index, s| lateral(frame, index, s);
-    shares.iter().map(|share| station(*share, (axial_count, &axial), (lateral_count, &lateral), &gauss)).collect()
-}
-
-/// Points of Gauss for the shapes of a frame.
-fn point_count(axial_count: usize, lateral_count: usize) -> usize {
-    8 + 4 * axial_count.max(lateral_count)
-}
-
-/// Shares of a beam and their weights: the Gauss rule on [0, 1].
-fn gauss_points(points: usize) -> Vec<[f64; 2]> {
-    legendre_rule(points).into_iter().map(|(t, weight)| [0.5 * (1.0 + t), weight]).collect()
-}
-
 fn station(
     share: f64,
     (axial_count, axial): (usize, AxialFunction<'_>),
     (lateral_count, lateral): (usize, LateralFunction<'_>),
-    gauss: &[[f64; 2]],
+    rule: &[[f64; 2]],
 ) -> Station {
     let mut shortening = vec![0.0; lateral_count * lateral_count];
-    for &[within, weight] in gauss {
+    for &[within, weight] in rule {
         let slopes: Vec<f64> = (0..lateral_count).map(|i| lateral(i, share * within)[1]).collect();
         for (place, entry) in shortening.iter_mut().enumerate() {
             *entry += share * weight * slopes[place / lateral_count] * slopes[place % lateral_count];
@@ -180,16 +168,4 @@ fn station(
         slopes: (0..lateral_count).map(|i| lateral(i, share)[1]).collect(),
         shortening,
     }
-}
-
-/// Zeros and ones at an end, where they are off by round-off.
-fn cleaned(mut station: Station) -> Station {
-    for values in [&mut station.axial, &mut station.lateral, &mut station.slopes, &mut station.shortening] {
-        for value in values.iter_mut() {
-            if (*value - value.round()).abs() < ROUND_OFF {
-                *value = value.round() + 0.0;
-            }
-        }
-    }
-    station
 }

@@ -4,6 +4,8 @@ use loosepin_math::dense::{Cholesky, LowerTriangle, multiply};
 
 /// Sweeps of Jacobi's rotations; four are enough for twenty rows.
 const SWEEPS: usize = 30;
+/// An entry beside the diagonal this small against the diagonal changes nothing any more.
+const ROUND_OFF: f64 = 1e-40;
 
 /// L⁻¹ K L⁻ᵀ with L Lᵀ = M, and L⁻¹; nothing where M is not positive definite.
 fn reduced(mass: &[f64], stiffness: &[f64], n: usize) -> Option<(Vec<f64>, LowerTriangle)> {
@@ -24,6 +26,11 @@ fn jacobi(mut a: Vec<f64>, n: usize) -> (Vec<f64>, Vec<f64>) {
     let mut vectors = vec![0.0; n * n];
     (0..n).for_each(|k| vectors[k * n + k] = 1.0);
     for _ in 0..SWEEPS {
+        let is_done =
+            |p: usize, q: usize, a: &[f64]| a[p * n + q].powi(2) <= ROUND_OFF * (a[p * n + p] * a[q * n + q]).abs();
+        if (0..n).all(|p| (p + 1..n).all(|q| is_done(p, q, &a))) {
+            break;
+        }
         for p in 0..n {
             for q in p + 1..n {
                 if a[p * n + q] == 0.0 {
@@ -58,6 +65,27 @@ pub(crate) fn eigenvalues(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64>
     let (mut values, _) = jacobi(matrix, n);
     values.sort_by(f64::total_cmp);
     values
+}
+
+/// λ and v of K v = λ M v with vᵀ M v = 1, ascending; nothing where M is not positive definite.
+fn pairs(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<(f64, Vec<f64>)> {
+    let Some((matrix, inverse)) = reduced(mass, stiffness, n) else { return Vec::new() };
+    let (values, vectors) = jacobi(matrix, n);
+    // v = L⁻ᵀ w with the eigenvectors w of the reduced matrix.
+    let own = |k: usize| inverse.multiply_transposed(&(0..n).map(|row| vectors[row * n + k]).collect::<Vec<f64>>());
+    let mut found: Vec<(f64, Vec<f64>)> = values.iter().enumerate().map(|(k, value)| (*value, own(k))).collect();
+    found.sort_by(|one, other| one.0.total_cmp(&other.0));
+    found
+}
+
+/// Eigenvectors of K v = λ M v, by λ.
+pub(crate) fn eigenvectors(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<Vec<f64>> {
+    pairs(mass, stiffness, n).into_iter().map(|(_, vector)| vector).collect()
+}
+
+/// The first `count` eigenvectors of K v = λ M v, by λ, where K is positive definite and its largest numbers would hide small λ: from M v = K v/λ.
+pub(crate) fn lowest(mass: &[f64], stiffness: &[f64], n: usize, count: usize) -> Vec<Vec<f64>> {
+    pairs(stiffness, mass, n).into_iter().rev().take(count).map(|(_, vector)| vector).collect()
 }
 
 /// M V diag(√λ) Vᵀ M with K V = M V diag(λ) and Vᵀ M V = 1: times 2ζ the damping of all shapes with the ratio ζ.

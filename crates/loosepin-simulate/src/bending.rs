@@ -1,12 +1,12 @@
 //! How far flexible bodies bend over a run.
 
 use super::observer::Step;
-use loosepin_mechanics::mechanism::{BeamEnd, Mechanism};
+use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Body, BodyId};
 use loosepin_result::simulation::BendingRecord;
 
-/// Largest angles of the sections of each flexible body, at the ends of the steps, rad: of those at both ends from its frame, |φ'·b|; in
-/// absolute nodal coordinates of those at all nodes from the way from root to tip.
+/// Largest angles of the sections of each flexible body, at the ends of the steps, rad: of those at both ends and at the points from its
+/// frame, |φ'·b|; in absolute nodal coordinates of those at all nodes from the way from root to tip.
 #[derive(Debug, Clone)]
 pub struct BendingRecorder {
     largest_rad: Vec<f64>,
@@ -27,8 +27,8 @@ impl BendingRecorder {
         let coordinates = dynamics.free_state().0;
         for (largest_rad, beam) in self.largest_rad.iter_mut().zip(&dynamics.mechanism().real.beams) {
             let lateral = &coordinates[beam.axial().end..beam.coordinates.end];
-            for end in [BeamEnd::Root, BeamEnd::Tip] {
-                let slopes = &beam.station(end).slopes;
+            for place in beam.all_places() {
+                let slopes = &beam.station(place).slopes;
                 let angle_rad: f64 = slopes.iter().zip(lateral).map(|(slope, turn)| slope * turn).sum();
                 *largest_rad = largest_rad.max(angle_rad.abs());
             }

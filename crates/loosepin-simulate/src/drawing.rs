@@ -78,7 +78,7 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
 fn beams(mechanism: &Mechanism, values: &Values) -> Vec<DrawnBeam> {
     let Ok(sample) = Sample::<f64>::new(mechanism, values) else { return Vec::new() };
     let drawn = |(place, numbers): (&TreeBeam, &BeamGeometry<f64>)| {
-        let mut deflections_m = place.lateral_shapes(&mechanism.model, BEAM_PLACES);
+        let mut deflections_m = place.lateral_shapes(BEAM_PLACES);
         deflections_m.iter_mut().flatten().for_each(|deflection| *deflection *= numbers.beam.length_m);
         let [axial_hz, lateral_hz] = numbers.beam.frequencies_hz(&place.shapes);
         let turns_rad = vec![Vec::new(); place.shapes.lateral()];

@@ -185,7 +185,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 28] = [
+const CODES: [&str; 29] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -214,6 +214,7 @@ const CODES: [&str; 28] = [
     "too_many_jumps",
     "wear_not_finite",
     "jumps_too_short",
+    "point_off_section",
 ];
 
 impl RunFailure {
@@ -255,6 +256,7 @@ impl RunFailure {
             Self::TooManyJumps { .. } => 25,
             Self::WearNotFinite { .. } => 26,
             Self::JumpsTooShort { .. } => 27,
+            Self::Sample(SampleError::PointOffSection { .. }) => 28,
         }
     }
 

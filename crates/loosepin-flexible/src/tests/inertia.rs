@@ -2,11 +2,16 @@
 
 use super::invariants::Invariants;
 use super::rectangular;
-use crate::{Beam, Frame, Inertia, Shapes};
+use crate::{Basis, Beam, Frame, Inertia, Shapes};
 use loosepin_math::{Vec2, sin_cos};
 
 fn beam() -> Beam<f64> {
     rectangular([207e9, 7800.0, 0.26, 5e-3, 20e-3])
+}
+
+/// Shapes with static ones at two points inside.
+fn with_points(frame: Frame, counts: [usize; 2]) -> Shapes {
+    Shapes::of(&Basis::new(frame, counts, &[0.3, 0.74]), &[0.3, 0.74])
 }
 
 /// Coordinates and rates that bend the beam far: tip slopes of some tenths.
@@ -24,16 +29,17 @@ fn identity_sums_over_points_are_the_polynomials_of_the_invariants() {
         for foreshortening in [true, false] {
             for counts in [[2, 2], [3, 3], [0, 4], [2, 0]] {
                 let beam = Beam { foreshortening, ..beam() };
-                let shapes = Shapes::new(frame, counts[0], counts[1]);
-                let (q, rates) = state(&shapes);
-                let mut inertia = Inertia::new(&shapes);
-                beam.inertia(&shapes, &q, &rates, 37.0, &mut inertia);
-                let (mass, bias) = Invariants::new(&beam, &shapes).inertia(&q, &rates, 37.0);
-                let size = |numbers: &[f64]| numbers.iter().fold(0.0_f64, |size, number| size.max(number.abs()));
-                for (found, exact, what) in [(&inertia.mass, &mass, "M"), (&inertia.bias, &bias, "h")] {
-                    for (k, (found, other)) in found.iter().zip(exact).enumerate() {
-                        let off = (found - other).abs() / size(exact);
-                        assert!(off < 2e-15, "{what}[{k}] of {counts:?}, {frame:?}, f {foreshortening}: {off:e}");
+                for shapes in [Shapes::new(frame, counts[0], counts[1]), with_points(frame, counts)] {
+                    let (q, rates) = state(&shapes);
+                    let mut inertia = Inertia::new(&shapes);
+                    beam.inertia(&shapes, &q, &rates, 37.0, &mut inertia);
+                    let (mass, bias) = Invariants::new(&beam, &shapes).inertia(&q, &rates, 37.0);
+                    let size = |numbers: &[f64]| numbers.iter().fold(0.0_f64, |size, number| size.max(number.abs()));
+                    for (found, exact, what) in [(&inertia.mass, &mass, "M"), (&inertia.bias, &bias, "h")] {
+                        for (k, (found, other)) in found.iter().zip(exact).enumerate() {
+                            let off = (found - other).abs() / size(exact);
+                            assert!(off < 2e-15, "{what}[{k}] of {counts:?}, {frame:?}, f {foreshortening}: {off:e}");
+                        }
                     }
                 }
             }
@@ -75,8 +81,9 @@ fn kinetic_j(beam: &Beam<f64>, shapes: &Shapes, z: &[f64], rates: &[f64]) -> f64
 
 #[test]
 fn identity_mass_matrix_and_bias_forces_are_those_of_lagrange() {
-    for frame in [Frame::Secant, Frame::Tangent] {
-        let (beam, shapes) = (beam(), Shapes::new(frame, 2, 3));
+    let bases = |frame| [(frame, Shapes::new(frame, 2, 3)), (frame, with_points(frame, [2, 2]))];
+    for (frame, shapes) in [Frame::Secant, Frame::Tangent].into_iter().flat_map(bases) {
+        let beam = beam();
         let (q, q_rates) = state(&shapes);
         let n = 3 + shapes.count();
         let z = [&[0.13, -0.21, 0.83][..], &q].concat();

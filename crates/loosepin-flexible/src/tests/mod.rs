@@ -8,6 +8,7 @@ mod motion;
 mod nodal_element;
 mod nodal_pendulum;
 mod nodal_statics;
+mod points;
 mod spin_up;
 mod turning;
 

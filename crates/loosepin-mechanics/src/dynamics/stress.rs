@@ -6,6 +6,18 @@ use crate::model::{BodyId, JointId, LoadKind, PlayId, PointId, SpringKind};
 use loosepin_flexible::Station;
 use loosepin_math::{Real, Vec2};
 
+/// What acts on a link at one of its points.
+struct PointLoad<T> {
+    /// Share of the length at which it enters.
+    share: f64,
+    /// The point, in the axes of the frame from the root, m.
+    at_m: Vec2<T>,
+    /// Force in the axes of the frame, N.
+    force_n: Vec2<T>,
+    /// Couple, N m.
+    couple_n_m: T,
+}
+
 /// Motion of the link in the axes of its frame, at the last evaluation.
 struct LinkMotion<T> {
     /// Direction of the x axis of the frame, in the ground's frame.
@@ -22,13 +34,14 @@ impl<T: Real> Dynamics<'_, T> {
     /// Largest stress along a link at the last evaluation, Pa: at the outer fibre, by bending moment and axial force together.
     ///
     /// ```text
-    /// F(x) = ∫_x^L ρA (a - g) dξ - F_tip                             force of the inner part on the outer one, N
-    /// M(x) = ∫_x^L (d(ξ) - d(x)) × ρA (a - g) dξ - (d(L) - d(x)) × F_tip - T_tip                 its couple, N m
+    /// F(x) = ∫_x^L ρA (a - g) dξ - Σ F_p                             force of the inner part on the outer one, N
+    /// M(x) = ∫_x^L (d(ξ) - d(x)) × ρA (a - g) dξ - Σ ((r_p - d(x)) × F_p + T_p)                 its couple, N m
     /// σ = max_x |F·t|/A + |M|/W                                t the axis of the section, W = I/c its section modulus
     /// ```
     ///
     /// The accelerations are those of the points of the beam as it bends, or of a rigid link where it is ideal. Force summation converges
-    /// faster than EI w'' of few shapes, and feels a force at the tip at once. F_tip and T_tip come from joints, springs and loads there.
+    /// faster than EI w'' of few shapes, and feels a force at once. F_p and T_p come from joints, springs and loads at the points p beyond x; at a
+    /// point itself both sides of it count.
     pub fn largest_stress_pa(&self, body: BodyId) -> T {
         let Some(index) = self.mechanism.stressed.iter().position(|stressed| stressed.body == body) else {
             return T::from_f64(f64::NAN);
@@ -44,24 +57,31 @@ impl<T: Real> Dynamics<'_, T> {
                 (d, self.pull_m_s2(&motion, station, d) * T::from_f64(numbers.mass_kg))
             })
             .collect();
-        let (tip_n, tip_n_m) = self.tip_load(stressed);
-        let tip_n = tip_n.rotated(-motion.axis.y, motion.axis.x);
-        let tip_m =
-            stressed.cuts.stations.last().map_or(Vec2::zero(), |tip| self.place_m(&motion, tip, numbers.length_m));
+        let loads = self.point_loads(stressed, index, &motion);
         let mut largest_pa = T::zero();
         for (cut, station) in stressed.cuts.stations.iter().enumerate() {
             let at_m = self.place_m(&motion, station, numbers.length_m);
-            let (mut force_n, mut moment_n_m) = (-tip_n, -(tip_m - at_m).cross(tip_n) - tip_n_m);
-            for (weight, (d, pull_n)) in stressed.cuts.beyond(cut).iter().zip(&points) {
-                let share_n = *pull_n * T::from_f64(*weight);
-                force_n += share_n;
-                moment_n_m += (*d - at_m).cross(share_n);
-            }
             let (sine, cosine) = self.section_angle_rad(&motion, station).sin_cos();
-            let along_n = force_n.dot(Vec2::new(cosine, sine));
-            let axial_pa = along_n.abs() * T::from_f64(1.0 / numbers.area_m2);
-            let stress_pa = moment_n_m.abs().mul_add(T::from_f64(1.0 / numbers.modulus_m3), axial_pa);
-            largest_pa = largest_pa.max(stress_pa);
+            let mut look = |is_beyond: &dyn Fn(f64) -> bool| {
+                let (mut force_n, mut moment_n_m) = (Vec2::zero(), T::zero());
+                for load in loads.iter().filter(|load| is_beyond(load.share)) {
+                    force_n += -load.force_n;
+                    moment_n_m += -(load.at_m - at_m).cross(load.force_n) - load.couple_n_m;
+                }
+                for (weight, (d, pull_n)) in stressed.cuts.beyond(cut).iter().zip(&points) {
+                    let share_n = *pull_n * T::from_f64(*weight);
+                    force_n += share_n;
+                    moment_n_m += (*d - at_m).cross(share_n);
+                }
+                let along_n = force_n.dot(Vec2::new(cosine, sine));
+                let axial_pa = along_n.abs() * T::from_f64(1.0 / numbers.area_m2);
+                let stress_pa = moment_n_m.abs().mul_add(T::from_f64(1.0 / numbers.modulus_m3), axial_pa);
+                largest_pa = largest_pa.max(stress_pa);
+            };
+            look(&|share| share >= station.share);
+            if station.share < 1.0 && loads.iter().any(|load| load.share == station.share) {
+                look(&|share| share > station.share);
+            }
         }
         largest_pa
     }
@@ -111,14 +131,30 @@ impl<T: Real> Dynamics<'_, T> {
         })
     }
 
-    /// Force, N, in the ground's frame, and couple, N m, of joints, springs and loads on the tip of a link.
-    fn tip_load(&self, stressed: &StressedBody) -> (Vec2<T>, T) {
-        let tip = PointId { body: stressed.body, point: stressed.ends[1] };
+    /// What joints, springs and loads do at the points of a link beyond its root.
+    fn point_loads(&self, stressed: &StressedBody, index: usize, motion: &LinkMotion<T>) -> Vec<PointLoad<T>> {
+        let tree = &self.mechanism.real;
+        let slot = motion.beam.map_or(tree.slot_of_body[stressed.body.0], |beam| tree.beams[beam].slot);
+        let numbers = &self.sample.sections[index];
+        let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
+        let root_m = place_m(slot, numbers.ends_m[0]);
+        let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);
+        let load = |(&(point, share), arm_m): (&(usize, f64), &Vec2<f64>)| {
+            let point = PointId { body: stressed.body, point };
+            let (force_n, couple_n_m) = self.load_at(point);
+            let at_m = into_frame(place_m(tree.slot_of_point(point), *arm_m) - root_m);
+            PointLoad { share, at_m, force_n: into_frame(force_n), couple_n_m }
+        };
+        stressed.points.iter().zip(&numbers.arms_m).map(load).collect()
+    }
+
+    /// Force, N, in the ground's frame, and couple, N m, of joints, springs and loads at a point.
+    fn load_at(&self, own: PointId) -> (Vec2<T>, T) {
         let model = &self.mechanism.model;
         let (mut force_n, mut couple_n_m) = (Vec2::zero(), T::zero());
         for (index, joint) in model.joints.iter().enumerate() {
             for (side, point) in joint.kind.points().into_iter().enumerate() {
-                if point == tip {
+                if point == own {
                     let on_second_n = self.joint_force_n(JointId(index));
                     force_n += if side == 1 { on_second_n } else { -on_second_n };
                 }
@@ -128,25 +164,25 @@ impl<T: Real> Dynamics<'_, T> {
         for (contact, at) in self.contacts.iter().zip(&self.sample.contacts) {
             let PlayId::Joint(joint) = self.mechanism.plays[at.play] else { continue };
             let [bearing, journal] = model.joints[joint.0].kind.points();
-            if bearing == tip {
+            if bearing == own {
                 couple_n_m += contact.moment_on_bearing_n_m;
             }
-            if journal == tip {
+            if journal == own {
                 couple_n_m += contact.moment_on_journal_n_m;
             }
         }
         for (index, spring) in model.springs.iter().enumerate() {
             let SpringKind::Linear { first, second } = spring.kind else { continue };
             let on_second_n = self.spring_force(index).on_second_n;
-            if second == tip {
+            if second == own {
                 force_n += on_second_n;
             }
-            if first == tip {
+            if first == own {
                 force_n += -on_second_n;
             }
         }
         for (load, force) in model.loads.iter().zip(self.loads()) {
-            if matches!(load.kind, LoadKind::Force { point, .. } if point == tip) {
+            if matches!(load.kind, LoadKind::Force { point, .. } if point == own) {
                 force_n += force.force_n;
             }
         }

@@ -11,6 +11,7 @@ use super::nodal_start::set_undeformed;
 use super::stressed::StressedBody;
 use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
+use super::tree_beam::point_beyond_beam;
 use super::{assembly, constraints::RowOwner};
 use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;
@@ -57,7 +58,10 @@ impl Mechanism {
         let driven_loop =
             |error: DrivenLoop| MechanismError::DrivenLoop { joint: model.joints[error.joint.0].name.clone() };
         let ideal = Tree::new(model, |_| true).map_err(driven_loop)?;
-        let real = Tree::flexible(model, |id| !model.has_play(id, values)).map_err(driven_loop)?;
+        if let Some((body, point)) = point_beyond_beam(model, values) {
+            return Err(MechanismError::BeyondBeam { body, point });
+        }
+        let real = Tree::flexible(model, values, |id| !model.has_play(id, values)).map_err(driven_loop)?;
         if let Some(body) = real.beam_that_hangs_wrongly(model) {
             return Err(MechanismError::BeamHangs { body: model.bodies[body.0].name.clone() });
         }

@@ -42,6 +42,9 @@ impl MechanismError {
                 Complaint::error(self, model.place(&format!("joint.{joint}")))
             }
             Self::BeamHangs { body } => Complaint::error(self, model.place(&format!("body.{body}.beam"))),
+            Self::BeyondBeam { body, point } => {
+                Complaint::error(self, model.place(&format!("body.{body}.points.{point}")))
+            }
             Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
         }
     }
@@ -76,6 +79,7 @@ impl SampleError {
             | Self::ClearanceOutsideFit { joint, .. }
             | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
             Self::BacklashChangesTopology { path, .. } => format!("{path}.backlash"),
+            Self::PointOffSection { body, point, .. } => format!("body.{body}.points.{point}"),
             Self::CannotClose { open, .. } => open.path.clone(),
             Self::StartContradicts { path, .. } => path.clone(),
             Self::Period(problem) => format!("load.{}", problem.load()),

@@ -42,6 +42,9 @@ problems! {
         BeamHangs { body: String } => Code::BeamNotPossible,
             says("body '{body}' has a tangent frame, and what moves it comes to it through its other end"),
             hint("exchange from and to in [body.{body}.beam], or take frame = \"secant\" there and in its joint no drive");
+        BeyondBeam { body: String, point: String } => Code::BeamNotPossible,
+            says("point '{point}' of body '{body}' lies beyond the ends of its beam"),
+            hint("points of a flexible body lie between from and to, on the axis or beside it");
         /// A joint with friction in a mechanism whose constraint forces are not determined.
         CarriedNotDetermined { joint: String } => Code::FrictionNotPossible,
             says("joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints \
@@ -181,6 +184,20 @@ problems! {
                 format!("joint '{joint}' has a radial clearance of {clearance}; '{law}' was fitted to clearances from {from} to {to}")
             }),
             hint("take another law for this clearance");
+        PointOffSection {
+            body: String,
+            point: String,
+            /// Share of the length by which it lies off the section that carries it.
+            share: f64,
+            largest: f64,
+        } => Code::BeamNotPossible,
+            says(
+                "point '{point}' of body '{body}' lies {:.1} % of the length of its beam off the section that was chosen for it; at most \
+                 {:.0} % are allowed",
+                100.0 * share.abs(),
+                100.0 * largest
+            ),
+            hint("place the point in the model there, so that its shapes are made for that place");
         RoughnessOutsideFilm {
             joint: String,
             law: &'static str,

@@ -4,7 +4,7 @@ use super::coupling_geometry::CouplingGeometry;
 use super::nodal_geometry::NodalGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree};
-use super::tree_beam::{BeamEnd, TreeBeam};
+use super::tree_beam::{BeamPlace, TreeBeam};
 use crate::model::{JointId, JointKind, Model, PlayId, PointId, QuantityId, Values};
 use loosepin_flexible::Beam;
 use loosepin_math::{Real, Vec2, numbers};
@@ -89,11 +89,15 @@ pub struct BeamGeometry<T> {
 numbers!(struct BeamGeometry { beam, root_m, tip_m, axis });
 
 impl<T: Real> BeamGeometry<T> {
-    /// An end in the frame of the body, undeformed, m.
-    pub fn end_m(&self, end: BeamEnd) -> Vec2<T> {
-        match end {
-            BeamEnd::Root => self.root_m,
-            BeamEnd::Tip => self.tip_m,
+    /// A place on the axis of `beam` in the frame of the body, undeformed, m.
+    pub fn axis_point_m(&self, beam: &TreeBeam, at: BeamPlace) -> Vec2<T> {
+        match at {
+            BeamPlace::Root => self.root_m,
+            BeamPlace::Tip => self.tip_m,
+            BeamPlace::Inside(index) => {
+                let share = beam.shapes.inside[index].share;
+                self.root_m.plus(self.axis, self.beam.length_m * T::from_f64(share))
+            }
         }
     }
 

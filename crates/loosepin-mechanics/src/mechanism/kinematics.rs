@@ -5,7 +5,7 @@
 
 use super::geometry::{Geometry, LinkGeometry};
 use super::tree::{Attachment, Tree};
-use super::tree_beam::BeamEnd;
+use super::tree_beam::BeamPlace;
 use loosepin_math::{Real, Vec2};
 
 /// Where a body frame is, seen from the ground.
@@ -180,7 +180,9 @@ impl<T: Real> Kinematics<T> {
                     self.carry_partials(tree, link.parent_slot, slot, inherited - 1);
                     self.partials[offset + inherited - 1] = direction;
                 }
-                Attachment::Section { beam, end } => self.set_section(tree, geometry, slot, (beam, end), coordinates),
+                Attachment::Section { beam, place } => {
+                    self.set_section(tree, geometry, slot, (beam, place), coordinates)
+                }
                 Attachment::Node { beam, first } => {
                     let mut own = pose(coordinates[first + 2]);
                     let arm = own.turn(geometry.nodal_beams[beam].tip_m);
@@ -251,7 +253,7 @@ impl<T: Real> Kinematics<T> {
                     }
                     Twist { linear, angular: parent_bias.angular }
                 }
-                Attachment::Section { beam, end } => self.section_bias(tree, geometry, slot, (beam, end), rates),
+                Attachment::Section { beam, place } => self.section_bias(tree, geometry, slot, (beam, place), rates),
                 Attachment::Node { beam, .. } => {
                     let arm = self.poses[slot].turn(geometry.nodal_beams[beam].tip_m);
                     Twist { linear: arm * own_twist.angular.squared(), angular: T::zero() }
@@ -287,16 +289,16 @@ impl<T: Real> Kinematics<T> {
         tree: &Tree,
         geometry: &Geometry<T>,
         slot: usize,
-        (index, end): (usize, BeamEnd),
+        (index, at): (usize, BeamPlace),
         coordinates: &[T],
     ) {
         let (place, numbers) = (&tree.beams[index], &geometry.beams[index]);
-        let (station, q) = (place.station(end), &coordinates[place.coordinates.clone()]);
+        let (station, q) = (place.station(at), &coordinates[place.coordinates.clone()]);
         let frame = self.poses[place.slot];
         let axis = frame.turn(numbers.axis);
         let mut own = pose(frame.angle_rad + numbers.beam.angle_rad(station, q));
         let from_root_m = numbers.beam.point_m(station, q).rotated(axis.y, axis.x);
-        let arm = own.turn(numbers.end_m(end));
+        let arm = own.turn(numbers.axis_point_m(place, at));
         own.position_m = frame.position_m + frame.turn(numbers.root_m) + from_root_m - arm;
         self.poses[slot] = own;
         let inherited = tree.links[place.slot - 1].dependences.len();
@@ -304,10 +306,10 @@ impl<T: Real> Kinematics<T> {
         let of_shapes = self.offsets[slot] + inherited;
         let dependences = &tree.links[slot - 1].dependences[inherited..];
         let partials = &mut self.partials[of_shapes..of_shapes + dependences.len()];
-        match end {
+        match at {
             // The root does not move in the frame.
-            BeamEnd::Root => partials.fill(Vec2::zero()),
-            BeamEnd::Tip => numbers.beam.partials(station, q, partials),
+            BeamPlace::Root => partials.fill(Vec2::zero()),
+            BeamPlace::Tip | BeamPlace::Inside(_) => numbers.beam.partials(station, q, partials),
         }
         for (partial, dependence) in partials.iter_mut().zip(dependences) {
             *partial = moved(partial.rotated(axis.y, axis.x), -arm.turned(), dependence.turning);
@@ -321,17 +323,17 @@ impl<T: Real> Kinematics<T> {
         tree: &Tree,
         geometry: &Geometry<T>,
         slot: usize,
-        (index, end): (usize, BeamEnd),
+        (index, at): (usize, BeamPlace),
         rates: &[T],
     ) -> Twist<T> {
         let (place, numbers) = (&tree.beams[index], &geometry.beams[index]);
         let (frame, twist, bias) = (self.poses[place.slot], self.twists[place.slot], self.biases[place.slot]);
         let own_twist = self.twists[slot];
-        let arm = self.poses[slot].turn(numbers.end_m(end));
+        let arm = self.poses[slot].turn(numbers.axis_point_m(place, at));
         let reach = self.poses[slot].position_m + arm - frame.position_m;
         // The end moves in the frame with what is left of its velocity.
         let relative = own_twist.at(arm) - twist.at(reach);
-        let along = numbers.beam.shortening_m_s2(place.station(end), &rates[place.coordinates.clone()]);
+        let along = numbers.beam.shortening_m_s2(place.station(at), &rates[place.coordinates.clone()]);
         let at_end = acceleration_at(&bias, &twist, reach)
             .plus(relative.turned(), twist.angular + twist.angular)
             .plus(frame.turn(numbers.axis), along);
@@ -355,27 +357,31 @@ impl<T: Real> Kinematics<T> {
     }
 }
 
-/// `velocity + arm · turning` for a turning of 0, 1 or -1.
+/// `velocity + arm · turning`; without a product for a turning of 0, 1 or -1.
 #[inline(always)]
 pub fn moved<T: Real>(velocity: Vec2<T>, arm: Vec2<T>, turning: f64) -> Vec2<T> {
     if turning == 0.0 {
         velocity
-    } else if turning > 0.0 {
+    } else if turning == 1.0 {
         velocity + arm
-    } else {
+    } else if turning == -1.0 {
         velocity - arm
+    } else {
+        velocity.plus(arm, T::from_f64(turning))
     }
 }
 
-/// `sum + value · turning` for a turning of 0, 1 or -1.
+/// `sum + value · turning`; without a product for a turning of 0, 1 or -1.
 #[inline(always)]
 pub fn turned_by<T: Real>(sum: T, value: T, turning: f64) -> T {
     if turning == 0.0 {
         sum
-    } else if turning > 0.0 {
+    } else if turning == 1.0 {
         sum + value
-    } else {
+    } else if turning == -1.0 {
         sum - value
+    } else {
+        value.mul_add(T::from_f64(turning), sum)
     }
 }
 

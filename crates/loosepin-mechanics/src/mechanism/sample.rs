@@ -15,6 +15,7 @@ use super::load::LoadGeometry;
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
+use super::tree_beam::point_off_section;
 use crate::contact::{
     Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw,
     PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
@@ -122,6 +123,7 @@ impl<T: Real> Sample<T> {
     /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
     /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
     /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness,
+    /// [`SampleError::PointOffSection`] where a point of a beam lies far from where it was when the mechanism was compiled,
     /// [`SampleError::Period`] where the points of a load do not fit its period.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
@@ -159,6 +161,9 @@ impl<T: Real> Sample<T> {
                     return Err(SampleError::BacklashChangesTopology { path, backlash_m, compiled_with_play });
                 }
             }
+        }
+        if let Some(error) = point_off_section(model, &mechanism.real.beams, values) {
+            return Err(error);
         }
         let plays = mechanism.plays.iter().filter_map(|&id| match id {
             PlayId::Joint(joint) => play(mechanism, values, joint),

@@ -2,12 +2,14 @@
 
 use super::points::point_m;
 use super::tree::Tree;
+use super::tree_beam::BeamPlace;
 use crate::model::{BodyId, Model, OutputKind, PointId, QuantityId, Values};
 use loosepin_flexible::Cuts;
 use loosepin_math::Vec2;
 use std::sync::Arc;
 
-/// Cuts at which the stress is summed up: between two of them the largest of n half waves is missed by at most n²/3300 of it.
+/// Cuts at which the stress is summed up, besides those at points inside: between two of them the largest of n half waves is missed by at
+/// most n²/3300 of it.
 const CUTS: usize = 65;
 
 /// A link whose stress is an output.
@@ -17,6 +19,8 @@ pub struct StressedBody {
     pub body: BodyId,
     /// Indices of the points at root and tip of its beam.
     pub ends: [usize; 2],
+    /// Points of the body beyond the root, with the share of the length at which they act.
+    pub points: Vec<(usize, f64)>,
     /// Where it is cut.
     pub cuts: Arc<Cuts>,
 }
@@ -27,24 +31,32 @@ impl StressedBody {
         let mut found: Vec<Self> = Vec::new();
         for output in &model.outputs {
             let OutputKind::Stress(body) = output.kind else { continue };
-            let Some(beam) = &model.bodies[body.0].beam else { continue };
             if found.iter().any(|stressed| stressed.body == body) {
                 continue;
             }
-            let in_tree = real.beams.iter().find(|in_tree| in_tree.body == body);
-            let cuts = Cuts::new(beam.frame, beam.axial_shapes, beam.lateral_shapes, CUTS);
-            let ends = in_tree.map_or(beam.ends, |in_tree| in_tree.points());
-            found.push(Self { body, ends, cuts: Arc::new(cuts) });
+            let Some(in_tree) = real.beams.iter().find(|in_tree| in_tree.body == body) else { continue };
+            let acting = |(point, place): (usize, &BeamPlace)| {
+                (*place != BeamPlace::Root).then(|| (point, in_tree.station(*place).share))
+            };
+            let points: Vec<(usize, f64)> = in_tree.places.iter().enumerate().filter_map(acting).collect();
+            let mut shares: Vec<f64> = (0..CUTS).map(|cut| cut as f64 / (CUTS - 1) as f64).collect();
+            shares.extend(in_tree.shapes.inside.iter().map(|station| station.share));
+            shares.sort_by(f64::total_cmp);
+            shares.dedup();
+            let cuts = Arc::new(Cuts::new(&in_tree.basis, &shares));
+            found.push(Self { body, ends: in_tree.points(), points, cuts });
         }
         found
     }
 }
 
 /// Numbers of a link whose stress is an output. They are no numbers of the lanes: stress is read off plain states.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct SectionNumbers {
     /// Root and tip of the beam in the frame of the body, m.
     pub ends_m: [Vec2<f64>; 2],
+    /// The points of [`StressedBody::points`] in the frame of the body, m.
+    pub arms_m: Vec<Vec2<f64>>,
     /// Length L, m.
     pub length_m: f64,
     /// Mass, kg.
@@ -61,9 +73,11 @@ impl SectionNumbers {
         let body = &model.bodies[stressed.body.0];
         let number = |id: Option<QuantityId>| id.map_or(f64::NAN, |id| values[id]);
         let beam = body.beam.as_ref();
+        let at = |point: usize| point_m(model, values, PointId { body: stressed.body, point });
         let height_m = number(beam.and_then(|beam| beam.height_m));
         Self {
-            ends_m: stressed.ends.map(|point| point_m(model, values, PointId { body: stressed.body, point })),
+            ends_m: stressed.ends.map(at),
+            arms_m: stressed.points.iter().map(|(point, _)| at(*point)).collect(),
             length_m: number(beam.map(|beam| beam.length_m)),
             mass_kg: number(body.mass_kg),
             area_m2: number(beam.map(|beam| beam.area_m2)),

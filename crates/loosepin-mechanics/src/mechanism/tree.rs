@@ -1,9 +1,9 @@
 //! The spanning tree of a mechanism: which joint carries which body, and which ideal joints close loops.
 
-use super::tree_beam::{BeamEnd, TreeBeam, shapes_of};
+use super::tree_beam::{BeamPlace, Sections, TreeBeam, sections_of};
 use super::tree_nodal_beam::TreeNodalBeam;
-use crate::model::{Beam, BodyId, DriveId, Formulation, JointId, JointKind, Model, PlayId, PointId};
-use loosepin_flexible::{Frame, Mesh};
+use crate::model::{Beam, Body, BodyId, DriveId, Formulation, JointId, JointKind, Model, PlayId, PointId, Values};
+use loosepin_flexible::{Frame, Mesh, Station};
 use loosepin_math::Envelope;
 use loosepin_text::units::Dimension;
 use std::sync::Arc;
@@ -52,12 +52,12 @@ pub enum Attachment {
         /// Direction of the joint along the tree.
         forward: bool,
     },
-    /// The section at an end of a beam, on the frame of its body.
+    /// The section of a beam at an end or at a point inside, on the frame of its body.
     Section {
         /// Index in [`Tree::beams`].
         beam: usize,
-        /// Which end.
-        end: BeamEnd,
+        /// Which one.
+        place: BeamPlace,
     },
     /// The section at the tip of a beam in absolute nodal coordinates, on nothing: coordinates `first` .. `first + 3` are x and y of the tip
     /// and the angle of the body frame as this section carries it.
@@ -100,7 +100,7 @@ pub struct Dependence {
     /// Index of the coordinate.
     pub coordinate: usize,
     /// Angular velocity of the body for unit rate of the coordinate: 0, 1 or -1 (0 for a displacement, whose
-    /// rate is a length).
+    /// rate is a length); at a point inside a beam, φ' of its lateral shapes there.
     pub turning: f64,
 }
 
@@ -250,13 +250,14 @@ impl Tree {
         Self::with_driven(model, is_ideal, &driven)
     }
 
-    /// As [`Tree::new`], with flexible bodies where the model has beams. [`Tree::new`] takes all bodies for rigid.
+    /// As [`Tree::new`], with flexible bodies where the model has beams, whose points lie where `values` put them. [`Tree::new`] takes all
+    /// bodies for rigid.
     ///
     /// # Errors
     /// A loop of driven joints alone.
-    pub fn flexible(model: &Model, is_ideal: impl Fn(PlayId) -> bool) -> Result<Self, DrivenLoop> {
+    pub fn flexible(model: &Model, values: &Values, is_ideal: impl Fn(PlayId) -> bool) -> Result<Self, DrivenLoop> {
         let driven: Vec<JointId> = model.drives.iter().map(|drive| drive.joint).collect();
-        Self::grown(model, is_ideal, &driven, true)
+        Self::grown(model, is_ideal, &driven, Some(values))
     }
 
     /// As [`Tree::new`], as if there were drives of the joints `driven`.
@@ -268,14 +269,14 @@ impl Tree {
         is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],
     ) -> Result<Self, DrivenLoop> {
-        Self::grown(model, is_ideal, driven, false)
+        Self::grown(model, is_ideal, driven, None)
     }
 
     fn grown(
         model: &Model,
         is_ideal: impl Fn(PlayId) -> bool,
         driven: &[JointId],
-        has_beams: bool,
+        of_beams: Option<&Values>,
     ) -> Result<Self, DrivenLoop> {
         let is_coupled = |index: usize| is_ideal(PlayId::Coupling(index));
         let is_ideal = |joint: JointId| is_ideal(PlayId::Joint(joint));
@@ -285,10 +286,15 @@ impl Tree {
         }
         let drive_of = |joint: JointId| drives[joint.0];
         let mut order: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&joint| is_ideal(joint)).collect();
+        let is_inside = |joint: JointId| {
+            of_beams.is_some()
+                && model.joints[joint.0].kind.points().into_iter().any(|point| is_inside_beam(model, point))
+        };
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
             (None, JointKind::Rigid { .. }) => 1,
-            (None, _) => 2,
+            // A beam cannot hang by a point inside.
+            (None, _) => 2 + usize::from(is_inside(joint)),
         });
 
         let mut groups = Groups::new(model.bodies.len());
@@ -315,9 +321,12 @@ impl Tree {
         };
         tree.slot_of_body[0] = 0;
         // Placeholders beyond every free coordinate mark driven ones until the number of free ones is known.
-        let of_beams: usize =
-            model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(|beam| beam.own_coordinates()).sum();
-        let driven_from = 3 * model.bodies.len() + of_beams;
+        let own = |body: &Body| {
+            let with_points = |beam: &Beam| beam.own_coordinates() + 2 * body.points.len();
+            body.beam.as_ref().map_or(0, with_points)
+        };
+        let of_all: usize = model.bodies.iter().map(own).sum();
+        let driven_from = 3 * model.bodies.len() + of_all;
         let mut attached: Vec<BodyId> = vec![BodyId(0)];
         let mut next_root = 1;
         let mut tree_joints = vec![Vec::new(); model.bodies.len()];
@@ -327,7 +336,7 @@ impl Tree {
             }
         }
         loop {
-            tree.attach_descendants((model, has_beams), &tree_joints, &drive_of, driven_from, &mut attached);
+            tree.attach_descendants((model, of_beams), &tree_joints, &drive_of, driven_from, &mut attached);
             while next_root < model.bodies.len() && tree.slot_of_body[next_root] != usize::MAX {
                 next_root += 1;
             }
@@ -339,14 +348,17 @@ impl Tree {
             let attachment = Attachment::Free { first: tree.free };
             tree.free += 3;
             tree.push(body, 0, attachment);
-            if has_beams {
-                tree.push_sections(model, body, None);
+            if let Some(values) = of_beams {
+                tree.push_sections((model, values), body, None);
             }
             attached.push(body);
         }
         tree.number_driven_coordinates(driven_from);
 
-        for joint in (0..model.joints.len()).map(JointId).filter(|&j| is_ideal(j) && !in_tree[j.0]) {
+        let hangs =
+            |joint: JointId| tree.links.iter().any(|link| link.attachment.joint().is_some_and(|(own, _)| own == joint));
+        let cut: Vec<JointId> = (0..model.joints.len()).map(JointId).filter(|&j| is_ideal(j) && !hangs(j)).collect();
+        for joint in cut {
             let kind = &model.joints[joint.0].kind;
             tree.cuts.push(Cut {
                 joint,
@@ -417,7 +429,7 @@ impl Tree {
     /// Breadth first over the joints of the tree, listed for each body, from the bodies in `attached` on.
     fn attach_descendants(
         &mut self,
-        (model, has_beams): (&Model, bool),
+        (model, of_beams): (&Model, Option<&Values>),
         tree_joints: &[Vec<JointId>],
         drive_of: &impl Fn(JointId) -> Option<DriveId>,
         driven_from: usize,
@@ -433,7 +445,8 @@ impl Tree {
                 let forward = first.body == parent;
                 let (at_parent, at_child) = if forward { (first, second) } else { (second, first) };
                 let child = at_child.body;
-                if self.slot_of_body[child.0] != usize::MAX {
+                let cannot_hang = of_beams.is_some() && is_inside_beam(model, at_child);
+                if self.slot_of_body[child.0] != usize::MAX || cannot_hang {
                     continue;
                 }
                 let drive = drive_of(joint);
@@ -455,8 +468,8 @@ impl Tree {
                     }
                 }
                 self.push(child, self.slot_of_point(at_parent), attachment);
-                if has_beams {
-                    self.push_sections(model, child, Some(at_child));
+                if let Some(values) = of_beams {
+                    self.push_sections((model, values), child, Some(at_child));
                 }
                 attached.push(child);
             }
@@ -486,7 +499,7 @@ impl Tree {
     }
 
     /// Where `body`, the link pushed last, is flexible: adds its sections, seen from the point at which it hangs on its parent.
-    fn push_sections(&mut self, model: &Model, body: BodyId, hangs_at: Option<PointId>) {
+    fn push_sections(&mut self, (model, values): (&Model, &Values), body: BodyId, hangs_at: Option<PointId>) {
         let Some(beam) = &model.bodies[body.0].beam else { return };
         let slot = self.links.len();
         let is_reversed = hangs_at.is_some_and(|point| point.point == beam.ends[1]);
@@ -494,21 +507,14 @@ impl Tree {
             self.push_nodes(beam, body, Mesh::new(elements, rule), is_reversed);
             return;
         }
-        let (index, shapes) = (self.beams.len(), shapes_of(beam));
+        let Some(Sections { places, basis, shapes }) = sections_of(model, body, values, is_reversed) else { return };
+        let index = self.beams.len();
         let coordinates = self.free..self.free + shapes.count();
         self.free = coordinates.end;
         self.links[slot - 1].beam = Some(index);
-        let mut sections = [slot; 2];
-        for (end, station, side) in [
-            (BeamEnd::Root, &shapes.root, usize::from(is_reversed)),
-            (BeamEnd::Tip, &shapes.tip, usize::from(!is_reversed)),
-        ] {
-            // The section at the root of a tangent frame is the frame.
-            if beam.frame == Frame::Tangent && end == BeamEnd::Root {
-                continue;
-            }
+        let mut push = |place: BeamPlace, station: &Station| {
             let mut dependences = self.links[slot - 1].dependences.clone();
-            if end == BeamEnd::Tip {
+            if place != BeamPlace::Root {
                 let axial = coordinates.start..coordinates.start + shapes.axial();
                 dependences.extend(axial.map(|coordinate| Dependence { coordinate, turning: 0.0 }));
             }
@@ -516,17 +522,25 @@ impl Tree {
             dependences.extend(
                 lateral.zip(&station.slopes).map(|(coordinate, turning)| Dependence { coordinate, turning: *turning }),
             );
-            let attachment = Attachment::Section { beam: index, end };
+            let attachment = Attachment::Section { beam: index, place };
             self.links.push(Link { body, parent_slot: slot, attachment, dependences, beam: None, nodal_beam: None });
-            sections[side] = self.links.len();
-        }
+            self.links.len()
+        };
+        // The section at the root of a tangent frame is the frame.
+        let root = if beam.frame == Frame::Tangent { slot } else { push(BeamPlace::Root, &shapes.root) };
+        let tip = push(BeamPlace::Tip, &shapes.tip);
+        let inside =
+            shapes.inside.iter().enumerate().map(|(place, station)| push(BeamPlace::Inside(place), station)).collect();
         self.beams.push(TreeBeam {
             body,
             ends: beam.ends,
             slot,
-            sections,
+            sections: if is_reversed { [tip, root] } else { [root, tip] },
+            inside,
+            places,
             is_reversed,
             coordinates,
+            basis: Arc::new(basis),
             shapes: Arc::new(shapes),
             is_damped: beam.damping_ratio.is_some(),
         });
@@ -566,10 +580,7 @@ impl Tree {
     /// Slot of the frame that carries a point: of a flexible body that of the section there.
     pub fn slot_of_point(&self, point: PointId) -> usize {
         let beam = self.beams.iter().find(|beam| beam.body == point.body);
-        let section = beam.and_then(|beam| {
-            let side = beam.ends.iter().position(|end| *end == point.point)?;
-            Some(beam.sections[side])
-        });
+        let section = beam.map(|beam| beam.slot_of(point.point));
         let nodal = self.nodal_beams.iter().find(|beam| beam.body == point.body);
         let section = section.or_else(|| nodal.and_then(|beam| beam.section(point.point)));
         section.unwrap_or(self.slot_of_body[point.body.0])
@@ -606,6 +617,11 @@ impl Tree {
             }
         }
     }
+}
+
+/// Whether a point belongs to a flexible body and is not one of its ends.
+fn is_inside_beam(model: &Model, point: PointId) -> bool {
+    model.bodies[point.body.0].beam.as_ref().is_some_and(|beam| !beam.ends.contains(&point.point))
 }
 
 /// Bodies that joints connect, by the way to a body that stands for all of its group.

@@ -1,21 +1,33 @@
 //! Flexible links in the tree.
 //!
-//! The frame of a flexible body is a link like that of a rigid one. The sections at its ends are links of their own that hang on it: each
-//! is the frame of the body as that section carries it, so that a point of the body at an end is where it was in a rigid body. Joints,
-//! springs and forces at an end act on the link of its section; that a force on it bends the beam follows from its partial velocities.
+//! The frame of a flexible body is a link like that of a rigid one. The sections at its ends and at its points inside are links of their own
+//! that hang on it: each is the frame of the body as that section carries it, so that a point of the body is where it was in a rigid body,
+//! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
+//! velocities.
 
-use crate::model::{Beam, BodyId, Model};
-use loosepin_flexible::{Shapes, Station, stations};
+use super::error::SampleError;
+use crate::model::{Body, BodyId, LoadKind, Model, PointId, SpringKind, Values};
+use loosepin_flexible::{Basis, Shapes, Station};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// An end of a beam, counted from where it hangs on its parent.
+/// Points nearer to each other or to an end than this share of the length are held by one section: beyond it their deflections
+/// differ by some millionths.
+pub(super) const SAME_SECTION: f64 = 1e-3;
+
+/// Share of the length by which a run may put a point off its section. The section carries it as a rigid arm, which misses ½ w'' Δ² of its
+/// deflection and ε Δ of its stretch: 0.2 % of the deflection of a half wave.
+const LARGEST_SHIFT: f64 = 0.02;
+
+/// A place along a beam, counted from where it hangs on its parent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BeamEnd {
+pub enum BeamPlace {
     /// x = 0.
     Root,
     /// x = L.
     Tip,
+    /// A section inside: its index in [`Shapes::inside`].
+    Inside(usize),
 }
 
 /// A flexible body in the tree.
@@ -29,10 +41,16 @@ pub struct TreeBeam {
     pub slot: usize,
     /// Slots of the sections at its `from` and at its `to`; of a tangent frame the section at the root is the frame itself.
     pub sections: [usize; 2],
+    /// Slots of the sections inside, as [`Shapes::inside`] counts them.
+    pub inside: Vec<usize>,
+    /// The section of each point of the body.
+    pub places: Vec<BeamPlace>,
     /// Whether its root is its `to`: it hangs on its parent there.
     pub is_reversed: bool,
     /// Coordinates of the shapes: axial ones, m, then lateral ones, rad.
     pub coordinates: Range<usize>,
+    /// The functions of the shapes.
+    pub basis: Arc<Basis>,
     /// The shapes.
     pub shapes: Arc<Shapes>,
     /// Whether it has damping.
@@ -40,12 +58,36 @@ pub struct TreeBeam {
 }
 
 impl TreeBeam {
-    /// The shapes at an end.
-    pub fn station(&self, end: BeamEnd) -> &Station {
-        match end {
-            BeamEnd::Root => &self.shapes.root,
-            BeamEnd::Tip => &self.shapes.tip,
+    /// The shapes at a place.
+    pub fn station(&self, place: BeamPlace) -> &Station {
+        match place {
+            BeamPlace::Root => &self.shapes.root,
+            BeamPlace::Tip => &self.shapes.tip,
+            BeamPlace::Inside(index) => &self.shapes.inside[index],
         }
+    }
+
+    /// Both ends, and the sections inside.
+    pub fn all_places(&self) -> impl Iterator<Item = BeamPlace> {
+        [BeamPlace::Root, BeamPlace::Tip].into_iter().chain((0..self.inside.len()).map(BeamPlace::Inside))
+    }
+
+    /// Slot of the section that carries a point of the body.
+    pub fn slot_of(&self, point: usize) -> usize {
+        match self.places[point] {
+            BeamPlace::Root => self.sections[usize::from(self.is_reversed)],
+            BeamPlace::Tip => self.sections[usize::from(!self.is_reversed)],
+            BeamPlace::Inside(index) => self.inside[index],
+        }
+    }
+
+    /// Indices of the points inside that have static shapes.
+    pub fn points_with_static_shapes(&self) -> Vec<usize> {
+        let is_held = |place: &BeamPlace| match place {
+            BeamPlace::Root | BeamPlace::Tip => false,
+            BeamPlace::Inside(_) => self.basis.inside().contains(&self.station(*place).share),
+        };
+        self.places.iter().enumerate().filter(|(_, place)| is_held(place)).map(|(point, _)| point).collect()
     }
 
     /// The coordinates that are lengths.
@@ -54,11 +96,10 @@ impl TreeBeam {
     }
 
     /// φ/L of each lateral shape at `count` >= 2 places evenly from root to tip.
-    pub fn lateral_shapes(&self, model: &Model, count: usize) -> Vec<Vec<f64>> {
-        let Some(beam) = &model.bodies[self.body.0].beam else { return Vec::new() };
+    pub fn lateral_shapes(&self, count: usize) -> Vec<Vec<f64>> {
         let shares: Vec<f64> = (0..count).map(|place| place as f64 / (count - 1) as f64).collect();
-        let places = stations(beam.frame, beam.axial_shapes, beam.lateral_shapes, &shares);
-        (0..beam.lateral_shapes).map(|shape| places.iter().map(|place| place.lateral[shape]).collect()).collect()
+        let places = self.basis.stations(&shares);
+        (0..self.shapes.lateral()).map(|shape| places.iter().map(|place| place.lateral[shape]).collect()).collect()
     }
 
     /// Indices of the points at root and tip.
@@ -67,7 +108,100 @@ impl TreeBeam {
     }
 }
 
-/// The shapes of a beam of the model.
-pub(super) fn shapes_of(beam: &Beam) -> Shapes {
-    Shapes::new(beam.frame, beam.axial_shapes, beam.lateral_shapes)
+/// The sections of a beam, and its functions.
+pub(super) struct Sections {
+    /// The section of each point of the body.
+    pub(super) places: Vec<BeamPlace>,
+    pub(super) basis: Basis,
+    pub(super) shapes: Shapes,
+}
+
+/// The sections of the flexible `body`, from its `from` or, `is_reversed`, from its `to`; nothing for a rigid body.
+pub(super) fn sections_of(model: &Model, body: BodyId, values: &Values, is_reversed: bool) -> Option<Sections> {
+    let beam = model.bodies[body.0].beam.as_ref()?;
+    let count = model.bodies[body.0].points.len();
+    let shares: Vec<f64> = (0..count)
+        .map(|point| share_of(model, PointId { body, point }, values))
+        .map(|share| if is_reversed { 1.0 - share } else { share })
+        .collect();
+    let ends = if is_reversed { [beam.ends[1], beam.ends[0]] } else { beam.ends };
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|one, other| shares[*one].total_cmp(&shares[*other]));
+    let mut places = vec![BeamPlace::Root; count];
+    let (mut inside, mut held): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    for point in order {
+        let share = shares[point];
+        places[point] = if point == ends[0] || share < SAME_SECTION {
+            BeamPlace::Root
+        } else if point == ends[1] || share > 1.0 - SAME_SECTION {
+            BeamPlace::Tip
+        } else {
+            if inside.last().is_none_or(|last| share - last > SAME_SECTION) {
+                inside.push(share);
+            }
+            let index = inside.len() - 1;
+            if beam.has_static_shapes
+                && is_pushed(model, PointId { body, point })
+                && held.last() != Some(&inside[index])
+            {
+                held.push(inside[index]);
+            }
+            BeamPlace::Inside(index)
+        };
+    }
+    let basis = Basis::new(beam.frame, [beam.axial_shapes, beam.lateral_shapes], &held);
+    let shapes = Shapes::of(&basis, &inside);
+    Some(Sections { places, basis, shapes })
+}
+
+/// Place of a point of a flexible body along its axis from `from`, as a share of the length; not a number where the body is rigid.
+pub(super) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
+    let body = &model.bodies[point.body.0];
+    let Some(beam) = &body.beam else { return f64::NAN };
+    let at = |point: usize| body.points[point].position_m.map(|id| values[id]);
+    let ([from, to], own) = (beam.ends.map(at), at(point.point));
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let product = (own[0] - from[0]) * along[0] + (own[1] - from[1]) * along[1];
+    product / (along[0] * along[0] + along[1] * along[1])
+}
+
+/// Names of the first flexible body and of its point that lies beyond the ends of its beam.
+pub(super) fn point_beyond_beam(model: &Model, values: &Values) -> Option<(String, String)> {
+    (0..model.bodies.len()).map(BodyId).filter(|body| model.bodies[body.0].beam.is_some()).find_map(|body| {
+        let Body { name, points, .. } = &model.bodies[body.0];
+        let is_beyond = |point: usize| {
+            !(-SAME_SECTION..=1.0 + SAME_SECTION).contains(&share_of(model, PointId { body, point }, values))
+        };
+        (0..points.len()).find(|point| is_beyond(*point)).map(|point| (name.clone(), points[point].name.clone()))
+    })
+}
+
+/// The first point of a flexible body that `values` put too far off the section of `tree` that carries it.
+pub(super) fn point_off_section(model: &Model, beams: &[TreeBeam], values: &Values) -> Option<SampleError> {
+    beams.iter().find_map(|beam| {
+        let Body { name, points, .. } = &model.bodies[beam.body.0];
+        points.iter().enumerate().find_map(|(index, point)| {
+            let share = share_of(model, PointId { body: beam.body, point: index }, values);
+            let from_root = if beam.is_reversed { 1.0 - share } else { share };
+            let off = from_root - beam.station(beam.places[index]).share;
+            (off.abs() > LARGEST_SHIFT).then(|| SampleError::PointOffSection {
+                body: name.clone(),
+                point: point.name.clone(),
+                share: off,
+                largest: LARGEST_SHIFT,
+            })
+        })
+    })
+}
+
+/// Whether a joint, a spring or a load acts on a point.
+fn is_pushed(model: &Model, point: PointId) -> bool {
+    let by_joint = model.joints.iter().any(|joint| joint.kind.points().contains(&point));
+    let by_spring = model.springs.iter().any(|spring| match spring.kind {
+        SpringKind::Linear { first, second } => [first, second].contains(&point),
+        SpringKind::Torsional { .. } => false,
+    });
+    let by_load =
+        model.loads.iter().any(|load| matches!(load.kind, LoadKind::Force { point: own, .. } if own == point));
+    by_joint || by_spring || by_load
 }

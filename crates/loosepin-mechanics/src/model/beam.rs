@@ -28,6 +28,8 @@ pub struct Beam {
     pub axial_shapes: usize,
     /// Number of lateral shapes.
     pub lateral_shapes: usize,
+    /// Whether it has static shapes at points inside on which joints, springs or loads act.
+    pub has_static_shapes: bool,
     /// Whether it becomes shorter where it bends.
     pub foreshortening: bool,
     /// How its motion is described; shapes, frame, foreshortening and damping ratio belong to the floating frame.

@@ -16,9 +16,9 @@ problems! {
         NoShapes { entry: String } => Code::BeamNotPossible,
             says("{entry} has neither lateral nor axial shapes"),
             hint("a body that does not deform has mass, inertia and centre_of_mass in place of beam");
-        PointBetween { entry: String } => Code::BeamNotPossible,
-            says("{entry} is not an end of the beam; a flexible body can have points at from and to only"),
-            hint("leave the point out; points along a beam are not computed yet");
+        HeldInside { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: the section of body '{body}' is held at a point inside"),
+            hint("hold it at from, with frame = \"tangent\"; inside take a revolute joint");
         WrongJoint { entry: String, body: String, kind: &'static str } => Code::BeamNotPossible,
             says("{entry}: body '{body}' is flexible and cannot be held by a {kind}"),
             hint("hold it by revolute joints at both ends; by a drive or a rigid joint at from with frame = \"tangent\"");
@@ -43,6 +43,9 @@ problems! {
         OfOtherFormulation { entry: String, key: &'static str, formulation: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' belongs to formulation = \"{formulation}\""),
             hint("leave '{key}' out, or write formulation = \"{formulation}\"");
+        NodalPointBetween { entry: String } => Code::BeamNotPossible,
+            says("{entry} is not an end of the beam; in absolute nodal coordinates it has points at from and to only"),
+            hint("leave the point out, or write formulation = \"floating-frame\"");
         SettledNodal { entry: String } => Code::BeamNotPossible,
             says("{entry}: a settled start is not computed yet in absolute nodal coordinates"),
             hint("write start = \"undeformed\" with a retardation_time, so that the ringing dies away, or formulation = \"floating-frame\"");

@@ -59,6 +59,12 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
                 if hz.is_empty() { String::new() } else { format!(" at {} with the frame held", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
         }
+        let points = &model.bodies[place.body.0].points;
+        let held: Vec<String> =
+            place.points_with_static_shapes().iter().map(|point| format!("'{}'", points[*point].name)).collect();
+        if !held.is_empty() {
+            let _ = writeln!(text, "{indent}static shapes at {} among them", listed(&held, "and"));
+        }
         let start = if starts_settled { "settled" } else { "undeformed" };
         let _ = writeln!(text, "{indent}starts {start}");
         let evaluations_1_s = evaluations_1_s(fastest_hz, beam.damping_ratio);

@@ -99,6 +99,13 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
             "floating frame: number of shapes in which it stretches, 0 for none; 2 if left out",
         ),
         optional(
+            "static_shapes",
+            Kind::Choice(&["at-points", "none"]),
+            "\"at-points\"",
+            "at-points, if left out: one more shape of each kind for every point inside on which a joint, a spring or a load acts; none: the \
+             shapes of the beam without such points",
+        ),
+        optional(
             "foreshortening",
             Kind::Choice(&["second-order", "none"]),
             "\"second-order\"",

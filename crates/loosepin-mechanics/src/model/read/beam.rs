@@ -8,7 +8,7 @@ use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
 use crate::model::load::LoadKind;
 use crate::model::quantity::QuantityId;
 use crate::model::spring::SpringKind;
-use crate::model::topology::{Body, JointKind, Point};
+use crate::model::topology::{Body, JointKind};
 use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Table, describe_path};
@@ -22,7 +22,8 @@ const DEFAULT_SHAPES: u64 = 2;
 const DEFAULT_ELEMENTS: u64 = 8;
 
 /// Keys that one formulation has and the other has not.
-const OF_FLOATING_FRAME: [&str; 5] = ["damping_ratio", "frame", "lateral_shapes", "axial_shapes", "foreshortening"];
+const OF_FLOATING_FRAME: [&str; 6] =
+    ["damping_ratio", "frame", "lateral_shapes", "axial_shapes", "static_shapes", "foreshortening"];
 const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
 
 /// A number that follows from others: its operations, and the quantities that they read.
@@ -51,6 +52,8 @@ impl ModelReader {
             true => self.reader.count(&table, key),
             false => Some(DEFAULT_SHAPES),
         });
+        let statics = [("at-points", true), ("none", false)];
+        let has_static_shapes = self.choice_or(&table, "static_shapes", &statics, true);
         let forms = [("second-order", true), ("none", false)];
         let foreshortening = self.choice_or(&table, "foreshortening", &forms, true);
         let starts = [("undeformed", false), ("settled", true)];
@@ -64,6 +67,7 @@ impl ModelReader {
         let (Some(frame), Some(lateral), Some(axial)) = (frame, lateral, axial) else { return };
         let (Some(foreshortening), Some(starts_settled)) = (foreshortening, starts_settled) else { return };
         let Some(formulation) = formulation else { return };
+        let Some(has_static_shapes) = has_static_shapes else { return };
         let words = table.path.describe();
         if starts_settled && formulation != Formulation::FloatingFrame {
             let span = table.get("start").map_or(entry.span, |entry| entry.span);
@@ -138,6 +142,7 @@ impl ModelReader {
             frame,
             axial_shapes: axial as usize,
             lateral_shapes: lateral as usize,
+            has_static_shapes,
             foreshortening,
             formulation,
             retardation_s,
@@ -267,10 +272,10 @@ impl ModelReader {
     fn refuse_of_beam(&self, id: BodyId, found: &mut Vec<(String, BeamProblem)>) {
         let Body { name, points, beam: Some(beam), .. } = &self.bodies[id.0] else { return };
         let body = name.clone();
-        for (_, Point { name: point, .. }) in points.iter().enumerate().filter(|(index, _)| !beam.ends.contains(index))
-        {
-            let path = format!("body.{name}.points.{point}");
-            found.push((path.clone(), BeamProblem::PointBetween { entry: describe_path(&path) }));
+        let is_between = |index: &usize| beam.is_nodal() && !beam.ends.contains(index);
+        for index in (0..points.len()).filter(is_between) {
+            let path = format!("body.{name}.points.{}", points[index].name);
+            found.push((path.clone(), BeamProblem::NodalPointBetween { entry: describe_path(&path) }));
         }
         let mut is_held = false;
         for (index, joint) in self.joints.iter().enumerate() {
@@ -298,6 +303,9 @@ impl ModelReader {
             }
             let is_at_from = point == beam.ends[0];
             match (holds, is_at_from, beam.frame) {
+                (true, false, _) if point != beam.ends[1] => {
+                    found.push((path, BeamProblem::HeldInside { entry, body }))
+                }
                 (true, false, _) => found.push((path, BeamProblem::HeldAtTo { entry, body })),
                 (true, true, Frame::Secant) => found.push((path, BeamProblem::NeedsTangent { entry, body })),
                 (true, true, Frame::Tangent) => is_held = true,

@@ -3,6 +3,7 @@
 mod histories;
 mod laws;
 mod nodal;
+mod points;
 mod refusals;
 mod settled;
 mod stress;

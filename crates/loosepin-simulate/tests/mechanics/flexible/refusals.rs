@@ -46,9 +46,9 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         (
             with(
                 "small_end = [\"rod_length\", \"0 mm\"] }",
-                "small_end = [\"rod_length\", \"0 mm\"], eye = [\"40 mm\", \"0 mm\"] }",
+                "small_end = [\"rod_length\", \"0 mm\"], eye = [\"340 mm\", \"0 mm\"] }",
             ),
-            "is not an end of the beam; a flexible body can have points at from and to only",
+            "point 'eye' of body 'rod' lies beyond the ends of its beam",
         ),
         (with("to = \"small_end\"", "to = \"end\""), "body 'rod' has no point 'end'"),
         (with("to = \"small_end\"", "to = \"big_end\""), "ends where it begins"),
