@@ -52,6 +52,8 @@ pub struct Shared {
     origins: Vec<Origin>,
     /// Outputs and deviations that are followed by looks inside the steps.
     looked: Vec<(usize, Deviation)>,
+    /// Whether a column needs an integral of each of these.
+    looked_is_integrated: Vec<bool>,
     /// Columns at poses that need a look inside a step, in the order of time.
     looks: Vec<usize>,
     /// Whether any column is of the wear of a joint.
@@ -93,6 +95,7 @@ impl Shared {
     ) -> Self {
         let mut follow = Follow::readings(&positions(&plan));
         let (mut looked, mut looks, mut instants_turns) = (Vec::new(), Vec::new(), Vec::new());
+        let mut looked_is_integrated = Vec::new();
         for column in &plan.columns {
             if let Spot::Pose { turns, .. } = column.spot {
                 instants_turns.push(turns);
@@ -133,8 +136,10 @@ impl Shared {
                     let own = (column.output, of);
                     let deviation = looked.iter().position(|known| *known == own).unwrap_or_else(|| {
                         looked.push(own);
+                        looked_is_integrated.push(false);
                         looked.len() - 1
                     });
+                    looked_is_integrated[deviation] |= is_integral(reduction);
                     Origin::Looked { deviation, reduction }
                 }
             }));
@@ -157,6 +162,7 @@ impl Shared {
             instants_turns,
             origins,
             looked,
+            looked_is_integrated,
             looks,
             needs_own_ideal,
             needs_own_reference,
@@ -433,6 +439,8 @@ impl<'r> Recorder<'r> {
         let (start_s, span_s) = (step.start_s, step.end_s - step.start_s);
         for index in 0..self.looked.len() {
             let of = self.shared.looked[index];
+            // A look takes an evaluation: none for integrals where only extremes are asked for.
+            let is_integrated = self.shared.looked_is_integrated[index];
             let DeviationRange { largest, smallest, mut integral, mut integral_of_square } = self.looked[index];
             let mut at = |share: f64| {
                 let time_s = start_s + share * span_s;
@@ -445,7 +453,7 @@ impl<'r> Recorder<'r> {
             // Between the points the value can rise above them by a part of their range only.
             let room = 0.25 * (high - low);
             let [largest, smallest] = extremes_within(&points, [low - room, high + room], [largest, smallest], &mut at);
-            for (place, weight) in GAUSS {
+            for (place, weight) in GAUSS.into_iter().filter(|_| is_integrated) {
                 let (value, weight_s) = (at(place), weight * span_s);
                 integral += weight_s * value;
                 integral_of_square += weight_s * value * value;

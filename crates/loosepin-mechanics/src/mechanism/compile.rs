@@ -1,5 +1,6 @@
 //! A model compiled for computing.
 
+use super::beam_points::point_beyond_beam;
 use super::contact_place::{ContactPlace, contact_name, contact_places};
 use super::control::KnownChain;
 use super::error::MechanismError;
@@ -11,7 +12,6 @@ use super::nodal_start::set_undeformed;
 use super::stressed::StressedBody;
 use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
-use super::tree_beam::point_beyond_beam;
 use super::{assembly, constraints::RowOwner};
 use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;

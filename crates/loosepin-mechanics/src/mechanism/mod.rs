@@ -4,6 +4,7 @@
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
 mod assembly;
+mod beam_points;
 mod blocking;
 mod cam;
 mod compile;

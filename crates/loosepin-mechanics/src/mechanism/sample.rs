@@ -1,5 +1,6 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
+use super::beam_points::point_off_section;
 use super::compile::Mechanism;
 use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
 use super::control::ControlGeometry;
@@ -15,7 +16,6 @@ use super::load::LoadGeometry;
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
-use super::tree_beam::point_off_section;
 use crate::contact::{
     Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw,
     PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,

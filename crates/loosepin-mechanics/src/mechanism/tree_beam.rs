@@ -5,8 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use super::error::SampleError;
-use crate::model::{Body, BodyId, LoadKind, Model, PointId, SpringKind, Values};
+use crate::model::{BodyId, LoadKind, Model, PointId, SpringKind, Values};
 use loosepin_flexible::{Basis, Shapes, Station};
 use std::ops::Range;
 use std::sync::Arc;
@@ -14,10 +13,6 @@ use std::sync::Arc;
 /// Points nearer to each other or to an end than this share of the length are held by one section: beyond it their deflections
 /// differ by some millionths.
 pub(super) const SAME_SECTION: f64 = 1e-3;
-
-/// Share of the length by which a run may put a point off its section. The section carries it as a rigid arm, which misses ½ w'' Δ² of its
-/// deflection and ε Δ of its stretch: 0.2 % of the deflection of a half wave.
-const LARGEST_SHIFT: f64 = 0.02;
 
 /// A place along a beam, counted from where it hangs on its parent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,35 +158,6 @@ pub(super) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let product = (own[0] - from[0]) * along[0] + (own[1] - from[1]) * along[1];
     product / (along[0] * along[0] + along[1] * along[1])
-}
-
-/// Names of the first flexible body and of its point that lies beyond the ends of its beam.
-pub(super) fn point_beyond_beam(model: &Model, values: &Values) -> Option<(String, String)> {
-    (0..model.bodies.len()).map(BodyId).filter(|body| model.bodies[body.0].beam.is_some()).find_map(|body| {
-        let Body { name, points, .. } = &model.bodies[body.0];
-        let is_beyond = |point: usize| {
-            !(-SAME_SECTION..=1.0 + SAME_SECTION).contains(&share_of(model, PointId { body, point }, values))
-        };
-        (0..points.len()).find(|point| is_beyond(*point)).map(|point| (name.clone(), points[point].name.clone()))
-    })
-}
-
-/// The first point of a flexible body that `values` put too far off the section of `tree` that carries it.
-pub(super) fn point_off_section(model: &Model, beams: &[TreeBeam], values: &Values) -> Option<SampleError> {
-    beams.iter().find_map(|beam| {
-        let Body { name, points, .. } = &model.bodies[beam.body.0];
-        points.iter().enumerate().find_map(|(index, point)| {
-            let share = share_of(model, PointId { body: beam.body, point: index }, values);
-            let from_root = if beam.is_reversed { 1.0 - share } else { share };
-            let off = from_root - beam.station(beam.places[index]).share;
-            (off.abs() > LARGEST_SHIFT).then(|| SampleError::PointOffSection {
-                body: name.clone(),
-                point: point.name.clone(),
-                share: off,
-                largest: LARGEST_SHIFT,
-            })
-        })
-    })
 }
 
 /// Whether a joint, a spring or a load acts on a point.

@@ -215,7 +215,9 @@ fn analytic_a_lever_on_a_point_inside_swings_as_a_rigid_one() {
 /// Contact with friction off the axes and a spring, all inside the links: momenta and energy are kept.
 #[test]
 fn identity_momenta_and_energy_with_points_inside() {
-    watched_momenta(&file("flexible_points_inside.toml"), 6 + 3 + 4 + 2 + 3);
+    let text = file("flexible_points_inside.toml");
+    // More play than lanes have, so that it bounces more often.
+    watched_momenta(&text.replace("0.004 mm", "0.1 mm"), 6 + 3 + 4 + 2 + 3);
 }
 
 #[test]
