@@ -7,6 +7,7 @@ use loosepin::simulate::{
     Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
     Step, Window, columns, conduct,
 };
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The clearances of a batch lie evenly between 1 - `VARIATION` and 1 + `VARIATION` times the nominal ones.
@@ -75,13 +76,11 @@ impl Case {
     }
 
     /// Everything for run `index` of `runs`, whose clearances are spread evenly. One run alone has the nominal ones.
-    fn run(&self, index: usize, plan: &Plan) -> Run<Numbered> {
+    fn run(&self, index: usize, plan: &Plan, instants_s: Arc<[f64]>) -> Run<Numbered> {
         let factor = 1.0 + VARIATION * ((2 * index + 1) as f64 / plan.runs as f64 - 1.0);
         let set: Vec<(QuantityId, f64)> =
             self.clearances.iter().map(|&(id, nominal_m)| (id, factor * nominal_m)).collect();
         let values = self.mechanism.model.quantities.evaluate(&set).expect("the clearances are possible");
-        let interval_s = self.turn_s / plan.readings_per_turn as f64;
-        let instants_s = (0..=plan.turns * plan.readings_per_turn).map(|k| k as f64 * interval_s).collect();
         Run {
             sample: Sample::new(&self.mechanism, &values).expect("the sample fits the mechanism"),
             arms: Arms::new(&self.mechanism, &values),
@@ -113,7 +112,9 @@ impl Case {
     }
 
     fn conduct_shared(&self, plan: &Plan, execution: Execution, next: &AtomicUsize) -> Vec<(usize, Finished)> {
-        let mut waiting = Waiting { case: self, plan, next, finished: Vec::new() };
+        let interval_s = self.turn_s / plan.readings_per_turn as f64;
+        let instants_s = (0..=plan.turns * plan.readings_per_turn).map(|k| k as f64 * interval_s).collect();
+        let mut waiting = Waiting { case: self, plan, instants_s, next, finished: Vec::new() };
         conduct(&self.mechanism, &Follow::readings(&[self.reading]), &plan.settings, execution, &mut waiting);
         waiting.finished
     }
@@ -139,6 +140,7 @@ impl Observer for Numbered {
 struct Waiting<'c> {
     case: &'c Case,
     plan: &'c Plan,
+    instants_s: Arc<[f64]>,
     next: &'c AtomicUsize,
     finished: Vec<(usize, Finished)>,
 }
@@ -148,7 +150,7 @@ impl Queue for Waiting<'_> {
 
     fn next(&mut self) -> Option<Run<Numbered>> {
         let index = self.next.fetch_add(1, Ordering::Relaxed);
-        (index < self.plan.runs).then(|| self.case.run(index, self.plan))
+        (index < self.plan.runs).then(|| self.case.run(index, self.plan, Arc::clone(&self.instants_s)))
     }
 
     fn finished(&mut self, Numbered(index): Numbered, outcome: Result<RunReport, RunFailure>) {

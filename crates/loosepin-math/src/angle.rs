@@ -39,14 +39,15 @@ pub fn sin_cos<T: Real>(angle_rad: T) -> (T, T) {
     let head = square.mul_add(constant(-0.5), T::one());
     let cosine = (square * square).mul_add(polynomial(square, &COSINE), head);
 
-    // Odd quarter turns exchange the two. The quarter turn is told from a half integer, so that no rounding meets a tie.
-    let halves = quarter_turns.mul_add(constant(0.5), constant(-0.25));
-    let is_odd = T::zero().less_than(halves - halves.nearest_whole());
+    // Which quarter turn it is, told from a half of an eighth so that no rounding meets a tie: -1/8, 1/8, 3/8, -3/8 for 0, 1, 2, 3. Odd ones
+    // exchange the two.
     let fourths = quarter_turns.mul_add(constant(0.25), constant(-0.125));
-    let place = fourths - fourths.nearest_whole(); // -1/8, 1/8, 3/8, -3/8 for 0, 1, 2, 3 quarter turns
-    let (first, second) = (T::select(is_odd, cosine, sine), T::select(is_odd, sine, cosine));
-    let sine = T::select(constant(0.25).less_than(place.abs()), -first, first);
-    let cosine = T::select(T::zero().less_than(place), -second, second);
+    let place = fourths - fourths.nearest_whole();
+    let (is_middle, is_late) = (T::zero().less_than(place), constant(0.25).less_than(place.abs()));
+    let (first, second) = (T::select(is_middle, cosine, sine), T::select(is_middle, sine, cosine));
+    let sine = T::select(is_late, -second, first);
+    let turned = T::select(is_late, first, second);
+    let cosine = T::select(is_middle, -turned, turned);
     (sine, cosine)
 }
 

@@ -15,6 +15,7 @@ use super::recorded::Recorded;
 use super::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary};
 use super::resume::MotionState;
 use super::settings::Settings;
+use loosepin_math::Quintic;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
@@ -46,6 +47,8 @@ pub struct Core<'a> {
     way: Way<'a>,
     /// The lanes in which the penetration of some closed contact that may have a root of its own is read off the positions.
     reading_depths: u32,
+    /// The lanes in which the root of a penetration is an unknown: their steps do not pass at an even pace.
+    over_root: u32,
     /// Whether the dense output belongs to the step at hand.
     is_dense: bool,
 }
@@ -78,6 +81,7 @@ impl<'a> Core<'a> {
             waiting: Memory::new(lanes, lengths),
             way,
             reading_depths: 0,
+            over_root: 0,
             is_dense: false,
             pass,
         }
@@ -151,11 +155,19 @@ impl<'a> Core<'a> {
         for place in [self.pass.layout.roots[contact], self.pass.layout.bristles[contact]].into_iter().flatten() {
             self.set_state(lane, place, 0.0);
         }
-        let reads_depth = (0..self.pass.layout.roots.len()).any(|contact| {
+        let (mut reads_depth, mut is_over_root) = (false, false);
+        for contact in 0..self.pass.layout.roots.len() {
             let (state, has_root) = self.contact(lane, contact);
-            self.pass.layout.roots[contact].is_some() && state.contact > 0.0 && !has_root
-        });
+            reads_depth |= self.pass.layout.roots[contact].is_some() && state.contact > 0.0 && !has_root;
+            is_over_root |= has_root;
+        }
         self.reading_depths = self.reading_depths & !(1 << lane) | u32::from(reads_depth) << lane;
+        self.over_root = self.over_root & !(1 << lane) | u32::from(is_over_root) << lane;
+    }
+
+    /// The lanes whose steps do not pass at an even pace: the root of a penetration is an unknown.
+    pub fn over_root(&self) -> u32 {
+        self.over_root
     }
 
     /// Leaves a lane empty.
@@ -307,18 +319,34 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Puts down, at `place` of the instants that wait, one within the step at hand of a lane.
+    /// Makes the readings over the step at hand polynomials, in all lanes.
+    pub fn spread(&mut self) {
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.spread(&mut Named::new(memory.blocks())),
+            Way::Recorded(recorded) => recorded.spread(memory),
+        }
+    }
+
+    /// A reading over the step at hand of a lane, as a polynomial of its share.
+    pub fn reading(&self, lane: usize, reading: usize) -> Quintic {
+        let first = self.pass.follow.reading(reading);
+        Quintic { coefficients: std::array::from_fn(|k| self.followed(lane, first + k)) }
+    }
+
+    /// Puts down, at `place` of the instants that wait, one within the step at hand of a lane, whose readings are polynomials.
     pub fn await_instant(&mut self, place: usize, lane: usize, instant_s: f64) {
         let Self { pass, memory, waiting, .. } = self;
-        let instant = pass.lane.followed().start + FollowLayout::INSTANT;
-        waiting.set(Block::Lane, instant, place, instant_s);
-        waiting.set(Block::Lane, LaneLayout::STEP, place, memory.get(Block::Lane, LaneLayout::STEP, lane));
-        let first = pass.reads.output(0);
-        let readings = first..first + 3 * pass.follow.readings();
-        for index in (ReadLayout::TIME..ReadLayout::TIME + 3).chain(readings) {
-            for block in [Block::StartReads, Block::EndReads] {
-                waiting.set(block, index, place, memory.get(block, index, lane));
-            }
+        let first = pass.lane.followed().start;
+        waiting.set(Block::Lane, first + FollowLayout::INSTANT, place, instant_s);
+        let readings = first + pass.follow.reading(0)..first + pass.follow.reading(pass.follow.readings());
+        for (block, numbers) in [
+            (Block::StartReads, ReadLayout::TIME..ReadLayout::TIME + 3),
+            (Block::EndReads, ReadLayout::TIME..ReadLayout::TIME + 3),
+            (Block::Lane, LaneLayout::STEP..LaneLayout::STEP + 1),
+            (Block::Lane, readings),
+        ] {
+            memory.copy(block, numbers, lane, waiting, place);
         }
     }
 

@@ -261,9 +261,10 @@ impl Follower {
                 layout.take_extremes(numbers, |numbers, place| numbers[place], |numbers, place, e| numbers[place] = e);
             }
         }
+        layout.spread(numbers, &step);
         while let Some((index, instant_s)) = lane.next_instant(end_s, is_last) {
             numbers[FollowLayout::INSTANT] = instant_s;
-            layout.look(numbers, &step);
+            layout.look(numbers, step.time, step.length);
             lane.take_instant(index, numbers[FollowLayout::VALUES..][..layout.readings()].iter().copied());
         }
     }

@@ -58,6 +58,19 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
         return None;
     }
     let quintic = Quintic::new([p0, v0, a0], [p1, v1, a1], h);
+    // With one change of sign among the coefficients g rises through zero once: its piece is found by halving.
+    let changes = bernstein.iter().fold((0, p0 > 0.0), |(changes, was_above), &b| {
+        let is_above = b > 0.0;
+        (changes + u32::from(is_above != was_above), is_above)
+    });
+    if p0 <= 0.0 && changes == (1, true) && quintic.value(1.0) > 0.0 {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..PIECES.ilog2() {
+            let middle = 0.5 * (low + high);
+            if quintic.value(middle) > 0.0 { high = middle } else { low = middle }
+        }
+        return Some(root(&quintic, low, high));
+    }
     let mut has_come_back = p0 <= 0.0;
     let mut left = (0.0, p0);
     for piece in 1..=PIECES {

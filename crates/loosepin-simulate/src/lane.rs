@@ -3,8 +3,8 @@
 use super::batch::Seat;
 use super::column::Arms;
 use super::depth_limit::DepthLimit;
-use super::follow::LaneFollow;
 use super::gap::{Crossing, GapJet, first_crossing};
+use super::lane_step::LaneStep;
 use super::report::{FrictionPath, PlaySummary};
 use super::settings::Window;
 use loosepin_mechanics::mechanism::{GapMeasure, Sample};
@@ -70,8 +70,6 @@ pub struct LaneRun {
     pub observer: Seat,
     /// Steps that end before this time need not be shown to the observer, s.
     pub awaited_s: f64,
-    /// What is followed in it.
-    pub follow: LaneFollow,
     /// Whether the step at hand lies in the recorded part.
     pub is_recorded: bool,
     /// Longest step in time, s.
@@ -106,23 +104,6 @@ pub struct LaneRun {
     pub root: Option<usize>,
 }
 
-/// The ends of an attempted step in one lane.
-#[derive(Debug, Clone, Copy)]
-pub struct LaneStep<'s> {
-    /// Length of the step.
-    pub step: f64,
-    /// Time and its derivatives at both ends.
-    pub time: [GapJet; 2],
-    /// Gaps of all contacts at both ends.
-    pub gaps: &'s [[GapJet; 2]],
-    /// Sliding velocities of all contacts at both ends, m/s.
-    pub slidings_m_s: &'s [[f64; 2]],
-    /// Whether each contact is closed.
-    pub is_closed: &'s [bool],
-    /// Whether each gap is the root of a penetration.
-    pub is_root: &'s [bool],
-}
-
 /// Newton steps onto an event; from the polynomial's root two or three do.
 const MOST_TRIALS: u32 = 12;
 
@@ -152,18 +133,18 @@ impl LaneRun {
     }
 
     /// The event of the step that comes first, with its share of the step.
-    pub fn earliest_event(&self, step: &LaneStep<'_>) -> Option<(Event, f64)> {
+    pub fn earliest_event(&self, step: &LaneStep<'_, '_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
-        for contact in 0..step.gaps.len() {
-            let [start, end] = &step.gaps[contact];
-            let crossing = if step.is_closed[contact] { Crossing::Separation } else { Crossing::Onset };
-            let Some(share) = first_crossing(start, end, step.step, crossing) else { continue };
+        for contact in 0..step.contacts() {
+            let [start, end] = &step.gap(contact);
+            let crossing = if step.is_closed(contact) { Crossing::Separation } else { Crossing::Onset };
+            let Some(share) = first_crossing(start, end, step.length(), crossing) else { continue };
             if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
                 earliest = Some((Event::Contact { contact, crossing }, share));
             }
         }
-        for contact in (0..step.gaps.len()).filter(|&contact| step.is_closed[contact]) {
-            let [start, end] = step.slidings_m_s[contact];
+        for contact in (0..step.contacts()).filter(|&contact| step.is_closed(contact)) {
+            let [start, end] = step.slidings_m_s(contact);
             let play = self.sample.play_of(contact);
             for level_m_s in play.kink_levels_m_s() {
                 let tolerance_m_s = play.kink_tolerance_m_s(level_m_s);
@@ -176,11 +157,11 @@ impl LaneRun {
                 }
             }
         }
-        if step.is_root.contains(&true) {
+        if self.root.is_some() {
             let beyond = |jet: &GapJet| GapJet { jet: [jet.jet[0] - self.stop_s, jet.jet[1], jet.jet[2]] };
-            let [start, end] = [beyond(&step.time[0]), beyond(&step.time[1])];
+            let [start, end] = step.time().map(|time| beyond(&time));
             if end.jet[0] > 0.0
-                && let Some(share) = first_crossing(&start, &end, step.step, Crossing::Onset)
+                && let Some(share) = first_crossing(&start, &end, step.length(), Crossing::Onset)
                 && earliest.as_ref().is_none_or(|(_, first)| share < *first)
             {
                 earliest = Some((Event::Stop, share));
@@ -190,22 +171,23 @@ impl LaneRun {
     }
 
     /// Decides about a good attempt in [`Phase::Stepping`] that may hold an event, or about any later attempt of a search.
-    pub fn decide(&mut self, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+    pub fn decide(&mut self, step: &LaneStep<'_, '_>, event_tolerance_m: f64) -> Decision {
         let search = match self.phase {
             Phase::Stopping => return Decision::Accept(None),
             Phase::Stepping => {
                 let Some((event, share)) = self.earliest_event(step) else {
                     return Decision::Accept(None);
                 };
-                let trial = share * step.step;
+                let length = step.length();
+                let trial = share * length;
                 if trial <= 0.0 {
                     return Decision::SwitchAtStart(event);
                 }
                 let before = match event {
-                    Event::Kink { contact, level_m_s } => (step.step, step.slidings_m_s[contact][1] - level_m_s),
+                    Event::Kink { contact, level_m_s } => (length, step.slidings_m_s(contact)[1] - level_m_s),
                     _ => (0.0, 0.0),
                 };
-                self.phase = Phase::Searching(Search { event, low: 0.0, high: step.step, trial, trials: 0, before });
+                self.phase = Phase::Searching(Search { event, low: 0.0, high: length, trial, trials: 0, before });
                 return Decision::Retry(trial);
             }
             Phase::Searching(search) => search,
@@ -213,14 +195,14 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
-    fn go_on_searching(&mut self, mut search: Search, step: &LaneStep<'_>, event_tolerance_m: f64) -> Decision {
+    fn go_on_searching(&mut self, mut search: Search, step: &LaneStep<'_, '_>, event_tolerance_m: f64) -> Decision {
         search.trials += 1;
         let trial = search.trial;
         // The end of the step lies before or behind the event that is looked for; anything else found on the way comes first.
-        let may_hide = step.gaps.len() > 1
+        let may_hide = step.contacts() > 1
             || self.sample.play_of(0).friction.acts()
             || self.sample.play_of(0).wears
-            || step.time[1].jet[0] > self.stop_s
+            || step.end_s() > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
         let other = other.filter(|(event, _)| *event != search.event);
@@ -237,12 +219,12 @@ impl LaneRun {
         } else {
             let (value, rate, tolerance) = match search.event {
                 Event::Contact { contact, crossing } => {
-                    let [value, rate, _] = step.gaps[contact][1].jet;
-                    let tolerance = self.gap_tolerance(contact, step.is_root[contact], event_tolerance_m);
+                    let [value, rate, _] = step.gap(contact)[1].jet;
+                    let tolerance = self.gap_tolerance(contact, self.root == Some(contact), event_tolerance_m);
                     (crossing.sign() * value, crossing.sign() * rate, tolerance)
                 }
                 Event::Kink { contact, level_m_s } => {
-                    let [start, end] = step.slidings_m_s[contact];
+                    let [start, end] = step.slidings_m_s(contact);
                     let value = end - level_m_s;
                     // The secant through the step tried before, or through the start.
                     let slope = if search.before.0 > 0.0 {
@@ -255,7 +237,7 @@ impl LaneRun {
                     (sign * value, sign * slope, self.sample.play_of(contact).kink_tolerance_m_s(level_m_s))
                 }
                 Event::Stop => {
-                    let [time_s, pace, _] = step.time[1].jet;
+                    let [time_s, pace, _] = step.time()[1].jet;
                     (time_s - self.stop_s, pace, 4.0 * f64::EPSILON * self.stop_s)
                 }
             };

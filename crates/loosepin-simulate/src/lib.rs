@@ -24,6 +24,7 @@ mod history;
 mod ideal_curve;
 mod input_files;
 mod lane;
+mod lane_step;
 mod lyapunov;
 mod memory;
 mod motion;

@@ -1,6 +1,7 @@
 //! The numbers of all lanes while a batch runs, in blocks: what the arithmetic of a step reads and writes.
 
 use loosepin_math::integrate::StepRows;
+use std::ops::Range;
 
 /// How many blocks there are.
 pub const BLOCKS: usize = 8;
@@ -240,6 +241,18 @@ impl Memory {
     pub fn set(&mut self, block: Block, index: usize, lane: usize, value: f64) {
         let block = &mut self.blocks[block as usize];
         block.numbers[block.first + index * self.lanes + lane] = value;
+    }
+
+    /// Copies numbers of a block in `lane` to `place` of another memory with as many lanes.
+    #[inline]
+    pub fn copy(&self, block: Block, numbers: Range<usize>, lane: usize, other: &mut Self, place: usize) {
+        let (own, other, lanes) = (&self.blocks[block as usize], &mut other.blocks[block as usize], self.lanes);
+        let [of_own, of_other] = [own.first, other.first].map(|first| first + numbers.start * lanes);
+        let length = numbers.len() * lanes;
+        let own = own.numbers[of_own..of_own + length].chunks_exact(lanes);
+        for (own, other) in own.zip(other.numbers[of_other..of_other + length].chunks_exact_mut(lanes)) {
+            other[place] = own[lane];
+        }
     }
 
     /// One number of a block in all lanes.

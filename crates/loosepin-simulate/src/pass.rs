@@ -260,10 +260,16 @@ impl Pass {
         self.follow.follow(own, &step, is_chosen);
     }
 
+    /// Makes the readings over the step at hand polynomials: [`FollowLayout::spread`].
+    pub fn spread<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let (own, step) = self.followed(blocks);
+        self.follow.spread(own, &step);
+    }
+
     /// Reads at an instant within a step: [`FollowLayout::look`].
     pub fn look<T: Real>(&self, blocks: &mut Named<'_, T>) {
-        let (own, step) = self.followed(blocks);
-        self.follow.look(own, &step);
+        let (own, StepEnds { time, length, .. }) = self.followed(blocks);
+        self.follow.look(own, time, length);
     }
 
     /// The numbers of what is followed, and the ends of the step at hand.

@@ -62,6 +62,8 @@ pub struct PassPrograms<P = Program> {
     pub account: P,
     /// What is followed through a step, where anything is.
     pub follow: Option<P>,
+    /// Readings over a step as polynomials, where there are any.
+    pub spread: Option<P>,
     /// Readings at an instant within a step, where there are any.
     pub look: Option<P>,
     /// Values inside a step, where any are reduced.
@@ -104,6 +106,7 @@ impl PassPrograms {
             take_evaluation: make(self.take_evaluation),
             account: make(self.account),
             follow: self.follow.map(&mut make),
+            spread: self.spread.map(&mut make),
             look: self.look.map(&mut make),
             dense_points: self.dense_points.into_iter().map(&mut make).collect(),
             dense: make(self.dense),
@@ -153,6 +156,7 @@ impl Tracing<'_> {
         let slope = self.equations(hoisted, Evaluated { reads: false, reads_depths: true });
         let end = self.equations(hoisted, Evaluated { reads: true, reads_depths: true });
         let has_roots = self.pass.layout.roots.iter().any(Option::is_some);
+        let has_readings = self.pass.follow.readings() > 0;
         let slope_by_roots =
             has_roots.then(|| self.equations(hoisted, Evaluated { reads: false, reads_depths: false }));
         let (points, judgement) = self.attempt(hoisted);
@@ -177,7 +181,8 @@ impl Tracing<'_> {
             hold_loops,
             account: self.written(hoisted, |blocks| self.pass.close_account(blocks)),
             follow: self.pass.follow.reduces().then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
-            look: (self.pass.follow.readings() > 0).then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
+            spread: has_readings.then(|| self.written(hoisted, |blocks| self.pass.spread(blocks))),
+            look: has_readings.then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),
             inside: (self.pass.follow.inside().count > 0).then(|| self.inside(hoisted)),
             prepare: with_own_slots(hoisted.own_program()),
         }

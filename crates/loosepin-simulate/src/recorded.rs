@@ -21,6 +21,7 @@ struct Sequences {
     close_account: Sequence,
     prepare_dense: Sequence,
     follow: Sequence,
+    spread: Sequence,
     look: Sequence,
     inside: Sequence,
 }
@@ -96,6 +97,7 @@ impl Sequences {
             close_account: sequence(&[as_written(programs.account)]),
             prepare_dense: sequence(&dense),
             follow: sequence(&programs.follow.map(as_written).into_iter().collect::<Vec<_>>()),
+            spread: sequence(&programs.spread.map(as_written).into_iter().collect::<Vec<_>>()),
             look: sequence(&programs.look.map(as_written).into_iter().collect::<Vec<_>>()),
             inside: sequence(&inside),
         }
@@ -187,6 +189,11 @@ impl<'a> Recorded<'a> {
     /// Follows the step at hand, in the chosen lanes.
     pub fn follow(&mut self, memory: &mut Memory) {
         run(&self.sequences.follow, memory, &mut self.scratch);
+    }
+
+    /// Makes the readings over the step at hand polynomials, in all lanes.
+    pub fn spread(&mut self, memory: &mut Memory) {
+        run(&self.sequences.spread, memory, &mut self.scratch);
     }
 
     /// Reads at the instants that wait in `memory`, one in each place, of whatever step and run.

@@ -42,7 +42,7 @@ impl Settings {
 }
 
 /// The part of the motion that is recorded; the part from time zero to its start is transient.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Window {
     /// Start of the recorded part, s.
     pub start_s: f64,

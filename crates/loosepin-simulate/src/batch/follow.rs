@@ -2,51 +2,45 @@
 
 use super::{Batch, lanes_of};
 use crate::core::Core;
-use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, extremes_within};
-use crate::lane::LaneRun;
+use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, extremes_within};
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
-use loosepin_math::Quintic;
 
 impl Batch<'_> {
     /// Lets the recorded part of a run begin, or go on, at `time_s`.
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
         let Some(run) = &mut self.runs[lane] else { return };
         run.is_recorded = true;
+        self.recorded |= 1 << lane;
         run.paths_before = self.core.friction_paths(lane);
         self.core.set_number(lane, LaneLayout::IS_RECORDED, 1.0);
-        let core = &mut self.core;
-        run.follow.begin(&self.follow, time_s, |place, number| core.set_followed(lane, place, number));
-        core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
+        let Self { core, follows, follow: layout, .. } = self;
+        follows[lane].begin(layout, time_s, |place, number| core.set_followed(lane, place, number));
+        core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
     }
 
     /// Follows the accepted steps at hand, those of them that are recorded; another piece of the curves and instants may be `due`.
     pub(super) fn follow(&mut self, accepted: u32, due: u32) {
-        let recorded = self.core.flags(LaneLayout::IS_RECORDED);
+        let recorded = self.recorded;
         if accepted & recorded == 0 {
             return;
         }
         if self.follow.inside().count > 0 {
             self.look_inside(accepted & recorded);
         }
-        let Self { core, runs, follow: layout, .. } = self;
+        let Self { core, follows, follow: layout, .. } = self;
         if layout.readings() == 0 {
             return;
         }
         if layout.reduces() {
-            for (lane, run) in of_lanes(runs, due & recorded) {
+            for lane in lanes_of(due & recorded) {
                 let end_s = core.end_read(lane, ReadLayout::TIME);
-                run.follow.take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
+                follows[lane].take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
             }
             core.follow();
             self.take_extremes(accepted & recorded);
         }
-        let left = self.look_at_even_pace(due & recorded);
-        self.look_at_instants(left);
-        let Self { core, runs, .. } = self;
-        for (lane, run) in of_lanes(runs, due & recorded) {
-            core.set_number(lane, LaneLayout::DUE, run.follow.due_s());
-        }
+        self.look_at_instants(due & recorded);
     }
 
     /// Takes in the values inside the accepted steps at hand that are `recorded`.
@@ -105,77 +99,61 @@ impl Batch<'_> {
         }
     }
 
-    /// Reads at the instants in steps that pass at an even pace, as all do but those of some contacts: each may hold many, and nothing is to be
-    /// solved. Gives the lanes that are left.
-    fn look_at_even_pace(&mut self, looking: u32) -> u32 {
-        let Self { core, runs, follow: layout, .. } = self;
-        let mut left = looking;
-        for (lane, run) in of_lanes(runs, looking) {
-            let time = core.jets(lane, ReadLayout::TIME).map(|end| end.jet);
-            if time.iter().all(|[_, pace, change]| (*pace, *change) == (1.0, 0.0)) {
-                let (length, is_last) = (core.number(lane, LaneLayout::STEP), run.is_at_end());
-                let reading = |reading| {
-                    let [start, end] = core.jets(lane, core.pass.reads.output(reading)).map(|end| end.jet);
-                    Quintic::new(start, end, length)
-                };
-                run.follow.take_instants(time.map(|[time_s, ..]| time_s), is_last, (0..layout.readings()).map(reading));
-                left &= !(1 << lane);
-            }
+    /// Reads at the instants in the steps at hand. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
+    /// and each may hold many: those are read at once. The others wait until they fill all lanes.
+    fn look_at_instants(&mut self, due: u32) {
+        if due == 0 {
+            return;
         }
-        left
-    }
-
-    /// Puts down the instants that lie in the steps at hand, of each lane one after the other; where they fill all lanes, reads at them.
-    fn look_at_instants(&mut self, looking: u32) {
-        for lane in lanes_of(looking) {
-            let end_s = self.core.end_read(lane, ReadLayout::TIME);
-            while let Some((index, instant_s)) = self.next_instant(lane, end_s) {
-                self.core.await_instant(self.waiting.len(), lane, instant_s);
-                self.waiting.push((lane, index));
-                if self.waiting.len() == self.runs.len() {
-                    self.look_at_waiting();
+        let Self { core, follows, follow: layout, waiting, ending, .. } = self;
+        core.spread();
+        let over_root = core.over_root() & due;
+        let (is_last, lanes) = (|lane: usize| *ending >> lane & 1 != 0, follows.len());
+        for lane in lanes_of(due & !over_root) {
+            let times_s = [core.start_read(lane, ReadLayout::TIME), core.end_read(lane, ReadLayout::TIME)];
+            let readings = (0..layout.readings()).map(|reading| core.reading(lane, reading));
+            follows[lane].take_instants(times_s, is_last(lane), readings);
+            core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
+        }
+        for lane in lanes_of(over_root) {
+            let end_s = core.end_read(lane, ReadLayout::TIME);
+            while let Some((index, instant_s)) = follows[lane].next_instant(end_s, is_last(lane)) {
+                core.await_instant(waiting.len(), lane, instant_s);
+                waiting.push((lane, index));
+                if waiting.len() == lanes {
+                    look_at_all(core, follows, layout, waiting);
                 }
             }
+            core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
         }
-    }
-
-    /// The next instant within the step at hand of a lane that ends at `end_s`, and its number.
-    fn next_instant(&mut self, lane: usize, end_s: f64) -> Option<(usize, f64)> {
-        let run = self.runs[lane].as_mut()?;
-        let is_last = run.is_at_end();
-        run.follow.next_instant(end_s, is_last)
     }
 
     /// Reads at the instants that wait. Whoever ends a run does so before.
     pub(super) fn look_at_waiting(&mut self) {
-        let Self { core, runs, follow: layout, waiting, .. } = self;
-        if waiting.is_empty() {
-            return;
-        }
-        core.look();
-        for (place, (lane, index)) in waiting.drain(..).enumerate() {
-            if let Some(run) = &mut runs[lane] {
-                run.follow.take_instant(index, (0..layout.readings()).map(|reading| core.looked(place, reading)));
-            }
-        }
+        let Self { core, follows, follow: layout, waiting, .. } = self;
+        look_at_all(core, follows, layout, waiting);
     }
 
     /// Gives out what was found in the run of a lane that is over.
     pub(super) fn findings(&mut self, lane: usize) -> Findings {
         self.look_at_waiting();
-        let Self { core, runs, follow: layout, .. } = self;
-        let run = runs[lane].as_mut();
-        run.map_or_else(Findings::default, |run| run.follow.findings(layout, |place| core.followed(lane, place)))
+        let Self { core, follows, follow: layout, .. } = self;
+        follows[lane].findings(layout, |place| core.followed(lane, place))
     }
 }
 
-/// The runs on the flagged lanes.
-fn of_lanes(runs: &mut [Option<LaneRun>], lanes: u32) -> impl Iterator<Item = (usize, &mut LaneRun)> {
-    let mut rest = runs;
-    let mut passed = 0;
-    lanes_of(lanes).filter_map(move |lane| {
-        let (run, behind) = std::mem::take(&mut rest).get_mut(lane - passed..)?.split_first_mut()?;
-        (rest, passed) = (behind, lane + 1);
-        Some((lane, run.as_mut()?))
-    })
+/// Reads at all instants that wait, each with its lane and its number in the run.
+fn look_at_all(
+    core: &mut Core<'_>,
+    follows: &mut [LaneFollow],
+    layout: &FollowLayout,
+    waiting: &mut Vec<(usize, usize)>,
+) {
+    if waiting.is_empty() {
+        return;
+    }
+    core.look();
+    for (place, (lane, index)) in waiting.drain(..).enumerate() {
+        follows[lane].take_instant(index, (0..layout.readings()).map(|reading| core.looked(place, reading)));
+    }
 }

@@ -20,7 +20,8 @@ use crate::execution::Execution;
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
 use crate::gap::{ContactStep, GapJet};
-use crate::lane::{Decision, Event, LaneRun, LaneStep, Phase};
+use crate::lane::{Decision, Event, LaneRun, Phase};
+use crate::lane_step::LaneStep;
 use crate::memory::{LaneLayout, Turn};
 use crate::motion::Motion;
 use crate::observer::{DenseOutput, Source, Step};
@@ -63,19 +64,21 @@ pub(super) struct Batch<'a> {
     follow: FollowLayout,
     /// What is looked at inside the steps.
     inside: Vec<Reading>,
+    /// What is followed in the run of each lane.
+    follows: Vec<LaneFollow>,
     /// Instants that wait to be read at: the lane of each, and its number in the run.
     waiting: Vec<(usize, usize)>,
-    /// Lanes with a run; those whose derivative is to be evaluated again before the next step; those whose energy account begins then.
+    /// Lanes with a run; those whose recorded part has begun; those whose derivative is to be evaluated again before the next step; those
+    /// whose energy account begins then.
     active: u32,
+    recorded: u32,
     restarts: u32,
     openings: u32,
+    /// Those whose step at hand ends their run.
+    ending: u32,
     /// Whether all runs have begun.
     is_exhausted: bool,
     passes: u64,
-    gaps: Vec<[GapJet; 2]>,
-    slidings_m_s: Vec<[f64; 2]>,
-    is_closed: Vec<bool>,
-    is_root: Vec<bool>,
 }
 
 impl<'a> Batch<'a> {
@@ -88,11 +91,11 @@ impl<'a> Batch<'a> {
         queue: &mut dyn Seated,
     ) {
         let Some(first) = queue.next() else { return };
-        let contacts = mechanism.contacts.len();
         let view = Motion::new(mechanism, &first.sample);
         let mut batch = Self {
             mechanism,
             core: Core::new(mechanism, &first.sample, &first.arms, follow, settings, execution),
+            follows: vec![LaneFollow::default(); execution.lanes()],
             runs: (0..execution.lanes()).map(|_| None).collect(),
             view_projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
             view_state: vec![0.0; view.layout.length()],
@@ -105,14 +108,12 @@ impl<'a> Batch<'a> {
             follow: FollowLayout::new(follow),
             inside: follow.inside.clone(),
             active: 0,
+            recorded: 0,
             restarts: 0,
             openings: 0,
+            ending: 0,
             is_exhausted: false,
             passes: 0,
-            gaps: vec![[GapJet::default(); 2]; contacts],
-            slidings_m_s: vec![[0.0; 2]; contacts],
-            is_closed: vec![false; contacts],
-            is_root: vec![false; contacts],
         };
         batch.start(0, first, queue);
         batch.refill(queue);
@@ -184,6 +185,7 @@ impl<'a> Batch<'a> {
         let longest_s = LARGEST_STEP_TURNS * turn_s;
         let stop_s = next_stop_s(&sample, start_s, &window);
         let awaited_s = queue.observer(observer).map_or(f64::INFINITY, |observer| observer.awaits_s());
+        self.follows[lane] = LaneFollow::new(&self.follow, followed, window);
         self.runs[lane] = Some(LaneRun {
             number: self.started,
             depth_limits: (0..sample.contacts.len()).map(|contact| DepthLimit::new(sample.play_of(contact))).collect(),
@@ -191,7 +193,6 @@ impl<'a> Batch<'a> {
             window,
             observer,
             awaited_s,
-            follow: LaneFollow::new(&self.follow, followed, window),
             is_recorded: false,
             longest_s,
             smallest_s: SMALLEST_STEP_TURNS * turn_s,
@@ -260,6 +261,7 @@ impl<'a> Batch<'a> {
         let restarts = std::mem::take(&mut self.restarts);
         self.restart(restarts);
         self.core.attempt();
+        self.ending = 0;
         let watched = self.core.flags(LaneLayout::ATTENTION) & self.active;
         let mut events: [Option<Event>; 32] = [None; 32];
         for lane in lanes_of(watched) {
@@ -361,17 +363,8 @@ impl<'a> Batch<'a> {
 
     /// The decision on an attempt in `lane` that may hold an event.
     fn decide(&mut self, lane: usize) -> Decision {
-        self.read_gaps(lane);
-        let step = LaneStep {
-            step: self.core.step(lane),
-            time: self.times(lane),
-            gaps: &self.gaps,
-            slidings_m_s: &self.slidings_m_s,
-            is_closed: &self.is_closed,
-            is_root: &self.is_root,
-        };
         match &mut self.runs[lane] {
-            Some(run) => run.decide(&step, self.settings.event_tolerance_m()),
+            Some(run) => run.decide(&LaneStep::new(&self.core, lane), self.settings.event_tolerance_m()),
             None => Decision::Accept(None),
         }
     }
@@ -412,6 +405,7 @@ impl<'a> Batch<'a> {
         self.check_joint_friction(lane)?;
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
         run.reaches_stop = event == Some(Event::Stop) || (event.is_none() && step == run.stop_s - start_s);
+        self.ending |= u32::from(run.is_at_end()) << lane;
         let end_s = if run.reaches_stop { run.stop_s } else { end_s };
         // With a root a step may be too short for the time to show it.
         if !run.is_recorded || end_s <= start_s {
@@ -530,6 +524,7 @@ impl<'a> Batch<'a> {
             queue.finished(run.observer, outcome);
         }
         self.active &= !(1 << lane);
+        self.recorded &= !(1 << lane);
         self.restarts &= !(1 << lane);
         self.openings &= !(1 << lane);
         self.core.leave(lane);
@@ -542,22 +537,11 @@ impl<'a> Batch<'a> {
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {
-        self.core.jets(lane, ReadLayout::TIME)
+        LaneStep::new(&self.core, lane).time()
     }
 
     fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
-        self.core.jets(lane, self.core.pass.reads.gap(contact))
-    }
-
-    fn read_gaps(&mut self, lane: usize) {
-        for contact in 0..self.mechanism.contacts.len() {
-            let (state, is_root) = self.core.contact(lane, contact);
-            self.gaps[contact] = self.gap(lane, contact);
-            let place = self.core.pass.reads.sliding(contact);
-            self.slidings_m_s[contact] = [self.core.start_read(lane, place), self.core.end_read(lane, place)];
-            self.is_closed[contact] = state.contact > 0.0;
-            self.is_root[contact] = is_root;
-        }
+        LaneStep::new(&self.core, lane).gap(contact)
     }
 }
 

@@ -10,7 +10,7 @@ use loosepin_result::study::Deviation;
 use std::sync::Arc;
 
 /// What one run is compared with, and what was found so far.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LaneFollow {
     run: FollowedRun,
     window: Window,
@@ -213,7 +213,7 @@ mod tests {
     fn analytic_instants_are_read_in_a_step_of_even_pace_and_at_one_in_which_time_stands_still() {
         let angle = Reading::Position(Position::Angle(Relative::to_ground(BodyId(0))));
         let layout = FollowLayout::new(&Follow::readings(&[angle]));
-        let followed = FollowedRun { instants_s: vec![2.0, 2.25, 3.0], ..FollowedRun::default() };
+        let followed = FollowedRun { instants_s: [2.0, 2.25, 3.0].into(), ..FollowedRun::default() };
         let mut lane = LaneFollow::new(&layout, followed, Window { start_s: 2.0, end_s: 3.0 });
         // An angle of 5 rad at 2 s that grows by 4 rad/s.
         let reading = |length_s: f64| Quintic::new([5.0, 4.0, 0.0], [5.0 + 4.0 * length_s, 4.0, 0.0], length_s);

@@ -32,8 +32,9 @@ impl FollowLayout {
     pub const IS_EXTREME: usize = 3;
     /// 1 where some value that is looked at inside the step may be a new extreme between the points.
     pub const IS_PEAK: usize = 4;
-    /// The readings at the instant.
+    /// The readings at the instant; behind them the readings over the step, each a polynomial of its share.
     pub const VALUES: usize = 5;
+    const PER_READING: usize = 6;
     /// Numbers of a deviation, from [`Self::deviation`] on: the polynomial that it is compared with, over the piece.
     pub const REFERENCE: usize = 0;
     /// Value, rate and acceleration of that at the start of the step.
@@ -92,9 +93,14 @@ impl FollowLayout {
         (reading, of)
     }
 
+    /// Where the polynomial of a reading over the step begins.
+    pub fn reading(&self, reading: usize) -> usize {
+        Self::VALUES + self.readings + Self::PER_READING * reading
+    }
+
     /// Where the numbers of a deviation begin.
     pub fn deviation(&self, deviation: usize) -> usize {
-        Self::VALUES + self.readings + Self::PER_DEVIATION * deviation
+        self.reading(self.readings) + Self::PER_DEVIATION * deviation
     }
 
     /// How many numbers there are.
@@ -176,12 +182,21 @@ impl FollowLayout {
         [(largest, found[0]), (smallest, found[1])]
     }
 
-    /// Reads at the instant, which lies within the step.
-    pub fn look<T: Real>(&self, numbers: &mut [T], step: &StepEnds<'_, T>) {
-        let share = share_of(numbers[Self::INSTANT], step.time, step.length);
+    /// Puts down the polynomials of the readings over the step.
+    pub fn spread<T: Real>(&self, numbers: &mut [T], step: &StepEnds<'_, T>) {
         for reading in 0..self.readings {
             let [start, end] = [0, 1].map(|side| step.reading(reading, side));
-            numbers[Self::VALUES + reading] = Quintic::new(start, end, step.length).value(share);
+            let polynomial = Quintic::new(start, end, step.length);
+            numbers[self.reading(reading)..][..Self::PER_READING].copy_from_slice(&polynomial.coefficients);
+        }
+    }
+
+    /// Reads at the instant, which lies within a step that lasts from one time to another, from the polynomials of the readings.
+    pub fn look<T: Real>(&self, numbers: &mut [T], time: [[T; 3]; 2], length: T) {
+        let share = share_of(numbers[Self::INSTANT], time, length);
+        for reading in 0..self.readings {
+            let polynomial = Quintic { coefficients: array(&numbers[self.reading(reading)..]) };
+            numbers[Self::VALUES + reading] = polynomial.value(share);
         }
     }
 }

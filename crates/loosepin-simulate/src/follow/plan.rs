@@ -46,8 +46,8 @@ pub struct FollowedPath {
 /// What is followed in one run.
 #[derive(Debug, Clone, Default)]
 pub struct FollowedRun {
-    /// Instants in the recorded part at which all readings are asked for, in order, s.
-    pub instants_s: Vec<f64>,
+    /// Instants in the recorded part at which all readings are asked for, in order, s; runs with the same ones share them.
+    pub instants_s: Arc<[f64]>,
     /// The nominal ideal motion, with which total and dimensional deviations compare, and the own one of the sample, with which dimensional
     /// and clearance deviations do: by reading, over the recorded part. Both have the same nodes.
     pub nominal: Option<Arc<IdealCurve>>,

@@ -141,6 +141,8 @@ pub(super) struct PlacedKernel {
     kernel: Kernel,
     /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
     parts: [Part; LARGEST_BLOCKS],
+    /// Whether each block that it uses begins where that of the caller does.
+    is_in_place: bool,
 }
 
 /// Numbers of a block, from the first to behind the last.
@@ -158,7 +160,10 @@ impl PlacedKernel {
     ///
     /// Those of [`parts`].
     pub fn new(kernel: &Kernel, places: &[Place]) -> Result<Self, NativeError> {
-        Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
+        let parts = parts(&kernel.values_per_block, places, kernel.lanes)?;
+        let mut used = parts.iter().enumerate().filter(|(_, part)| part.end > 0);
+        let is_in_place = used.all(|(index, part)| part.block == index && part.first == 0);
+        Ok(Self { parts, is_in_place, kernel: kernel.clone() })
     }
 
     /// For each block, how many numbers it must have at least.
@@ -206,8 +211,14 @@ impl PlacedKernels {
             }
             starts[block] = numbers.as_mut_ptr();
         }
-        for PlacedKernel { kernel, parts } in &self.kernels {
-            let addresses = parts.map(|part| starts[part.block].wrapping_add(part.first));
+        for PlacedKernel { kernel, parts, is_in_place } in &self.kernels {
+            let mut addresses = starts;
+            if !is_in_place {
+                for (address, part) in addresses.iter_mut().zip(parts) {
+                    // The remainder is the number itself, and tells that it is in range.
+                    *address = starts[part.block % LARGEST_BLOCKS].wrapping_add(part.first);
+                }
+            }
             // SAFETY: each address that the kernel uses points to as many numbers as its highest slot needs (checked above: no part of
             // any kernel ends behind what is needed), within a block that is borrowed for itself until all have returned; parts of one
             // block have no number in common (checked by `PlacedKernel::new`).
