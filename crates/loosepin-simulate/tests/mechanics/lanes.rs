@@ -460,20 +460,20 @@ fn pinned_operations_of_the_slider_crank() {
     let PassPrograms { slope, slope_by_roots, end, hold_loops, .. } = programs;
     assert!(hold_loops.is_none(), "no loop of ideal joints is to be held");
     let expected = OperationCounts {
-        multiply_adds: 51,
-        additions: 27,
+        multiply_adds: 49,
+        additions: 21,
         multiplications: 59,
         divisions: 3,
         square_roots: 2,
         choices: 21,
         signs: 7,
         inputs: 24,
-        constants: 24,
+        constants: 23,
         outputs: 9,
     };
     assert_eq!(slope.counts(), expected, "within a step");
     let by_roots = OperationCounts {
-        additions: 25,
+        additions: 19,
         multiplications: 58,
         divisions: 2,
         square_roots: 1,
@@ -483,13 +483,13 @@ fn pinned_operations_of_the_slider_crank() {
     };
     assert_eq!(slope_by_roots.map(|program| program.counts()), Some(by_roots), "with no penetration off the positions");
     let expected = OperationCounts {
-        multiply_adds: 64,
-        additions: 39,
+        multiply_adds: 62,
+        additions: 33,
         multiplications: 90,
         divisions: 5,
         choices: 24,
         inputs: 26,
-        constants: 26,
+        constants: 25,
         outputs: 21,
         ..expected
     };
