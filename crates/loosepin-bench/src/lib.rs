@@ -106,10 +106,5 @@ impl Watch {
 
 /// Processor time of all threads of this process so far, s; none where the system does not tell.
 fn processor_time_s() -> Option<f64> {
-    let mut nanoseconds = 0;
-    for thread in std::fs::read_dir("/proc/self/task").ok()? {
-        let text = std::fs::read_to_string(thread.ok()?.path().join("schedstat")).ok()?;
-        nanoseconds += text.split_whitespace().next()?.parse::<u64>().ok()?;
-    }
-    Some(nanoseconds as f64 * 1e-9)
+    Some(processor_time::of_threads_ns()).filter(|ns| *ns > 0).map(|ns| ns as f64 * 1e-9)
 }

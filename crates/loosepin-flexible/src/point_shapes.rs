@@ -140,6 +140,8 @@ pub(crate) fn point_shapes(frame: Frame, nodes: &[f64], modes: usize) -> Vec<Poi
             vectors.push(vector);
         }
     }
+    // The elements between held points are positive definite: there is a shape for each.
+    debug_assert_eq!(vectors.len(), points.len());
     for values in lowest(&held(&mass, &rest, &rest), &stiffness_of_rest, rest.len(), modes) {
         let mut vector = vec![0.0; n];
         spread(&values, &mut vector);

@@ -1,5 +1,5 @@
 //! Processor time of the runs at values of the unknowns: `cargo run --release --package loosepin-identify --example cost_of_values COUNT`.
-//! Prints a digest of the rejected and kept values as well, which must not change where only the time does.
+//! Prints which values are kept as well, which must not change where only the time does.
 
 use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues};
 use loosepin_study::{MeasuredMotion, Study};

@@ -210,7 +210,7 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
     // Not a number is no small angle.
     (!(bending.largest_angle_rad <= LARGEST_RAD)).then(|| {
         format!(
-            "The {} bends too far for its model: its ends turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens. Take formulation = \"absolute-nodal\".",
+            "The {} bends too far for its model: its sections turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens. Take formulation = \"absolute-nodal\".",
             bending.body,
             writer.value(bending.largest_angle_rad, &SiUnit::ANGLE),
             writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE),

@@ -117,7 +117,10 @@ impl Shared {
                     (Some(reading), Spot::Reduced(reduction)) => {
                         Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
                     }
-                    (None, Spot::Reduced(reduction)) if of == Deviation::Value && is_integrated => {
+                    // Sections of flexible bodies are no numbers of the lanes: stress is looked at in plain states.
+                    (None, Spot::Reduced(reduction))
+                        if of == Deviation::Value && is_integrated && !matches!(reading, Reading::Stress(_)) =>
+                    {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }
                     (None, _) => None,

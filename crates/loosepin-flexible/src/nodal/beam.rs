@@ -74,7 +74,7 @@ impl<T: Real> NodalBeam<T> {
     }
 
     /// Numbers of an element's section.
-    fn section(&self, mesh: &Mesh) -> Section<T> {
+    pub(super) fn section(&self, mesh: &Mesh) -> Section<T> {
         Section {
             length_m: self.element_length_m(mesh),
             axial_n: self.axial_stiffness_n_m * self.length_m,

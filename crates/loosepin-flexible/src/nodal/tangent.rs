@@ -1,7 +1,7 @@
 //! Tangent stiffness of an element: the second derivatives of its strain energy.
 
 use super::beam::NodalBeam;
-use super::element::{Bend, Ends, Section, Stretch};
+use super::element::{Bend, Ends, Stretch};
 use super::mesh::{Mesh, Nodal, Point};
 use loosepin_math::Vec2;
 
@@ -66,13 +66,8 @@ impl NodalBeam<f64> {
     /// ∂²κ/∂r'∂r'' = c_ab/g - g_a (k × r')ᵀ/g²
     /// ```
     pub fn tangent(&self, mesh: &Mesh, ends: &[Nodal<f64>; 2]) -> ElementMatrix {
-        let length_m = self.element_length_m(mesh);
-        let section = Section {
-            length_m,
-            axial_n: self.axial_stiffness_n_m * self.length_m,
-            bending_n_m2: self.bending_stiffness_n_m * self.length_m,
-            retardation_s: self.retardation_s,
-        };
+        let section = self.section(mesh);
+        let length_m = section.length_m;
         let [axial_n_m, bending_n_m] = section.stiffnesses_n_m();
         let ends = Ends::new(length_m, ends);
         let mut matrix = [[0.0; COORDINATES]; COORDINATES];

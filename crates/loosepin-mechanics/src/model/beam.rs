@@ -55,7 +55,7 @@ pub enum Formulation {
 }
 
 impl Beam {
-    /// Number of coordinates beside those that the body would have as a rigid one.
+    /// Number of coordinates beside those that the body would have as a rigid one, without static shapes of points inside.
     pub fn own_coordinates(&self) -> usize {
         match self.formulation {
             Formulation::FloatingFrame => self.axial_shapes + self.lateral_shapes,

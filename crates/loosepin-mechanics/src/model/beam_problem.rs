@@ -10,9 +10,11 @@ problems! {
             says("{entry}: body '{body}' has no point '{point}'"),
             hint("it has {}", if known.is_empty() { "no points".to_owned() } else { known.join(", ") });
         SamePoint { entry: String } => Code::BeamNotPossible,
-            says("{entry} ends where it begins");
+            says("{entry} ends where it begins"),
+            hint("name another point as from or to");
         HalfSection { entry: String, given: &'static str, needs: &'static str } => Code::ConflictingKeys,
-            says("{entry}: '{given}' needs '{needs}'");
+            says("{entry}: '{given}' needs '{needs}'"),
+            hint("give '{needs}' too");
         NoShapes { entry: String } => Code::BeamNotPossible,
             says("{entry} has neither lateral nor axial shapes"),
             hint("a body that does not deform has mass, inertia and centre_of_mass in place of beam");
@@ -21,7 +23,7 @@ problems! {
             hint("hold it at from, with frame = \"tangent\"; inside take a revolute joint");
         WrongJoint { entry: String, body: String, kind: &'static str } => Code::BeamNotPossible,
             says("{entry}: body '{body}' is flexible and cannot be held by a {kind}"),
-            hint("hold it by revolute joints at both ends; by a drive or a rigid joint at from with frame = \"tangent\"");
+            hint("hold it by revolute joints; at from also by a drive or a rigid joint, with frame = \"tangent\"");
         NeedsSecant { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: body '{body}' has a tangent frame and turns freely at from"),
             hint("take frame = \"secant\", or drive this joint");

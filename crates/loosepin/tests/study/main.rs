@@ -13,6 +13,7 @@ mod paths;
 mod position_tolerance;
 mod promise;
 mod silent;
+mod stress;
 mod study_accuracy;
 mod surrogates;
 mod warm;

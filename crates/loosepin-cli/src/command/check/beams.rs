@@ -72,7 +72,8 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let _ = writeln!(
                 text,
                 "{indent}warning: its fastest shape takes {evaluations_1_s:.1e} evaluations for a second of motion\n\
-                 {indent}hint: take fewer shapes, or a smaller damping_ratio"
+                 {indent}hint: take fewer shapes, or a smaller damping_ratio{}",
+                if held.is_empty() { "" } else { ", or static_shapes = \"none\"" }
             );
         }
         push_contacts(text, &indent, (mechanism, &sample), place.body, beam.axial_stiffness_n_m);

@@ -346,8 +346,9 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
         if model.drives.is_empty() { "no drive".to_owned() } else { counted(model.drives.len(), "drive", "drives") },
         if mechanism.is_driven() { "the motion is determined" } else { "forces move it from its initial state" }
     );
-    let of_beams: usize =
-        model.bodies.iter().filter_map(|body| body.beam.as_ref()).map(|beam| beam.own_coordinates()).sum();
+    let real = &mechanism.real;
+    let of_floating = real.beams.iter().map(|beam| beam.coordinates.len());
+    let of_beams: usize = of_floating.chain(real.nodal_beams.iter().map(|beam| beam.coordinates.len())).sum();
     let loose = mechanism.dynamic_freedoms + model.drives.len() - mechanism.degrees_of_freedom - of_beams;
     if !mechanism.plays.is_empty() {
         let _ = writeln!(text, "{} more for the play, held by contact alone", loose);
@@ -361,7 +362,9 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
             if *count == 1 { "is" } else { "are" }
         );
     }
-    for root in mechanism.real.floating_roots.iter().filter(|_| !mechanism.plays.is_empty()) {
+    // An ideal joint at a point inside a flexible body does not carry it, and is cut.
+    let is_cut = |root: BodyId| real.cuts.iter().any(|cut| model.joints[cut.joint.0].kind.bodies().contains(&root));
+    for root in real.floating_roots.iter().filter(|root| !mechanism.plays.is_empty() && !is_cut(**root)) {
         let _ = writeln!(text, "body '{}' is held by joints with play alone", model.bodies[root.0].name);
     }
 }

@@ -102,7 +102,7 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
             "static_shapes",
             Kind::Choice(&["at-points", "none"]),
             "\"at-points\"",
-            "at-points, if left out: one more shape of each kind for every point inside on which a joint, a spring or a load acts; none: the \
+            "floating frame: at-points, if left out: one more shape of each kind for every point inside on which a joint, a spring or a load acts; none: the \
              shapes of the beam without such points",
         ),
         optional(

@@ -27,6 +27,18 @@ fn record(text: &str) -> SimulationRecord {
     outcome(text).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
+/// Values of an output of a run.
+fn values<'r>(record: &'r SimulationRecord, output: &str) -> &'r [f64] {
+    &record.outputs.iter().find(|history| history.name == output).expect("an output").value_si
+}
+
+/// Largest difference of two runs in an output.
+fn apart(one: &SimulationRecord, other: &SimulationRecord, output: &str) -> f64 {
+    let [one, other] = [one, other].map(|record| values(record, output));
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).fold(0.0, |apart, (one, other)| apart.max((one - other).abs()))
+}
+
 /// The text of the case `flexible_four_bar` with a rigid coupler of the same mass.
 fn four_bar_with_rigid_coupler() -> String {
     let text = case_text("flexible_four_bar");

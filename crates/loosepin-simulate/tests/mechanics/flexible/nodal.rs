@@ -1,6 +1,6 @@
 //! Links in absolute nodal coordinates in mechanisms: against another program, against the floating frame, and against what must not matter.
 
-use super::case_text;
+use super::{apart, case_text, values};
 use crate::elements::{Built, build, file};
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_simulate::{Observer, Plan, Settings, Step, Window, run, simulate};
@@ -15,17 +15,6 @@ fn record_of(built: &Built, tolerance_m: f64) -> SimulationRecord {
 
 fn record(text: &str, tolerance_m: f64) -> SimulationRecord {
     record_of(&build(text), tolerance_m)
-}
-
-fn of<'r>(record: &'r SimulationRecord, name: &str) -> &'r [f64] {
-    &record.outputs.iter().find(|history| history.name == name).expect("an output").value_si
-}
-
-/// Largest difference of two runs in an output.
-fn apart(one: &SimulationRecord, other: &SimulationRecord, output: &str) -> f64 {
-    let [one, other] = [one, other].map(|record| of(record, output));
-    assert_eq!(one.len(), other.len());
-    one.iter().zip(other).fold(0.0, |apart, (one, other)| apart.max((one - other).abs()))
 }
 
 /// A case of a flexible link in absolute nodal coordinates, over a short time.
@@ -58,7 +47,7 @@ fn peer_the_soft_pendulum_in_a_model_file() {
         .collect();
     assert_eq!((rows.len(), record.time_s.len()), (101, 101));
     for (row, ((time_s, x), y)) in
-        rows.iter().zip(record.time_s.iter().zip(of(&record, "tip_x")).zip(of(&record, "tip_y")))
+        rows.iter().zip(record.time_s.iter().zip(values(&record, "tip_x")).zip(values(&record, "tip_y")))
     {
         assert!((row[0] - time_s).abs() < 1e-12);
         assert!((x - row[1]).abs() < 2e-9 && (y - row[2]).abs() < 2e-9, "at {time_s} s: {x}, {y} for {row:?}");
@@ -67,7 +56,7 @@ fn peer_the_soft_pendulum_in_a_model_file() {
     let (drawn, poses) = (&record.drawing.beams[0], &record.drawing.poses);
     let last = drawn.axis_x_m.len() - 1;
     assert_eq!(drawn.axis_x_m[last].len(), 101);
-    for (pose, (x, y)) in of(&record, "tip_x").iter().zip(of(&record, "tip_y")).enumerate() {
+    for (pose, (x, y)) in values(&record, "tip_x").iter().zip(values(&record, "tip_y")).enumerate() {
         let (sine, cosine) = poses.angle_rad[1][pose].sin_cos();
         let (along, across) = (drawn.axis_x_m[last][pose], drawn.axis_y_m[last][pose]);
         assert!(across.abs() < 1e-12 && along > 0.3, "{along} m, {across} m");
@@ -90,7 +79,7 @@ fn blade_tips_m(elements: usize, times: usize) -> Vec<f64> {
     assert_eq!((built.mechanism.real.free, built.mechanism.real.cuts.len()), (4 * elements + 1, 0));
     let record = record_of(&built, 1e-7);
     assert!(record.energy.relative_residual < 1e-9, "{:e}", record.energy.relative_residual);
-    rows.iter().map(|row| of(&record, "across")[*row]).collect()
+    rows.iter().map(|row| values(&record, "across")[*row]).collect()
 }
 
 /// The exact kinematics of a beam that does not stretch, six shapes, by another program.
@@ -232,8 +221,8 @@ fn identity_the_force_that_a_rod_needs_has_the_power_of_the_drive() {
     let mut largest = 0.0_f64;
     for (row, time_s) in record.time_s.iter().enumerate() {
         let (sine, cosine) = (150.0 * time_s).sin_cos();
-        let due = 0.15 * (cosine * of(&record, "pin_y")[row] - sine * of(&record, "pin_x")[row]);
-        let torque = of(&record, "torque")[row];
+        let due = 0.15 * (cosine * values(&record, "pin_y")[row] - sine * values(&record, "pin_x")[row]);
+        let torque = values(&record, "torque")[row];
         largest = largest.max(torque.abs());
         assert!((torque - due).abs() < 1e-9 * largest.max(1.0), "at {time_s} s: {torque} N m for {due}");
     }

@@ -1,11 +1,10 @@
 //! Points inside flexible links: closed forms at rest, other trees and other shapes of the same mechanism in motion.
 
 use super::laws::watched_momenta;
-use super::{case_text, record};
+use super::{apart, case_text, record, values};
 use crate::elements::{build, file};
 use loosepin_mechanics::mechanism::{Attachment, Mechanism};
 use loosepin_mechanics::model::Model;
-use loosepin_result::simulation::SimulationRecord;
 
 /// EI of the bars, N m², their length, m, and section.
 const LENGTH_M: f64 = 0.4;
@@ -41,10 +40,6 @@ fn bar(is_held: bool, is_beside: bool, load: &str) -> String {
         if is_beside { -5 } else { -20 },
         if is_held { "tangent" } else { "secant" },
     )
-}
-
-fn values<'r>(record: &'r SimulationRecord, name: &str) -> &'r [f64] {
-    &record.outputs.iter().find(|history| history.name == name).expect("an output").value_si
 }
 
 fn demand(text: &str, output: &str, start: f64, due: f64, relative: f64) {
@@ -106,11 +101,6 @@ fn rod_with_a_bob(more: &str) -> String {
            [output.hinge_force]\nforce_in = \"joint.hinge\"\ncomponent = \"magnitude\"\n"
 }
 
-fn apart(one: &SimulationRecord, other: &SimulationRecord, output: &str) -> f64 {
-    let pairs = values(one, output).iter().zip(values(other, output));
-    pairs.fold(0.0, |apart, (one, other)| apart.max((one - other).abs()))
-}
-
 /// Sines alone come to the static shapes as their number grows, and both keep their energy.
 #[test]
 fn identity_sines_alone_come_to_the_static_shapes_in_motion() {
@@ -135,7 +125,6 @@ fn identity_sines_alone_come_to_the_static_shapes_in_motion() {
     }
     let off: Vec<f64> = sines.iter().map(|sines| apart(sines, &many, "eye")).collect();
     let own = [apart(&few, &many, "eye"), apart(&finer, &many, "eye")];
-    println!("sines {off:?}, static shapes {own:?}");
     assert!(off[2] < 0.1 * off[0] && off[1] < off[0], "{off:?}");
     // Three modes and one static shape are better than four sines.
     assert!(own[1] < own[0] && own[1] < off[1], "{own:?} {off:?}");

@@ -1,6 +1,6 @@
 //! The same mechanism with another tree: other joints are cut, links hang by their other end.
 
-use super::{case_text, four_bar_with_rigid_coupler};
+use super::{apart, case_text, four_bar_with_rigid_coupler};
 use crate::elements::build;
 use loosepin_mechanics::mechanism::CutKind;
 use loosepin_result::simulation::SimulationRecord;
@@ -13,14 +13,6 @@ fn record(text: &str, tolerance_m: f64) -> SimulationRecord {
         ..Plan::of_model(&built.mechanism.model)
     };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
-}
-
-/// Largest difference of two runs in an output.
-fn apart(one: &SimulationRecord, other: &SimulationRecord, output: &str) -> f64 {
-    let [one, other] = [one, other]
-        .map(|record| &record.outputs.iter().find(|history| history.name == output).expect("an output").value_si);
-    assert_eq!(one.len(), other.len());
-    one.iter().zip(other).fold(0.0, |apart, (one, other)| apart.max((one - other).abs()))
 }
 
 /// Text with the table of the joint `moved` before that of the joint `before`.
