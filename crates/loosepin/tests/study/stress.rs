@@ -35,6 +35,7 @@ journal = "bar.root"
 [drive.motor]
 joint = "main"
 speed = "100 rad/s"
+start_angle = "0 deg"
 [cycle]
 drive = "motor"
 [output.stress]
