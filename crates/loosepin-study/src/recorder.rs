@@ -708,6 +708,39 @@ mod tests {
         }
     }
 
+    /// Sections of a flexible link are no numbers of the lanes, so that each run must be read with its own.
+    #[test]
+    fn identity_stress_has_the_same_bits_alone_and_on_lanes() {
+        const STUDY: &str = "name = \"stress\"\nmodel = \"model.toml\"\n\
+            [sampling]\nouter = 8\ninner = 8\ntolerance = \"1e-6 m\"\n\
+            [random]\n\"body.rod.beam.density\" = { uniform = { lower = \"7500 kg/m^3\", upper = \"8000 kg/m^3\" } }\n\
+            [epistemic]\n\"body.rod.beam.section.height\" = { interval = [\"7 mm\", \"9 mm\"] }\n\
+            [[ask]]\noutput = \"rod_stress\"\nof = \"value\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n\
+            [[ask]]\noutput = \"rod_stress\"\nof = \"value\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n";
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+        let mut texts = Study::from_path(&cases.join("slider_crank_worn_pin/study.toml")).unwrap().texts();
+        let model = std::fs::read_to_string(cases.join("flexible_slider_crank/model.toml")).unwrap();
+        let short = model.replace("duration = \"10 ms\"", "duration = \"0.5 ms\"");
+        assert_ne!(short, model);
+        texts.model.1 = short + "\n[output.rod_stress]\nstress_in = \"rod\"\n";
+        texts.study.1 = STUDY.to_owned();
+        let study = Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let response = StudyResponse::new(&study).unwrap();
+        let bits = |execution| {
+            let inputs = [[7600.0, 7.1e-3], [7900.0, 8.8e-3], [7700.0, 8e-3]];
+            let mut next = inputs.iter().enumerate();
+            let mut rows = vec![Vec::new(); inputs.len()];
+            let next = || next.next().map(|(index, values)| (index, &values[..1], &values[1..]));
+            response.run_all(0, execution, next, |index, row| rows[index] = row.unwrap());
+            rows.into_iter().map(|row| [row[0].to_bits(), row[1].to_bits()]).collect::<Vec<_>>()
+        };
+        let alone = bits(Execution::Scalar);
+        assert!(alone.iter().flatten().all(|bits| f64::from_bits(*bits) > 1e5), "{alone:?}");
+        for execution in [Execution::best(), Execution::Interpreted] {
+            assert_eq!(bits(execution), alone, "{}", execution.name());
+        }
+    }
+
     #[test]
     fn identity_wear_of_a_study_is_that_of_a_single_run() {
         let response = wear_response(&WEAR);
