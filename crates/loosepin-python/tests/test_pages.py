@@ -18,7 +18,8 @@ NOT_RUN: set[tuple[str, str]] = {
     (
         "docs/files/study-results.md",
         "it reads the folder of a finished study; test_study.py reads units in the same way",
-    )
+    ),
+    ("docs/python.md", "a minute of runs; test_identification.py does the same with a small study"),
 }
 MARK = "# not run by the tests: "
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
