@@ -88,9 +88,10 @@ over = "cycle"
 probability_at_least = 0.9
 "#;
 
-fn conducted() -> StudyResult {
-    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|complaints| panic!("{complaints}"));
+/// The result of a study in two texts.
+pub(super) fn conducted(model: &str, study: &str) -> StudyResult {
+    let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let stop = AtomicBool::new(false);
     let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
     conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
@@ -106,7 +107,7 @@ fn near(bound: &BoundRecord, exact: impl Fn(f64) -> f64) {
 
 #[test]
 fn analytic_torque_and_power_of_a_drive_from_file_to_page() {
-    let result = conducted();
+    let result = conducted(MODEL, STUDY);
     near(&result.bounds[0], |mass_kg| 0.5 * mass_kg * ARM_N_M_KG);
     near(&result.bounds[1], |mass_kg| mass_kg * ARM_N_M_KG);
     near(&result.bounds[2], |mass_kg| mass_kg * ARM_N_M_KG * SPEED_RAD_S / std::f64::consts::SQRT_2);

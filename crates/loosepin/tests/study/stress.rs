@@ -1,10 +1,6 @@
 //! Stress along a bar that turns about its end in a study, against the closed form of its root: σ = ρ ω² L²/2.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
-use loosepin::model::Model;
-use loosepin::study::{Means, Study, conduct};
+use super::efforts::conducted;
 
 /// Of the bound: the rule over the points of the bar, the search of a response that is linear in the density.
 const SHARE: f64 = 1e-6;
@@ -69,11 +65,7 @@ statistics = ["mean"]
 
 #[test]
 fn analytic_the_stress_of_each_run_is_that_of_its_own_bar() {
-    let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let study = Study::from_text("study.toml", STUDY, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    let result = conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
+    let result = conducted(MODEL, STUDY);
     assert_eq!(result.bounds.len(), 2);
     for bound in &result.bounds {
         let found = [(bound.lower.value_si, DENSITIES_KG_M3[0]), (bound.upper.value_si, DENSITIES_KG_M3[1])];

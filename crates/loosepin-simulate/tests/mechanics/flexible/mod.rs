@@ -9,7 +9,7 @@ mod settled;
 mod stress;
 mod trees;
 
-use crate::elements::build;
+use crate::elements::{Built, build};
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_simulate::{Plan, RunFailure, Settings, simulate};
 
@@ -25,6 +25,27 @@ fn outcome(text: &str) -> Result<SimulationRecord, RunFailure> {
 
 fn record(text: &str) -> SimulationRecord {
     outcome(text).unwrap_or_else(|failure| panic!("{failure}"))
+}
+
+/// A run to a tolerance.
+fn record_of(built: &Built, tolerance_m: f64) -> SimulationRecord {
+    let plan = Plan {
+        settings: Settings { tolerance_m, ..Settings::for_simulation() },
+        ..Plan::of_model(&built.mechanism.model)
+    };
+    simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
+}
+
+fn record_within(text: &str, tolerance_m: f64) -> SimulationRecord {
+    record_of(&build(text), tolerance_m)
+}
+
+/// Text with the table of the joint `moved` before that of the joint `before`.
+fn reordered(text: &str, moved: &str, before: &str) -> String {
+    let start = text.find(&format!("[joint.{moved}]")).expect("the joint");
+    let end = start + text[start..].find("\n\n").expect("its end") + 2;
+    let (table, rest) = (text[start..end].to_owned(), format!("{}{}", &text[..start], &text[end..]));
+    rest.replace(&format!("[joint.{before}]"), &format!("{table}[joint.{before}]"))
 }
 
 /// Values of an output of a run.

@@ -1,21 +1,8 @@
 //! Links in absolute nodal coordinates in mechanisms: against another program, against the floating frame, and against what must not matter.
 
-use super::{apart, case_text, values};
-use crate::elements::{Built, build, file};
-use loosepin_result::simulation::SimulationRecord;
-use loosepin_simulate::{Observer, Plan, Settings, Step, Window, run, simulate};
-
-fn record_of(built: &Built, tolerance_m: f64) -> SimulationRecord {
-    let plan = Plan {
-        settings: Settings { tolerance_m, ..Settings::for_simulation() },
-        ..Plan::of_model(&built.mechanism.model)
-    };
-    simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
-}
-
-fn record(text: &str, tolerance_m: f64) -> SimulationRecord {
-    record_of(&build(text), tolerance_m)
-}
+use super::{apart, case_text, record_of, record_within, reordered, values};
+use crate::elements::{build, file};
+use loosepin_simulate::{Observer, Settings, Step, Window, run};
 
 /// A case of a flexible link in absolute nodal coordinates, over a short time.
 fn nodal(name: &str, shapes: &str, elements: usize, [duration, short]: [&str; 2]) -> String {
@@ -106,7 +93,7 @@ fn peer_a_blade_of_eight_elements_whose_hub_is_brought_to_speed() {
 fn peer_first_contacts_of_two_mechanisms() {
     let known = [(slider_crank(16, "0.7 ms"), 2.84637e-4, 4085.4), (four_bar(16, "1.3 ms"), 9.942158e-4, 1399.6)];
     for (text, onset_s, peak_n) in known {
-        let record = record(&text, 1e-9);
+        let record = record_within(&text, 1e-9);
         let first = &record.impacts[0];
         assert!((first.time_s - onset_s).abs() < 1e-9, "{:e} s for {onset_s:e}", first.time_s);
         assert!((first.peak_force_n / peak_n - 1.0).abs() < 1e-3, "{} N for {peak_n}", first.peak_force_n);
@@ -121,20 +108,12 @@ fn identity_a_link_may_hang_by_either_end() {
     let exchanged = text.replace("from = \"big_end\"\nto = \"small_end\"", "from = \"small_end\"\nto = \"big_end\"");
     assert_ne!(text, exchanged);
     assert!(build(&exchanged).mechanism.real.nodal_beams[0].is_reversed);
-    let [one, other] = [&text, &exchanged].map(|text| record(text, 1e-11));
+    let [one, other] = [&text, &exchanged].map(|text| record_within(text, 1e-11));
     assert_eq!(one.impacts.len(), 1);
     assert!((one.impacts[0].time_s - other.impacts[0].time_s).abs() < 1e-11);
     for output in ["slider", "small_end_x", "small_end_y"] {
         assert!(apart(&one, &other, output) < 1e-10, "{output}: {:e}", apart(&one, &other, output));
     }
-}
-
-/// Text with the table of the joint `moved` before that of the joint `before`.
-fn reordered(text: &str, moved: &str, before: &str) -> String {
-    let start = text.find(&format!("[joint.{moved}]")).expect("the joint");
-    let end = start + text[start..].find("\n\n").expect("its end") + 2;
-    let (table, rest) = (text[start..end].to_owned(), format!("{}{}", &text[..start], &text[end..]));
-    rest.replace(&format!("[joint.{before}]"), &format!("{table}[joint.{before}]"))
 }
 
 /// A closed loop without play; the angle of the rod is that of its section at `from`, by whichever end it hangs. The slider hangs on the tip of the rod and its guide is cut, or the gudgeon is cut, or the crank pin.
@@ -163,7 +142,7 @@ fn identity_whichever_joint_of_a_loop_is_cut() {
         .replace("duration = \"10 ms\"", "duration = \"1 ms\"")
         .replace("radial_clearance = \"0.2 mm\"", "radial_clearance = \"0 mm\"")
         .replace("lateral_shapes = 2\naxial_shapes = 2", "lateral_shapes = 4\naxial_shapes = 4");
-    let floating = record(&floating, 1e-11);
+    let floating = record_within(&floating, 1e-11);
     let slider = floating.outputs.iter().find(|history| history.name == "slider").expect("an output");
     let largest = slider.deviation_si.iter().fold(0.0_f64, |largest, deviation| largest.max(deviation.abs()));
     let off = apart(&guide.1, &floating, "slider");
@@ -217,7 +196,7 @@ fn identity_momenta_and_energy_of_two_floating_links_with_friction() {
 fn identity_the_force_that_a_rod_needs_has_the_power_of_the_drive() {
     let outputs = "\n[output.pin_x]\nforce_in = \"joint.crank_pin\"\ncomponent = \"x\"\n\
                    [output.pin_y]\nforce_in = \"joint.crank_pin\"\ncomponent = \"y\"\n[output.torque]\ntorque_of = \"drive.crank\"\n";
-    let record = record(&(slider_crank(2, "1 ms") + outputs), 1e-9);
+    let record = record_within(&(slider_crank(2, "1 ms") + outputs), 1e-9);
     let mut largest = 0.0_f64;
     for (row, time_s) in record.time_s.iter().enumerate() {
         let (sine, cosine) = (150.0 * time_s).sin_cos();

@@ -1,27 +1,9 @@
 //! The same mechanism with another tree: other joints are cut, links hang by their other end.
 
-use super::{apart, case_text, four_bar_with_rigid_coupler};
+use super::{apart, case_text, four_bar_with_rigid_coupler, record_within, reordered};
 use crate::elements::build;
 use loosepin_mechanics::mechanism::CutKind;
-use loosepin_result::simulation::SimulationRecord;
-use loosepin_simulate::{Plan, Settings, simulate};
-
-fn record(text: &str, tolerance_m: f64) -> SimulationRecord {
-    let built = build(text);
-    let plan = Plan {
-        settings: Settings { tolerance_m, ..Settings::for_simulation() },
-        ..Plan::of_model(&built.mechanism.model)
-    };
-    simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record
-}
-
-/// Text with the table of the joint `moved` before that of the joint `before`.
-fn reordered(text: &str, moved: &str, before: &str) -> String {
-    let start = text.find(&format!("[joint.{moved}]")).expect("the joint");
-    let end = start + text[start..].find("\n\n").expect("its end") + 2;
-    let (table, rest) = (text[start..end].to_owned(), format!("{}{}", &text[..start], &text[end..]));
-    rest.replace(&format!("[joint.{before}]"), &format!("{table}[joint.{before}]"))
-}
+use loosepin_simulate::{Plan, simulate};
 
 #[test]
 fn identity_a_flexible_link_may_hang_by_either_end() {
@@ -30,7 +12,7 @@ fn identity_a_flexible_link_may_hang_by_either_end() {
     assert_ne!(text, exchanged);
     let built = build(&exchanged);
     assert!(built.mechanism.real.beams[0].is_reversed);
-    let [one, other] = [&text, &exchanged].map(|text| record(text, 1e-12));
+    let [one, other] = [&text, &exchanged].map(|text| record_within(text, 1e-12));
     assert_eq!(one.impacts.len(), other.impacts.len());
     assert!(one.impacts.len() > 5);
     for output in ["slider", "rod", "small_end_x", "small_end_y"] {
@@ -57,7 +39,7 @@ fn identity_whichever_joint_of_a_loop_is_cut() {
     assert_eq!(cuts[0], ("guide".to_owned(), CutKind::Prismatic, false));
     assert_eq!(cuts[1], ("gudgeon".to_owned(), CutKind::Revolute, false));
     assert_eq!(cuts[2], ("crank_pin".to_owned(), CutKind::Revolute, true));
-    let [guide, gudgeon, crank_pin] = [&text, &by_gudgeon, &by_crank_pin].map(|text| record(text, 1e-12));
+    let [guide, gudgeon, crank_pin] = [&text, &by_gudgeon, &by_crank_pin].map(|text| record_within(text, 1e-12));
     for other in [&gudgeon, &crank_pin] {
         for output in ["slider", "rod"] {
             assert!(apart(&guide, other, output) < 1e-11, "{output}: {:e}", apart(&guide, other, output));
