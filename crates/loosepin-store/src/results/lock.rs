@@ -42,6 +42,8 @@ impl FolderLock {
             let file = match opened {
                 Ok(file) => file,
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+                // The folder was there when it was to be made, and gone when it was looked at.
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists && !is_no_folder(folder) => continue,
                 Err(error) => {
                     remove_empty(&made);
                     return Err(refused(error));
@@ -87,6 +89,11 @@ impl Drop for FolderLock {
         let _ = self.file.unlock();
         remove_empty(&self.made);
     }
+}
+
+/// Whether something else than a folder is at the path: a file, or a link that leads nowhere.
+fn is_no_folder(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_dir())
 }
 
 /// Whether the path still leads to the file, which its last holder may have removed.
@@ -162,6 +169,16 @@ mod tests {
         let epoch = SystemTime::UNIX_EPOCH;
         assert_eq!(since(epoch - std::time::Duration::from_secs(1)), "");
         assert_eq!(since(epoch), ", since 1970-01-01T00:00:00Z");
+    }
+
+    #[test]
+    fn what_is_no_folder_is_refused_at_once() {
+        let root = tempfile::tempdir().expect("a folder");
+        let file = root.path().join("out");
+        fs::write(&file, "results of somebody").expect("writable");
+        let error = FolderLock::take(&file, "test").expect_err("a file is in its place");
+        assert!(matches!(&error, ResultsError::Write { .. }), "{error}");
+        assert_eq!(fs::read_to_string(&file).expect("it is still there"), "results of somebody");
     }
 
     #[test]
