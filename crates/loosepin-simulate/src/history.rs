@@ -13,7 +13,7 @@ use super::motion::Account;
 use super::observer::{Observer, Onset, Separation, Step};
 use super::reference::IdealReference;
 use super::report::RunReport;
-use super::search::{Peak, maximum_within};
+use super::search::{Peak, maximum_within, may_exceed};
 use super::sections::SectionRecorder;
 use super::settings::{Settings, Window};
 use super::turns::Turns;
@@ -329,10 +329,7 @@ impl<'a> Recorder<'a> {
             for (side, sign) in [(0, -1.0), (1, 1.0)] {
                 let points: Vec<(f64, f64)> =
                     looks.iter().enumerate().map(|(k, look)| (time(k), sign * look[series])).collect();
-                let (low, high) =
-                    points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
-                // Between the points the value can rise above them by a part of their range only.
-                if high + 0.25 * (high - low) <= self.extremes[series][side].value {
+                if !may_exceed(&points, self.extremes[series][side].value) {
                     continue;
                 }
                 let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[series]);

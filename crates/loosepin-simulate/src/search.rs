@@ -22,6 +22,16 @@ impl Peak {
     }
 }
 
+/// Between the points at which a step is looked at a value can rise above them by this share of their range only.
+pub(crate) const ROOM: f64 = 0.25;
+
+/// Whether a value that has these `points` inside a step may exceed `record` between them.
+pub(crate) fn may_exceed(points: &[(f64, f64)], record: f64) -> bool {
+    let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
+    // Negated: what is not a number may exceed anything.
+    !(high + ROOM * (high - low) <= record)
+}
+
 /// The largest value of `f` on the closed interval, given its values at `points` (increasing, at least two, the ends
 /// among them): the highest point is improved between its neighbours.
 pub fn maximum_within(points: &[(f64, f64)], mut f: impl FnMut(f64) -> f64) -> Peak {

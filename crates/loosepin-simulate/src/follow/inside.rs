@@ -3,6 +3,7 @@
 //! A velocity, an acceleration or a force has no polynomial over a step that its ends fix. It is evaluated at Lobatto's five points of the
 //! dense output, in all lanes at once; extremes are located lane by lane, where the values allow a new one.
 
+use crate::search::ROOM;
 use loosepin_math::{Quintic, Real};
 
 /// Points of a step, ends included.
@@ -16,9 +17,6 @@ pub(crate) const LOBATTO: [(f64, f64); POINTS] = [
     (0.827_326_835_353_988_6, 49.0 / 180.0),
     (1.0, 0.05),
 ];
-
-/// Between the points a value can rise above them by this share of their range only.
-const ROOM: f64 = 0.25;
 
 /// Where everything is of the readings that are looked at inside the steps.
 #[derive(Debug, Clone, Copy, Default)]

@@ -7,13 +7,12 @@ use super::extremes::{extremes_within, points_within};
 use super::plan::FollowedPath;
 use super::step_ends::{GAUSS, StepEnds, array, deviation_at};
 use crate::path_error::path_error;
+use crate::search::ROOM;
 use loosepin_math::{Quintic, Real, Vec2};
 use loosepin_result::study::{Deviation, PathError};
 
 /// Shares of a step at which errors are looked at.
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-/// Between the points an error can rise above them by this share of their range.
-const ROOM: f64 = 0.25;
 
 /// The numbers of a path, from [`PathLayout::first`] on: two coordinates of the error, two of the ideal point, the passing of time, and
 /// four parts.

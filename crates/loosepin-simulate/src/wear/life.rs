@@ -9,7 +9,7 @@ use crate::failure::RunFailure;
 use crate::observer::{Observer, Step};
 use crate::reference::IdealReference;
 use crate::resume::MotionState;
-use crate::search::maximum_within;
+use crate::search::{maximum_within, may_exceed};
 use crate::settings::{Settings, Window};
 use crate::watched::Watched;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
@@ -215,10 +215,7 @@ impl CycleObserver<'_> {
             for sign in [-1.0, 1.0] {
                 let points: Vec<(f64, f64)> =
                     looks.iter().enumerate().map(|(k, look)| (time_s(k), sign * look[column])).collect();
-                let (low, high) =
-                    points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.1), h.max(p.1)));
-                // Between the points the value can rise above them by a part of their range only.
-                if high + 0.25 * (high - low) <= self.deviations_si[column] {
+                if !may_exceed(&points, self.deviations_si[column]) {
                     continue;
                 }
                 let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[column]);
