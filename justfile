@@ -138,7 +138,7 @@ rebuild-times *CRATES:
 
 # Simulations per second, right-hand sides per revolution, nanoseconds each.
 bench *ARGUMENTS:
-    cargo bench --locked {{ ARGUMENTS }}
+    cargo bench --locked --package loosepin-bench {{ ARGUMENTS }}
 
 # Times the reference case in other simulators against ours; tools/compare/README.md says how.
 compare *ARGUMENTS:

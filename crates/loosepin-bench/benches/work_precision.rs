@@ -1,6 +1,6 @@
 //! Work against error of the integrators over the first half turn of several mechanisms: right-hand sides, never seconds.
 //!
-//! `cargo bench --bench work_precision` prints the tables, a word behind `--` those of the cases with that word in their names
+//! `cargo bench --package loosepin-bench --bench work_precision` prints the tables, a word behind `--` those of the cases with that word in their names
 //! alone; `-- --write` also writes `docs/work-precision.md` and `docs/images/work_precision.svg`, the same bytes on every run.
 
 use loosepin::integrate::{DOP853, DORMAND_PRINCE_5, TSITOURAS_5, Tableau};
@@ -230,7 +230,7 @@ fn comparison(measured: &[Measured]) -> String {
 fn page(measured: &[Measured]) -> String {
     let mut text = format!(
         "# Work against error\n\n\
-         Written by `cargo bench --bench work_precision -- --write`; [Which integrator, and why](integrators.md) says what follows\n\
+         Written by `cargo bench --package loosepin-bench --bench work_precision -- --write`; [Which integrator, and why](integrators.md) says what follows\n\
          from it.\n\n\
          {SAMPLES} samples of each case, whose clearances differ by ±5 % and restitutions by ±2 %, over the first half turn. Work:\n\
          right-hand sides of a run, the median; repeated and rejected steps included. Error: the largest distance, at {times} times,\n\

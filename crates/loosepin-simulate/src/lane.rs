@@ -80,7 +80,7 @@ pub struct LaneRun {
     pub phase: Phase,
     /// The last event of a contact: 0 for an onset, 1 for a separation.
     pub last_event: Option<usize>,
-    /// Length of the first good step after the last onset and after the last separation: the first guess for the next.
+    /// Length of the first good step after the last onset, and what its error allowed after the last separation: the first guess for the next.
     pub after_event: [f64; 2],
     /// Where its points are in their bodies.
     pub arms: Arms,
@@ -122,6 +122,11 @@ impl LaneRun {
     /// Whether the step at hand ends with the run.
     pub fn is_at_end(&self) -> bool {
         self.reaches_stop && self.stop_s == self.window.end_s
+    }
+
+    /// Number of [`LaneLayout::IS_FIRST`](crate::memory::LaneLayout::IS_FIRST) after the last event.
+    pub fn is_first(&self) -> f64 {
+        self.last_event.map_or(0.0, |kind| kind as f64 + 1.0)
     }
 
     /// |δ| below which a contact counts as at its beginning or end turned into the size of its gap function.

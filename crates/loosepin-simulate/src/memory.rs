@@ -106,9 +106,9 @@ impl LaneLayout {
     pub const DUE: usize = 23;
     /// 1 where that is so in the last attempt.
     pub const IS_DUE: usize = 24;
-    /// 1 until the first good step after a contact has begun or ended, one that no event cuts.
+    /// 1 until the first good step after a contact has begun, 2 after it has ended: one that no event cuts. Then 0.
     pub const IS_FIRST: usize = 25;
-    /// That step; 0 until there is one.
+    /// That step, after an end as long as its error would have allowed; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
     const CONTACTS: usize = 27;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its

@@ -98,8 +98,11 @@ impl Pass {
         lane[LaneLayout::STEPS] += lane[LaneLayout::CHOSEN];
         let is_chosen = is_set(lane[LaneLayout::CHOSEN]);
         let (is_first, step) = (lane[LaneLayout::IS_FIRST], lane[LaneLayout::STEP]);
+        // A flight is smooth from its beginning on: what the error of its first step allows can be trusted. A contact may have a kink there.
+        let growth = lane[LaneLayout::GROWTH].min(T::from_f64(GROWTH[1])).max(T::one());
+        let first = T::select(T::from_f64(1.5).less_than(is_first), step * growth, step);
         let first_step = lane[LaneLayout::FIRST_STEP];
-        lane[LaneLayout::FIRST_STEP] = T::select(is_set(is_first * lane[LaneLayout::CHOSEN]), step, first_step);
+        lane[LaneLayout::FIRST_STEP] = T::select(is_set(is_first * lane[LaneLayout::CHOSEN]), first, first_step);
         lane[LaneLayout::IS_FIRST] = T::select(is_chosen, T::zero(), is_first);
         for (start, end) in blocks.rows.start.iter_mut().zip(&*blocks.rows.end) {
             *start = T::select(is_chosen, *end, *start);

@@ -273,7 +273,8 @@ impl<'a> Batch<'a> {
             let cut = self.hold_first(accepted & watched, &events);
             self.core.accept();
             for lane in lanes_of(cut) {
-                self.core.set_number(lane, LaneLayout::IS_FIRST, 1.0);
+                let is_first = self.runs[lane].as_ref().map_or(0.0, LaneRun::is_first);
+                self.core.set_number(lane, LaneLayout::IS_FIRST, is_first);
             }
             if self.view_projection.is_some() {
                 self.restart(accepted);

@@ -141,7 +141,8 @@ impl Batch<'_> {
             _ => cut_s,
         };
         run.last_event = Some(kind);
-        self.core.set_number(lane, LaneLayout::IS_FIRST, 1.0);
+        let is_first = run.is_first();
+        self.core.set_number(lane, LaneLayout::IS_FIRST, is_first);
         self.core.set_number(lane, LaneLayout::FIRST_STEP, 0.0);
         self.core.set_number(lane, LaneLayout::NEXT, next);
         if has_root {
