@@ -3,6 +3,7 @@
 use super::shapes::{MassPoint, Shapes};
 use super::station::Station;
 use loosepin_math::{Real, Vec2, numbers};
+use std::ops::Range;
 
 /// The numbers of a straight uniform beam.
 ///
@@ -46,6 +47,16 @@ pub struct Inertia<T> {
     pub bias: Vec<T>,
     /// ∂d/∂q at the point at hand.
     partials: Vec<Vec2<T>>,
+}
+
+/// The shapes of one kind.
+struct Part<'s, T> {
+    /// Their coordinates.
+    range: Range<usize>,
+    /// K without dimension, row by row.
+    stiffness: &'s [f64],
+    /// What it is to be multiplied with.
+    stiffness_unit: T,
 }
 
 impl<T: Real> Inertia<T> {
@@ -194,37 +205,64 @@ impl<T: Real> Beam<T> {
         T::from_f64(0.5) * (axial + bending)
     }
 
-    /// Adds the elastic forces -K q and the damping -C q̇ of all shapes to `forces`, one for each coordinate. The damping acts on q̇ alone.
-    pub fn add_elastic(&self, shapes: &Shapes, q: &[T], rates: &[T], forces: &mut [T]) {
-        let [axial_damping, bending_damping] = self.damping();
-        let (axial, lateral) = (shapes.axial(), shapes.lateral());
-        let ranges = [
-            (0..axial, &shapes.axial_stiffness, self.axial_stiffness_n_m, &shapes.axial_damping, axial_damping),
-            (
-                axial..axial + lateral,
-                &shapes.bending_stiffness,
-                self.bending_stiffness_n_m,
-                &shapes.bending_damping,
-                bending_damping,
-            ),
-        ];
-        for (range, stiffness, stiffness_factor, damping, damping_factor) in ranges {
-            let (first, count) = (range.start, range.len());
+    /// Adds the elastic forces -K q to `forces`, one for each coordinate.
+    pub fn add_stiffness(&self, shapes: &Shapes, q: &[T], forces: &mut [T]) {
+        for part in self.parts(shapes) {
+            let count = part.range.len();
             for k in 0..count {
-                let row = k * count..(k + 1) * count;
-                let pull = dot(&stiffness[row.clone()], &q[range.clone()]);
-                let drag = dot(&damping[row], &rates[range.clone()]);
-                let force = &mut forces[first + k];
-                *force += -(stiffness_factor * pull) - damping_factor * drag;
+                let pull = dot(&part.stiffness[k * count..(k + 1) * count], &q[part.range.clone()]);
+                let force = &mut forces[part.range.start + k];
+                *force += -(part.stiffness_unit * pull);
             }
         }
     }
 
-    /// Power q̇ᵀ C q̇ that the damping turns into heat, W.
+    /// Adds the elastic forces -K q and the damping -C q̇ of all shapes of a beam without lumped masses to `forces`, one for each coordinate.
+    /// The damping acts on q̇ alone.
+    pub fn add_elastic(&self, shapes: &Shapes, q: &[T], rates: &[T], forces: &mut [T]) {
+        let damping = [&shapes.axial_damping, &shapes.bending_damping];
+        for ((part, damping), damping_unit) in self.parts(shapes).into_iter().zip(damping).zip(self.damping()) {
+            let count = part.range.len();
+            for k in 0..count {
+                let row = k * count..(k + 1) * count;
+                let pull = dot(&part.stiffness[row.clone()], &q[part.range.clone()]);
+                let drag = dot(&damping[row], &rates[part.range.clone()]);
+                let force = &mut forces[part.range.start + k];
+                *force += -(part.stiffness_unit * pull) - damping_unit * drag;
+            }
+        }
+    }
+
+    /// The axial shapes, then the lateral ones.
+    fn parts<'s>(&self, shapes: &'s Shapes) -> [Part<'s, T>; 2] {
+        let (axial, count) = (shapes.axial(), shapes.count());
+        [
+            Part { range: 0..axial, stiffness: &shapes.axial_stiffness, stiffness_unit: self.axial_stiffness_n_m },
+            Part {
+                range: axial..count,
+                stiffness: &shapes.bending_stiffness,
+                stiffness_unit: self.bending_stiffness_n_m,
+            },
+        ]
+    }
+
+    /// Power q̇ᵀ C q̇ that the damping of a beam without lumped masses turns into heat, W.
     pub fn damping_loss_w(&self, shapes: &Shapes, rates: &[T]) -> T {
         let [axial, bending] = self.damping();
         let (a, b) = rates.split_at(shapes.axial());
         axial * form(&shapes.axial_damping, a, a) + bending * form(&shapes.bending_damping, b, b)
+    }
+
+    /// Its values as plain numbers.
+    pub fn plain(&self) -> Beam<f64> {
+        Beam {
+            length_m: self.length_m.to_f64(),
+            mass_kg: self.mass_kg.to_f64(),
+            axial_stiffness_n_m: self.axial_stiffness_n_m.to_f64(),
+            bending_stiffness_n_m: self.bending_stiffness_n_m.to_f64(),
+            damping_ratio: self.damping_ratio.to_f64(),
+            foreshortening: self.foreshortening,
+        }
     }
 
     /// 2ζ √(EA m/L), N s/m, and 2ζ √(EI m L), N m s.
@@ -237,7 +275,7 @@ impl<T: Real> Beam<T> {
 }
 
 impl Beam<f64> {
-    /// Natural frequencies with the frame held, Hz, ascending in each list: axial ones, then lateral ones.
+    /// Natural frequencies of the beam without lumped masses with the frame held, Hz, ascending in each list: axial ones, then lateral ones.
     pub fn frequencies_hz(&self, shapes: &Shapes) -> [Vec<f64>; 2] {
         let [axial, lateral] = shapes.squared_frequencies();
         let axial_unit = self.axial_stiffness_n_m / self.mass_kg;

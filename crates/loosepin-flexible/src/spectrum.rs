@@ -68,7 +68,7 @@ pub(crate) fn eigenvalues(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<f64>
 }
 
 /// λ and v of K v = λ M v with vᵀ M v = 1, ascending; nothing where M is not positive definite.
-fn pairs(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<(f64, Vec<f64>)> {
+pub(crate) fn pairs(mass: &[f64], stiffness: &[f64], n: usize) -> Vec<(f64, Vec<f64>)> {
     let Some((matrix, inverse)) = reduced(mass, stiffness, n) else { return Vec::new() };
     let (values, vectors) = jacobi(matrix, n);
     // v = L⁻ᵀ w with the eigenvectors w of the reduced matrix.

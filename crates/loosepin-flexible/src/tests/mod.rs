@@ -4,6 +4,7 @@ mod elastic_slider_crank;
 mod frequencies;
 mod inertia;
 mod invariants;
+mod lumps;
 mod motion;
 mod nodal_element;
 mod nodal_pendulum;

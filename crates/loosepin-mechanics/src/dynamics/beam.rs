@@ -45,9 +45,19 @@ impl<T: Real> Dynamics<'_, T> {
             let products = mass[row * size..row * size + 3].iter().zip(given);
             *force = products.fold(-own_bias[row], |sum, (mass, given)| (-*mass).mul_add(given, sum));
         }
-        beam.add_elastic(&place.shapes, q, rates, &mut room.forces[3..]);
-        if place.is_damped {
-            self.beam_loss_w += beam.damping_loss_w(&place.shapes, rates);
+        if numbers.damping.is_empty() {
+            beam.add_elastic(&place.shapes, q, rates, &mut room.forces[3..]);
+            if place.is_damped {
+                self.beam_loss_w += beam.damping_loss_w(&place.shapes, rates);
+            }
+        } else {
+            beam.add_stiffness(&place.shapes, q, &mut room.forces[3..]);
+            let rows = numbers.damping.chunks_exact(rates.len());
+            for ((row, force), rate) in rows.zip(&mut room.forces[3..]).zip(rates) {
+                let drag = row.iter().zip(rates).fold(T::zero(), |sum, (entry, rate)| entry.mul_add(*rate, sum));
+                *force -= drag;
+                self.beam_loss_w = drag.mul_add(*rate, self.beam_loss_w);
+            }
         }
 
         let partials = self.kinematics.partials(place.slot);

@@ -52,7 +52,7 @@ impl<T: Real> Dynamics<'_, T> {
                 energy.potential_j += potential_j;
                 energy.stored_j += strain_j;
             }
-            if link.is_flexible() {
+            if !link.has_own_mass {
                 continue;
             }
             let pose = &self.kinematics.poses[slot];

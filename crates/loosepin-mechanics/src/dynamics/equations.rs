@@ -298,7 +298,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.forces.fill(T::zero());
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
-            if link.is_flexible() {
+            if !link.has_own_mass {
                 continue;
             }
             let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);

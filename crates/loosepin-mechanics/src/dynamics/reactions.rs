@@ -93,7 +93,7 @@ impl<T: Real> Dynamics<'_, T> {
                 needed += self.beam_force_n(beam);
             } else if let (true, Some(beam)) = (beyond[slot], link.nodal_beam) {
                 needed += self.nodal_force_n(beam);
-            } else if beyond[slot] && !link.is_flexible() {
+            } else if beyond[slot] && link.has_own_mass {
                 let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
                 let change = self.acceleration(slot);
                 let acceleration = acceleration_at(&change, &self.kinematics.twists[slot], arm);

@@ -34,14 +34,14 @@ impl<T: Real> Dynamics<'_, T> {
     /// Largest stress along a link at the last evaluation, Pa: at the outer fibre, by bending moment and axial force together.
     ///
     /// ```text
-    /// F(x) = ∫_x^L ρA (a - g) dξ - Σ F_p                             force of the inner part on the outer one, N
-    /// M(x) = ∫_x^L (d(ξ) - d(x)) × ρA (a - g) dξ - Σ ((r_p - d(x)) × F_p + T_p)                 its couple, N m
-    /// σ = max_x |F·t|/A + |M|/W                                t the axis of the section, W = I/c its section modulus
+    /// F(x) = ∫_x^L ρA (a - g) dξ - Σ F_p                                          force of the inner part on the outer one, N
+    /// M(x) = ∫_x^L (d(ξ) - d(x)) × ρA (a - g) dξ - Σ ((r_p - d(x)) × F_p + T_p)   its couple, N m
+    /// σ = max_x |F·t|/A + |M|/W                                                   t the axis of the section, W = I/c its section modulus
     /// ```
     ///
     /// The accelerations are those of the points of the beam as it bends, or of a rigid link where it is ideal. Force summation converges
-    /// faster than EI w'' of few shapes, and feels a force at once. F_p and T_p come from joints, springs and loads at the points p beyond x; at a
-    /// point itself both sides of it count.
+    /// faster than EI w'' of few shapes, and feels a force at once. F_p and T_p come from joints, springs and loads at the points p beyond x, and from
+    /// the inertia of lumps there, -m (a - g) and -J α̇; at a point itself both sides of it count.
     pub fn largest_stress_pa(&self, body: BodyId) -> T {
         let Some(index) = self.mechanism.stressed.iter().position(|stressed| stressed.body == body) else {
             return T::from_f64(f64::NAN);
@@ -131,7 +131,7 @@ impl<T: Real> Dynamics<'_, T> {
         })
     }
 
-    /// What joints, springs and loads do at the points of a link beyond its root.
+    /// What joints, springs, loads and the inertia of lumps do at the points of a link beyond its root.
     fn point_loads(&self, stressed: &StressedBody, index: usize, motion: &LinkMotion<T>) -> Vec<PointLoad<T>> {
         let tree = &self.mechanism.real;
         let slot = motion.beam.map_or(tree.slot_of_body[stressed.body.0], |beam| tree.beams[beam].slot);
@@ -139,13 +139,22 @@ impl<T: Real> Dynamics<'_, T> {
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
         let root_m = place_m(slot, numbers.ends_m[0]);
         let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);
-        let load = |(&(point, share), arm_m): (&(usize, f64), &Vec2<f64>)| {
+        let load = |((&(point, share), arm_m), lump): ((&(usize, f64), &Vec2<f64>), &[f64; 2])| {
             let point = PointId { body: stressed.body, point };
-            let (force_n, couple_n_m) = self.load_at(point);
-            let at_m = into_frame(place_m(tree.slot_of_point(point), *arm_m) - root_m);
+            let slot = tree.slot_of_point(point);
+            let (mut force_n, mut couple_n_m) = self.load_at(point);
+            if *lump != [0.0; 2] {
+                let [mass_kg, inertia_kg_m2] = lump.map(T::from_f64);
+                let (twist, change) = (&self.kinematics.twists[slot], self.acceleration(slot));
+                let arm = self.kinematics.poses[slot].turn(Vec2::from_f64(*arm_m));
+                let pull = acceleration_at(&change, twist, arm) - self.sample.real.gravity_m_s2;
+                force_n += -(pull * mass_kg);
+                couple_n_m -= inertia_kg_m2 * change.angular;
+            }
+            let at_m = into_frame(place_m(slot, *arm_m) - root_m);
             PointLoad { share, at_m, force_n: into_frame(force_n), couple_n_m }
         };
-        stressed.points.iter().zip(&numbers.arms_m).map(load).collect()
+        stressed.points.iter().zip(&numbers.arms_m).zip(&numbers.lumps).map(load).collect()
     }
 
     /// Force, N, in the ground's frame, and couple, N m, of joints, springs and loads at a point.

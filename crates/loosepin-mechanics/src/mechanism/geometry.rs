@@ -5,8 +5,8 @@ use super::nodal_geometry::NodalGeometry;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, CutKind, Tree};
 use super::tree_beam::{BeamPlace, TreeBeam};
-use crate::model::{JointId, JointKind, Model, PlayId, PointId, QuantityId, Values};
-use loosepin_flexible::Beam;
+use crate::model::{BodyId, JointId, JointKind, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
+use loosepin_flexible::{Beam, HeldBeam, Lump};
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
@@ -40,6 +40,29 @@ numbers!(struct LinkGeometry {
     parent_arm_m, own_arm_m, parent_direction, turn_from_parent, eccentricity_m, centre_of_mass_m, parent_angle_rad, own_angle_rad,
     mass_kg, inertia_kg_m2
 });
+
+impl<T: Real> LinkGeometry<T> {
+    /// Gives the link mass, inertia and centre of mass of lumps of a body that it carries.
+    fn set_lumps(&mut self, model: &Model, body: BodyId, lumps: &[&BeamLump], number: &dyn Fn(QuantityId) -> T) {
+        let at = |lump: &BeamLump| numbered_point_m(model, number, PointId { body, point: lump.point });
+        self.mass_kg = lumps.iter().fold(T::zero(), |sum, lump| sum + number(lump.mass_kg));
+        self.centre_of_mass_m = match lumps {
+            [lump] => at(lump),
+            _ => {
+                let moment =
+                    lumps.iter().fold(Vec2::zero(), |sum: Vec2<T>, lump| sum.plus(at(lump), number(lump.mass_kg)));
+                // Lumps without mass have their centre anywhere.
+                let mass_kg = T::select(T::zero().less_than(self.mass_kg), self.mass_kg, T::one());
+                moment * (T::one() / mass_kg)
+            }
+        };
+        for lump in lumps {
+            let away = at(lump) - self.centre_of_mass_m;
+            let own = lump.inertia_kg_m2.map_or(T::zero(), number);
+            self.inertia_kg_m2 = number(lump.mass_kg).mul_add(away.length_squared(), self.inertia_kg_m2 + own);
+        }
+    }
+}
 
 /// Numbers of a cut joint.
 #[derive(Debug, Clone, Copy)]
@@ -84,9 +107,11 @@ pub struct BeamGeometry<T> {
     pub tip_m: Vec2<T>,
     /// Direction from root to tip in the frame of the body.
     pub axis: Vec2<T>,
+    /// Damping matrix over all shapes of a beam with damping and lumps, row by row; empty where it follows from [`Beam::damping_ratio`] alone.
+    pub damping: Vec<T>,
 }
 
-numbers!(struct BeamGeometry { beam, root_m, tip_m, axis });
+numbers!(struct BeamGeometry { beam, root_m, tip_m, axis, damping });
 
 impl<T: Real> BeamGeometry<T> {
     /// A place on the axis of `beam` in the frame of the body, undeformed, m.
@@ -103,14 +128,13 @@ impl<T: Real> BeamGeometry<T> {
 
     fn new(model: &Model, beam: &TreeBeam, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
         let description = model.bodies[beam.body.0].beam.as_ref()?;
-        let mass_kg = model.bodies[beam.body.0].mass_kg?;
         let point = |point: usize| numbered_point_m(model, number, PointId { body: beam.body, point });
         let [root_m, tip_m] = beam.points().map(point);
         let length_m = number(description.length_m);
         Some(Self {
             beam: Beam {
                 length_m,
-                mass_kg: number(mass_kg),
+                mass_kg: number(description.mass_kg),
                 axial_stiffness_n_m: number(description.axial_stiffness_n_m),
                 bending_stiffness_n_m: number(description.bending_stiffness_n_m),
                 damping_ratio: description.damping_ratio.map_or(T::zero(), number),
@@ -119,6 +143,7 @@ impl<T: Real> BeamGeometry<T> {
             root_m,
             tip_m,
             axis: (tip_m - root_m) * (T::one() / length_m),
+            damping: Vec::new(),
         })
     }
 }
@@ -152,8 +177,17 @@ impl<T: Real> Geometry<T> {
                     inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
                 };
                 if let Attachment::Section { .. } | Attachment::Node { .. } = link.attachment {
-                    // All of the mass belongs to the frame.
+                    // All of the mass but that of lumps belongs to the frame.
                     (geometry.mass_kg, geometry.inertia_kg_m2) = (T::zero(), T::zero());
+                }
+                if let Attachment::Section { beam, place } = link.attachment
+                    && link.has_own_mass
+                {
+                    let held = tree.beams[beam].lumps_at(model, place);
+                    geometry.set_lumps(model, link.body, &held, number);
+                }
+                if let (Some(_), Some(beam)) = (link.beam, &body.beam) {
+                    geometry.mass_kg = number(beam.mass_kg);
                 }
                 if let Some((joint, forward)) = link.attachment.joint() {
                     let kind = &model.joints[joint.0].kind;
@@ -187,7 +221,38 @@ impl<T: Real> Geometry<T> {
         let couplings = tree.coupling_indices.iter().map(coupling).collect();
         let beams = tree.beams.iter().filter_map(|beam| BeamGeometry::new(model, beam, number)).collect();
         let nodal_beams = tree.nodal_beams.iter().filter_map(|beam| NodalGeometry::new(model, beam, number)).collect();
-        Self { links, cuts, couplings, beams, nodal_beams, gravity_m_s2 }
+        let mut geometry = Self { links, cuts, couplings, beams, nodal_beams, gravity_m_s2 };
+        for (index, place) in tree.beams.iter().enumerate() {
+            if place.is_damped && place.has_lumps {
+                let ratio = geometry.beams[index].beam.damping_ratio.to_f64();
+                let damping = geometry.held_beam(tree, index).damping(ratio);
+                geometry.beams[index].damping = damping.into_iter().map(T::from_f64).collect();
+            }
+        }
+        geometry
+    }
+
+    /// The shapes of the flexible body `index` with its frame held, its lumps included, in plain numbers.
+    pub fn held_beam(&self, tree: &Tree, index: usize) -> HeldBeam {
+        let (place, numbers) = (&tree.beams[index], &self.beams[index]);
+        let axis = numbers.axis;
+        let lumps: Vec<Lump<'_>> = tree
+            .links
+            .iter()
+            .zip(&self.links)
+            .filter_map(|(link, of_link)| {
+                let Attachment::Section { beam, place: at } = link.attachment else { return None };
+                let arm = of_link.centre_of_mass_m - numbers.axis_point_m(place, at);
+                let arm = arm.rotated(-axis.y, axis.x);
+                (beam == index && link.has_own_mass).then(|| Lump {
+                    station: place.station(at),
+                    arm_m: Vec2::new(arm.x.to_f64(), arm.y.to_f64()),
+                    mass_kg: of_link.mass_kg.to_f64(),
+                    inertia_kg_m2: of_link.inertia_kg_m2.to_f64(),
+                })
+            })
+            .collect();
+        HeldBeam::new(&numbers.beam.plain(), &place.shapes, &lumps)
     }
 
     /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second

@@ -57,9 +57,11 @@ pub struct SectionNumbers {
     pub ends_m: [Vec2<f64>; 2],
     /// The points of [`StressedBody::points`] in the frame of the body, m.
     pub arms_m: Vec<Vec2<f64>>,
+    /// Mass, kg, and moment of inertia, kg m², of the lumps at each of these points.
+    pub lumps: Vec<[f64; 2]>,
     /// Length L, m.
     pub length_m: f64,
-    /// Mass, kg.
+    /// Mass without lumps, kg.
     pub mass_kg: f64,
     /// Area A of the section, m².
     pub area_m2: f64,
@@ -75,11 +77,18 @@ impl SectionNumbers {
         let beam = body.beam.as_ref();
         let at = |point: usize| point_m(model, values, PointId { body: stressed.body, point });
         let height_m = number(beam.and_then(|beam| beam.height_m));
+        let lumps_at = |point: usize| {
+            let own = beam.iter().flat_map(|beam| &beam.lumps).filter(|lump| lump.point == point);
+            own.fold([0.0; 2], |[mass, inertia], lump| {
+                [mass + values[lump.mass_kg], inertia + lump.inertia_kg_m2.map_or(0.0, |id| values[id])]
+            })
+        };
         Self {
             ends_m: stressed.ends.map(at),
             arms_m: stressed.points.iter().map(|(point, _)| at(*point)).collect(),
+            lumps: stressed.points.iter().map(|(point, _)| lumps_at(*point)).collect(),
             length_m: number(beam.map(|beam| beam.length_m)),
-            mass_kg: number(body.mass_kg),
+            mass_kg: number(beam.map(|beam| beam.mass_kg)),
             area_m2: number(beam.map(|beam| beam.area_m2)),
             modulus_m3: number(beam.map(|beam| beam.second_moment_m4)) / (0.5 * height_m),
         }

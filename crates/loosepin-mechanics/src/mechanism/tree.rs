@@ -119,16 +119,9 @@ pub struct Link {
     pub beam: Option<usize>,
     /// Index in [`Tree::nodal_beams`] where it is the frame of a flexible body in absolute nodal coordinates.
     pub nodal_beam: Option<usize>,
-}
-
-impl Link {
-    /// Whether it is the frame of a flexible body or one of its sections: its mass is that of the beam.
-    #[inline(always)]
-    pub fn is_flexible(&self) -> bool {
-        self.beam.is_some()
-            || self.nodal_beam.is_some()
-            || matches!(self.attachment, Attachment::Section { .. } | Attachment::Node { .. })
-    }
+    /// Whether it has mass of its own: a rigid body, or a section that carries lumps. The mass of the frame of a flexible body is that of the
+    /// beam.
+    pub has_own_mass: bool,
 }
 
 /// An ideal joint that closes a loop: a constraint between two bodies of the tree.
@@ -494,7 +487,16 @@ impl Tree {
                 _ => 1.0,
             },
         }));
-        self.links.push(Link { body, parent_slot, attachment, dependences, beam: None, nodal_beam: None });
+        let has_own_mass = !matches!(attachment, Attachment::Node { .. });
+        self.links.push(Link {
+            body,
+            parent_slot,
+            attachment,
+            dependences,
+            beam: None,
+            nodal_beam: None,
+            has_own_mass,
+        });
         self.slot_of_body[body.0] = self.links.len();
     }
 
@@ -511,7 +513,7 @@ impl Tree {
         let index = self.beams.len();
         let coordinates = self.free..self.free + shapes.count();
         self.free = coordinates.end;
-        self.links[slot - 1].beam = Some(index);
+        (self.links[slot - 1].beam, self.links[slot - 1].has_own_mass) = (Some(index), false);
         let mut push = |place: BeamPlace, station: &Station| {
             let mut dependences = self.links[slot - 1].dependences.clone();
             if place != BeamPlace::Root {
@@ -523,11 +525,22 @@ impl Tree {
                 lateral.zip(&station.slopes).map(|(coordinate, turning)| Dependence { coordinate, turning: *turning }),
             );
             let attachment = Attachment::Section { beam: index, place };
-            self.links.push(Link { body, parent_slot: slot, attachment, dependences, beam: None, nodal_beam: None });
+            let has_own_mass = beam.lumps.iter().any(|lump| places[lump.point] == place);
+            self.links.push(Link {
+                body,
+                parent_slot: slot,
+                attachment,
+                dependences,
+                beam: None,
+                nodal_beam: None,
+                has_own_mass,
+            });
             self.links.len()
         };
-        // The section at the root of a tangent frame is the frame.
-        let root = if beam.frame == Frame::Tangent { slot } else { push(BeamPlace::Root, &shapes.root) };
+        // The section at the root of a tangent frame is the frame, beside which lumps there have a link of their own.
+        let has_lumps_at_root = beam.lumps.iter().any(|lump| places[lump.point] == BeamPlace::Root);
+        let pushed = (beam.frame == Frame::Secant || has_lumps_at_root).then(|| push(BeamPlace::Root, &shapes.root));
+        let root = pushed.filter(|_| beam.frame == Frame::Secant).unwrap_or(slot);
         let tip = push(BeamPlace::Tip, &shapes.tip);
         let inside =
             shapes.inside.iter().enumerate().map(|(place, station)| push(BeamPlace::Inside(place), station)).collect();
@@ -543,6 +556,7 @@ impl Tree {
             basis: Arc::new(basis),
             shapes: Arc::new(shapes),
             is_damped: beam.damping_ratio.is_some(),
+            has_lumps: !beam.lumps.is_empty(),
         });
     }
 
@@ -551,7 +565,7 @@ impl Tree {
         let (slot, index) = (self.links.len(), self.nodal_beams.len());
         let coordinates = self.free..self.free + beam.own_coordinates();
         self.free = coordinates.end;
-        self.links[slot - 1].nodal_beam = Some(index);
+        (self.links[slot - 1].nodal_beam, self.links[slot - 1].has_own_mass) = (Some(index), false);
         // The last four are x, y, θ and s of the tip.
         let attachment = Attachment::Node { beam: index, first: coordinates.end - 4 };
         self.push(body, 0, attachment);

@@ -5,7 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use crate::model::{BodyId, LoadKind, Model, PointId, SpringKind, Values};
+use crate::model::{BodyId, LoadKind, Lump, Model, PointId, SpringKind, Values};
 use loosepin_flexible::{Basis, Shapes, Station};
 use std::ops::Range;
 use std::sync::Arc;
@@ -50,6 +50,8 @@ pub struct TreeBeam {
     pub shapes: Arc<Shapes>,
     /// Whether it has damping.
     pub is_damped: bool,
+    /// Whether it carries lumps.
+    pub has_lumps: bool,
 }
 
 impl TreeBeam {
@@ -83,6 +85,12 @@ impl TreeBeam {
             BeamPlace::Inside(_) => self.basis.inside().contains(&self.station(*place).share),
         };
         self.places.iter().enumerate().filter(|(_, place)| is_held(place)).map(|(point, _)| point).collect()
+    }
+
+    /// Lumps of the body that the section at a place carries.
+    pub fn lumps_at<'m>(&self, model: &'m Model, place: BeamPlace) -> Vec<&'m Lump> {
+        let lumps = model.bodies[self.body.0].beam.iter().flat_map(|beam| &beam.lumps);
+        lumps.filter(|lump| self.places[lump.point] == place).collect()
     }
 
     /// The coordinates that are lengths.
@@ -160,7 +168,7 @@ pub(super) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
     product / (along[0] * along[0] + along[1] * along[1])
 }
 
-/// Whether a joint, a spring or a load acts on a point.
+/// Whether a joint, a spring or a load acts on a point, or the inertia of a lump.
 fn is_pushed(model: &Model, point: PointId) -> bool {
     let by_joint = model.joints.iter().any(|joint| joint.kind.points().contains(&point));
     let by_spring = model.springs.iter().any(|spring| match spring.kind {
@@ -169,5 +177,9 @@ fn is_pushed(model: &Model, point: PointId) -> bool {
     });
     let by_load =
         model.loads.iter().any(|load| matches!(load.kind, LoadKind::Force { point: own, .. } if own == point));
-    by_joint || by_spring || by_load
+    let is_heavy = model.bodies[point.body.0]
+        .beam
+        .as_ref()
+        .is_some_and(|beam| beam.lumps.iter().any(|lump| lump.point == point.point));
+    by_joint || by_spring || by_load || is_heavy
 }

@@ -8,6 +8,10 @@ use loosepin_flexible::{Frame, Rule};
 pub struct Beam {
     /// Indices of its ends in [`crate::model::Body::points`]: `from`, then `to`.
     pub ends: [usize; 2],
+    /// Mass ρAL without lumps, kg, > 0.
+    pub mass_kg: QuantityId,
+    /// Masses that it carries.
+    pub lumps: Vec<Lump>,
     /// Length L between them, m, > 0.
     pub length_m: QuantityId,
     /// Area A of the section, m², > 0.
@@ -38,6 +42,19 @@ pub struct Beam {
     pub retardation_s: Option<QuantityId>,
     /// Whether it starts bent and stretched as inertia and loads ask for at the start, without ringing; else undeformed.
     pub starts_settled: bool,
+}
+
+/// A mass at a point of a flexible body, which moves and turns with the section there.
+#[derive(Debug, Clone)]
+pub struct Lump {
+    /// Name in the file.
+    pub name: String,
+    /// Index in [`crate::model::Body::points`] of its centre of mass.
+    pub point: usize,
+    /// Mass, kg, >= 0.
+    pub mass_kg: QuantityId,
+    /// Moment of inertia about its centre of mass, kg m², >= 0; absent for a point mass.
+    pub inertia_kg_m2: Option<QuantityId>,
 }
 
 /// How the motion of a beam is described.

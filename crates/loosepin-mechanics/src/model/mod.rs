@@ -33,7 +33,7 @@ mod table_curve;
 mod topology;
 mod wear;
 
-pub use beam::{Beam, Formulation};
+pub use beam::{Beam, Formulation, Lump};
 pub use control::{Control, FeedForward};
 pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
 pub use cycle::{Cycle, CycleSpan};

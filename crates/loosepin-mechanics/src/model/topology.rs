@@ -120,7 +120,7 @@ pub struct Body {
     pub centre_of_mass_m: Option<[QuantityId; 2]>,
     /// Named points in the body frame.
     pub points: Vec<Point>,
-    /// What makes it flexible; its mass, inertia and centre of mass are then those of the straight beam.
+    /// What makes it flexible; its mass, inertia and centre of mass are then those of the straight beam with its lumps.
     pub beam: Option<Beam>,
 }
 

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use loosepin::contact::NormalContact;
-use loosepin::mechanism::{Mechanism, NodalGeometry, PlayShape, Sample, TreeNodalBeam};
-use loosepin::model::{BodyId, PlayId, Values};
+use loosepin::mechanism::{Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
+use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
 use loosepin::units::{Dimension, format_value, listed};
 
 use crate::console::counted;
@@ -36,7 +36,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
     let model = &mechanism.model;
     let names = mechanism.real.flexible_bodies().map(|body| model.bodies[body.0].name.chars().count());
     let width = names.max().unwrap_or(0);
-    for (place, numbers) in beams.iter().zip(&sample.real.beams) {
+    for (index, (place, numbers)) in beams.iter().zip(&sample.real.beams).enumerate() {
         let beam = &numbers.beam;
         let _ = writeln!(
             text,
@@ -47,7 +47,11 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             format_value(beam.axial_stiffness_n_m, Dimension::SPRING_STIFFNESS),
         );
         let indent = " ".repeat(width + 4);
-        let [axial, lateral] = beam.frequencies_hz(&place.shapes);
+        let lumps = lumps_in_words(model, place, values);
+        let [axial, lateral] = match lumps.is_empty() {
+            true => beam.frequencies_hz(&place.shapes),
+            false => sample.real.held_beam(&mechanism.real, index).frequencies_hz(),
+        };
         let fastest_hz = axial.iter().chain(&lateral).fold(0.0_f64, |fastest, hz| fastest.max(*hz));
         let starts_settled = model.bodies[place.body.0].beam.as_ref().is_some_and(|beam| beam.starts_settled);
         for (frequencies_hz, one, many) in
@@ -58,6 +62,9 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let at =
                 if hz.is_empty() { String::new() } else { format!(" at {} with the frame held", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
+        }
+        if !lumps.is_empty() {
+            let _ = writeln!(text, "{indent}with {}", listed(&lumps, "and"));
         }
         let points = &model.bodies[place.body.0].points;
         let held: Vec<String> =
@@ -81,6 +88,16 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
     for (place, numbers) in mechanism.real.nodal_beams.iter().zip(&sample.real.nodal_beams) {
         push_nodal(text, width, (mechanism, &sample), place, numbers);
     }
+}
+
+/// The lumps of a body, each with its mass and its point.
+fn lumps_in_words(model: &Model, place: &TreeBeam, values: &Values) -> Vec<String> {
+    let Body { points, beam, .. } = &model.bodies[place.body.0];
+    let in_words = |lump: &Lump| {
+        let mass = format_value(values[lump.mass_kg], Dimension::MASS);
+        format!("{mass} ('{}') at '{}'", lump.name, points[lump.point].name)
+    };
+    beam.iter().flat_map(|beam| &beam.lumps).map(in_words).collect()
 }
 
 /// Mesh, Euler load, stiffness and cost of a body in absolute nodal coordinates.

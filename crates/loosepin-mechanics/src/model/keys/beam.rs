@@ -34,6 +34,25 @@ pub(in crate::model) static SECTION_KEYS: Keys = Keys::new(
     &["height", "diameter", "inner_diameter", "second_moment"],
 ]);
 
+pub(in crate::model) static LUMP_KEYS: Keys = Keys::new(
+    "a mass at a point of a flexible body",
+    &[
+        required(
+            "at",
+            Kind::Text,
+            "\"small_end\"",
+            "point of the body at which its centre of mass lies; it turns with the section there",
+        ),
+        required("mass", quantity(D::MASS, Rule::NonNegative), "\"50 g\"", "its mass"),
+        optional(
+            "inertia",
+            quantity(D::INERTIA, Rule::NonNegative),
+            "\"2e-6 kg m^2\"",
+            "its moment of inertia about its centre of mass; none if left out",
+        ),
+    ],
+);
+
 pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
     "a straight uniform beam between two points of the body, in place of mass, inertia and centre of mass",
     &[
@@ -47,6 +66,12 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
         ),
         required("youngs_modulus", quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"", "Young's modulus E"),
         required("density", quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"", "density"),
+        optional(
+            "lumps",
+            Kind::Tables { keys: &LUMP_KEYS, except: &[] },
+            "",
+            "floating frame: masses at points of the body beside its own, each under [body.NAME.beam.lumps.NAME]",
+        ),
         optional(
             "formulation",
             Kind::Choice(&["floating-frame", "absolute-nodal"]),

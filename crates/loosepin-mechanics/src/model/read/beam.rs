@@ -1,10 +1,10 @@
 //! Flexible links.
 
 use super::reader::{ModelReader, UNREAD};
-use crate::model::beam::{Beam, Formulation};
+use crate::model::beam::{Beam, Formulation, Lump};
 use crate::model::beam_problem::{BeamProblem, PRISMATIC, SLOT};
 use crate::model::ids::{BodyId, JointId, PointId};
-use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
+use crate::model::keys::beam::{BEAM_KEYS, LUMP_KEYS, SECTION_KEYS};
 use crate::model::load::LoadKind;
 use crate::model::quantity::QuantityId;
 use crate::model::spring::SpringKind;
@@ -22,8 +22,8 @@ const DEFAULT_SHAPES: u64 = 2;
 const DEFAULT_ELEMENTS: u64 = 8;
 
 /// Keys that one formulation has and the other has not.
-const OF_FLOATING_FRAME: [&str; 6] =
-    ["damping_ratio", "frame", "lateral_shapes", "axial_shapes", "static_shapes", "foreshortening"];
+const OF_FLOATING_FRAME: [&str; 7] =
+    ["lumps", "damping_ratio", "frame", "lateral_shapes", "axial_shapes", "static_shapes", "foreshortening"];
 const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
 
 /// A number that follows from others: its operations, and the quantities that they read.
@@ -36,6 +36,13 @@ struct Section {
     height_m: Option<QuantityId>,
 }
 
+/// A straight line of mass.
+struct Line {
+    mass_kg: QuantityId,
+    length_m: QuantityId,
+    ends: [[QuantityId; 2]; 2],
+}
+
 impl ModelReader {
     /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a complaint.
     pub(super) fn beam(&mut self, entry: &Entry<'_>, body: &mut Body) {
@@ -43,6 +50,7 @@ impl ModelReader {
         let Some(table) = self.reader.table(entry, &BEAM_KEYS) else { return };
         let ends = ["from", "to"].map(|key| table.get(key).and_then(|entry| self.end(&entry, body)));
         let section = table.get("section").and_then(|entry| self.section(&entry, &table));
+        let lumps = table.get("lumps").map(|entry| self.lumps(&entry, body)).unwrap_or_default();
         let modulus_pa = self.quantity(&table, "youngs_modulus");
         let density_kg_m3 = self.quantity(&table, "density");
         let damping_ratio = self.quantity(&table, "damping_ratio");
@@ -86,7 +94,8 @@ impl ModelReader {
 
         let path = |key: &str| table.path.join(key).dotted();
         let [start, end] = [from, to].map(|end| body.points[end].position_m);
-        if [start, end].concat().contains(&UNREAD) {
+        let of_lumps = lumps.iter().flat_map(|lump| body.points[lump.point].position_m);
+        if [start, end].into_iter().flatten().chain(of_lumps).any(|id| id == UNREAD) {
             return;
         }
         let across = |axis: usize| [Op::Load(end[axis].0), Op::Load(start[axis].0), Op::Subtract];
@@ -114,24 +123,15 @@ impl ModelReader {
             over_length(second_moment_m4),
             &[modulus_pa, second_moment_m4, length_m],
         );
-        let of_body = |key: &str| format!("body.{}.{key}", body.name);
         let ops = vec![load(density_kg_m3), load(area_m2), Op::Multiply, load(length_m), Op::Multiply];
         let reads = [density_kg_m3, area_m2, length_m];
-        let mass_kg = self.derived(of_body("mass"), Dimension::MASS, Rule::Positive, ops, &reads);
-        // A straight line of mass about its middle.
-        let squared = [load(mass_kg), load(length_m), Op::Multiply, load(length_m), Op::Multiply];
-        let ops = [&squared[..], &[Op::Number(12.0), Op::Divide]].concat();
-        let inertia = self.derived(of_body("inertia"), Dimension::INERTIA, Rule::Positive, ops, &[mass_kg, length_m]);
-        let centre = [("x", 0), ("y", 1)].map(|(name, axis)| {
-            let ops = vec![load(start[axis]), load(end[axis]), Op::Add, Op::Number(0.5), Op::Multiply];
-            let path = of_body(&format!("centre_of_mass.{name}"));
-            self.derived(path, Dimension::LENGTH, Rule::Finite, ops, &[start[axis], end[axis]])
-        });
-        body.mass_kg = Some(mass_kg);
-        body.inertia_kg_m2 = Some(inertia);
-        body.centre_of_mass_m = Some(centre);
+        let own_mass = if lumps.is_empty() { format!("body.{}.mass", body.name) } else { path("mass") };
+        let mass_kg = self.derived(own_mass, Dimension::MASS, Rule::Positive, ops, &reads);
+        self.set_rigid_numbers(body, &Line { mass_kg, length_m, ends: [start, end] }, &lumps);
         body.beam = Some(Beam {
             ends: [from, to],
+            mass_kg,
+            lumps,
             length_m,
             area_m2,
             second_moment_m4,
@@ -148,6 +148,80 @@ impl ModelReader {
             retardation_s,
             starts_settled,
         });
+    }
+
+    /// Mass, inertia and centre of mass of the body while it is straight: of a line of mass and its lumps.
+    fn set_rigid_numbers(&mut self, body: &mut Body, line: &Line, lumps: &[Lump]) {
+        let of_body = |key: &str| format!("body.{}.{key}", body.name);
+        let load = |id: QuantityId| Op::Load(id.0);
+        let Line { mass_kg: own_kg, length_m, ends: [start, end] } = *line;
+        let middle = |axis: usize| [load(start[axis]), load(end[axis]), Op::Add, Op::Number(0.5), Op::Multiply];
+        let about_middle = [load(own_kg), load(length_m), Op::Multiply, load(length_m), Op::Multiply]
+            .into_iter()
+            .chain([Op::Number(12.0), Op::Divide]);
+        let mut mass_kg = own_kg;
+        let mut reads = vec![own_kg, length_m];
+        if !lumps.is_empty() {
+            let mut ops = vec![load(own_kg)];
+            ops.extend(lumps.iter().flat_map(|lump| [load(lump.mass_kg), Op::Add]));
+            reads = [&[own_kg][..], &lumps.iter().map(|lump| lump.mass_kg).collect::<Vec<_>>()].concat();
+            mass_kg = self.derived(of_body("mass"), Dimension::MASS, Rule::Positive, ops, &reads);
+        }
+        let points = lumps.iter().map(|lump| body.points[lump.point].position_m).collect::<Vec<_>>();
+        let centre = [("x", 0), ("y", 1)].map(|(name, axis)| {
+            let mut ops = middle(axis).to_vec();
+            let mut reads = vec![start[axis], end[axis]];
+            if !lumps.is_empty() {
+                // Σ m r / Σ m.
+                ops.extend([load(own_kg), Op::Multiply]);
+                for (lump, point) in lumps.iter().zip(&points) {
+                    ops.extend([load(lump.mass_kg), load(point[axis]), Op::Multiply, Op::Add]);
+                    reads.extend([lump.mass_kg, point[axis]]);
+                }
+                ops.extend([load(mass_kg), Op::Divide]);
+                reads.extend([own_kg, mass_kg]);
+            }
+            let path = of_body(&format!("centre_of_mass.{name}"));
+            self.derived(path, Dimension::LENGTH, Rule::Finite, ops, &reads)
+        });
+        // J + m |r - c|² of each.
+        let mut ops: Vec<Op> = about_middle.collect();
+        if !lumps.is_empty() {
+            reads.extend([length_m, start[0], start[1], end[0], end[1], centre[0], centre[1]]);
+            let mut add = |inertia_kg_m2: Option<QuantityId>, mass_kg: QuantityId, at: [Vec<Op>; 2]| {
+                ops.extend(inertia_kg_m2.into_iter().flat_map(|inertia| [load(inertia), Op::Add]));
+                for (place, centre) in at.into_iter().zip(centre) {
+                    let away = [place, vec![load(centre), Op::Subtract]].concat();
+                    ops.extend(away.iter().chain(&away).copied());
+                    ops.extend([Op::Multiply, load(mass_kg), Op::Multiply, Op::Add]);
+                }
+            };
+            add(None, own_kg, [0, 1].map(|axis| middle(axis).to_vec()));
+            for (lump, point) in lumps.iter().zip(&points) {
+                add(lump.inertia_kg_m2, lump.mass_kg, point.map(|axis| vec![load(axis)]));
+                reads.extend(lump.inertia_kg_m2.into_iter().chain(*point));
+            }
+        }
+        let inertia = self.derived(of_body("inertia"), Dimension::INERTIA, Rule::Positive, ops, &reads);
+        body.mass_kg = Some(mass_kg);
+        body.inertia_kg_m2 = Some(inertia);
+        body.centre_of_mass_m = Some(centre);
+    }
+
+    /// The lumps of a beam; those with a complaint are left out.
+    fn lumps(&mut self, entry: &Entry<'_>, body: &Body) -> Vec<Lump> {
+        let mut lumps = Vec::new();
+        for entry in self.reader.named(entry, "a lump") {
+            self.remember(&entry);
+            let Some(table) = self.reader.table(&entry, &LUMP_KEYS) else { continue };
+            let point = table.get("at").and_then(|entry| self.end(&entry, body));
+            let mass_kg = self.quantity(&table, "mass");
+            let inertia_kg_m2 = self.quantity(&table, "inertia");
+            if let (Some(point), Some(mass_kg)) = (point, mass_kg) {
+                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2 });
+            }
+        }
+        lumps
     }
 
     /// The formulation of a beam; nothing after a complaint about a key that it has not.

@@ -6,7 +6,7 @@ use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_simulate::{Observer, Plan, Settings, Step, Window, run, simulate};
 
-/// Momentum, kg m/s, and angular momentum about the origin, kg m²/s, of all flexible bodies, point by point.
+/// Momentum, kg m/s, and angular momentum about the origin, kg m²/s, of all flexible bodies, point by point, and of their lumps.
 fn momenta(dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
     let tree = &dynamics.mechanism().real;
     let (coordinates, rates) = dynamics.free_state();
@@ -25,6 +25,17 @@ fn momenta(dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
             sums[2] += mass_kg * (pose.position_m + reach).cross(velocity);
         }
     }
+    for (index, (link, numbers)) in tree.links.iter().zip(&dynamics.sample().real.links).enumerate() {
+        if !link.has_own_mass {
+            continue;
+        }
+        let (pose, twist) = (&dynamics.kinematics.poses[index + 1], &dynamics.kinematics.twists[index + 1]);
+        let reach = pose.turn(numbers.centre_of_mass_m);
+        let momentum = twist.at(reach) * numbers.mass_kg;
+        sums[0] += momentum.x;
+        sums[1] += momentum.y;
+        sums[2] += (pose.position_m + reach).cross(momentum) + numbers.inertia_kg_m2 * twist.angular;
+    }
     sums
 }
 
@@ -32,6 +43,12 @@ fn momenta(dynamics: &Dynamics<'_, f64>) -> [f64; 3] {
 #[test]
 fn identity_momenta_and_energy_of_two_floating_links_with_friction() {
     watched_momenta(&file("flexible_two_floating_links.toml"), 6 + 5 + 3);
+}
+
+/// The same with lumps that have inertia, at ends and beside the axis.
+#[test]
+fn identity_momenta_and_energy_of_two_floating_links_with_lumps() {
+    watched_momenta(&file("flexible_lumps.toml"), 6 + 7 + 5);
 }
 
 /// Runs two floating links, of `free` coordinates, and demands that momenta and energy are kept.

@@ -2,6 +2,7 @@
 
 mod histories;
 mod laws;
+mod lumps;
 mod nodal;
 mod points;
 mod refusals;

@@ -55,6 +55,21 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         (with("height = \"8 mm\" }", "diameter = \"8 mm\" }"), "cannot be used together; give exactly one of"),
         (with(", height = \"8 mm\" }", ", second_moment = \"341 mm^4\" }"), "'width' needs 'height'"),
         (
+            with("lateral_shapes = 2\naxial_shapes = 2", "lumps.bush = { at = \"end\", mass = \"1 g\" }"),
+            "body 'rod' has no point 'end'",
+        ),
+        (
+            with(
+                "lateral_shapes = 2\naxial_shapes = 2",
+                "formulation = \"absolute-nodal\"\nlumps.bush = { at = \"small_end\", mass = \"1 g\" }",
+            ),
+            "'lumps' belongs to formulation = \"floating-frame\"",
+        ),
+        (
+            with("lateral_shapes = 2\naxial_shapes = 2", "lumps.bush = { at = \"small_end\", mass = \"-1 g\" }"),
+            "must be >= 0",
+        ),
+        (
             with("lateral_shapes = 2\naxial_shapes = 2", "lateral_shapes = 0\naxial_shapes = 0"),
             "has neither lateral nor axial shapes",
         ),
