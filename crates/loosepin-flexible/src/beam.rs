@@ -70,6 +70,15 @@ impl<T: Real> Inertia<T> {
             partials: vec![Vec2::zero(); shapes.count()],
         }
     }
+
+    /// Adds a matrix over the shapes, row by row, to that part of M; nothing where it is empty.
+    pub fn add_to_shapes(&mut self, added: &[T]) {
+        let count = self.size - 3;
+        for (row, of_row) in added.chunks_exact(count.max(1)).enumerate() {
+            let first = (3 + row) * self.size + 3;
+            self.mass[first..first + count].iter_mut().zip(of_row).for_each(|(mass, added)| *mass += *added);
+        }
+    }
 }
 
 impl<T: Real> Beam<T> {

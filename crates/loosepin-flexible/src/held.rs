@@ -5,6 +5,7 @@ use super::shapes::{MassPoint, Shapes};
 use super::spectrum::{pairs, root_damping};
 use super::station::Station;
 use loosepin_math::Vec2;
+use loosepin_math::dense::multiply;
 use std::f64::consts::TAU;
 
 /// A mass at a section of a beam, which carries it as a rigid arm.
@@ -80,6 +81,32 @@ impl HeldBeam {
     /// K, row by row.
     pub fn stiffness(&self) -> &[f64] {
         &self.stiffness
+    }
+
+    /// Condenses the shapes above a frequency: they keep their static flexibility, and their own inertia is raised until they have this frequency.
+    /// Gives what it adds to M_f, row by row, and the frequencies that the condensed shapes had, Hz, ascending:
+    ///
+    /// ```text
+    /// ΔM = Σ_k (ω_k²/ω_c² - 1) M v_k v_kᵀM  over ω_k > ω_c = 2π f_c,    K v_k = ω_k² M v_k,  v_kᵀM v_k = 1
+    /// ```
+    ///
+    /// ΔM acts on q̇ alone: mass, momentum and inertia of the rigid motion, and what it does to the shapes, are as before.
+    pub fn condense(&mut self, above_hz: f64) -> (Vec<f64>, Vec<f64>) {
+        let (count, limit) = (self.count, (TAU * above_hz).powi(2));
+        let (mut added, mut condensed_hz) = (vec![0.0; count * count], Vec::new());
+        for (square, vector) in pairs(&self.mass, &self.stiffness, count) {
+            if square > limit {
+                condensed_hz.push(square.sqrt() / TAU);
+                let momentum = multiply(&self.mass, &vector);
+                for row in 0..count {
+                    for column in 0..count {
+                        added[row * count + column] += (square / limit - 1.0) * momentum[row] * momentum[column];
+                    }
+                }
+            }
+        }
+        self.mass.iter_mut().zip(&added).for_each(|(mass, added)| *mass += added);
+        (added, condensed_hz)
     }
 
     /// Natural frequencies, Hz, ascending in each list: axial ones, then lateral ones. A frequency is axial where most of the strain energy of

@@ -175,6 +175,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
     sentences.extend(record.bending.iter().map(start_sentence));
+    sentences.extend(record.bending.iter().filter_map(|bending| condensed_sentence(bending, writer)));
     sentences.extend(record.bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
@@ -191,6 +192,17 @@ fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) ->
         true => format!("The {body} starts settled: bent and stretched as inertia, weight and loads hold it."),
         false => format!("The {body} starts undeformed, and rings from there."),
     }
+}
+
+/// Which shapes of a flexible body are condensed.
+fn condensed_sentence(BendingRecord { body, condensed, .. }: &BendingRecord, writer: &NumberWriter) -> Option<String> {
+    let condensed = condensed.filter(|condensed| condensed.shapes > 0)?;
+    let shapes = if condensed.shapes == 1 { "shape is" } else { "shapes are" };
+    Some(format!(
+        "Of the {body} {} {shapes} condensed: static flexibility is kept, waves above {} Hz are not.",
+        condensed.shapes,
+        writer.value_trimmed(condensed.above_hz, &SiUnit::NONE),
+    ))
 }
 
 /// That a body bends further than its floating frame is meant for, or so little that absolute nodal coordinates are not needed.

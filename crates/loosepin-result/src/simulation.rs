@@ -108,6 +108,19 @@ pub struct BendingRecord {
     /// Whether it is described in absolute nodal coordinates; the angle is then that of any node from the way from root to tip.
     #[serde(default)]
     pub is_nodal: bool,
+    /// Its condensed shapes; absent, and not written, where none may be condensed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub condensed: Option<CondensedRecord>,
+}
+
+/// Condensed shapes of a flexible body: they keep their static flexibility.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CondensedRecord {
+    /// Their number.
+    pub shapes: usize,
+    /// The frequency above which they are, and which they have instead.
+    #[serde(with = "extended")]
+    pub above_hz: f64,
 }
 
 /// The run's own check of one position output: a journal within its clearance and the largest penetration of the run cannot

@@ -1,21 +1,24 @@
 //! How far flexible bodies bend over a run.
 
 use super::observer::Step;
-use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::mechanism::{Condensed, Mechanism};
 use loosepin_mechanics::model::{Body, BodyId};
-use loosepin_result::simulation::BendingRecord;
+use loosepin_result::simulation::{BendingRecord, CondensedRecord};
 
 /// Largest angles of the sections of each flexible body, at the ends of the steps, rad: of those at both ends and at the points from its
 /// frame, |φ'·b|; in absolute nodal coordinates of those at all nodes from the way from root to tip.
 #[derive(Debug, Clone)]
 pub struct BendingRecorder {
     largest_rad: Vec<f64>,
+    /// Condensed shapes of each flexible body; those in absolute nodal coordinates have none.
+    condensed: Vec<Option<CondensedRecord>>,
 }
 
 impl BendingRecorder {
     /// Nothing seen yet.
     pub fn new(mechanism: &Mechanism) -> Self {
-        Self { largest_rad: vec![0.0; mechanism.real.flexible_bodies().count()] }
+        let count = mechanism.real.flexible_bodies().count();
+        Self { largest_rad: vec![0.0; count], condensed: vec![None; count] }
     }
 
     /// Takes the end of a step in.
@@ -24,6 +27,13 @@ impl BendingRecorder {
             return;
         }
         let dynamics = step.end();
+        for (condensed, numbers) in self.condensed.iter_mut().zip(&dynamics.sample().real.beams) {
+            let record = |condensed: &Condensed| CondensedRecord {
+                shapes: condensed.were_hz.len(),
+                above_hz: condensed.above_hz,
+            };
+            *condensed = numbers.condensed.as_ref().map(record);
+        }
         let coordinates = dynamics.free_state().0;
         for (largest_rad, beam) in self.largest_rad.iter_mut().zip(&dynamics.mechanism().real.beams) {
             let lateral = &coordinates[beam.axial().end..beam.coordinates.end];
@@ -41,12 +51,12 @@ impl BendingRecorder {
 
     /// What was seen, body by body.
     pub fn records(&self, mechanism: &Mechanism) -> Vec<BendingRecord> {
-        let record = |(body, &largest_angle_rad): (BodyId, &f64)| {
+        let record = |((body, &largest_angle_rad), &condensed): ((BodyId, &f64), &Option<CondensedRecord>)| {
             let Body { name, beam, .. } = &mechanism.model.bodies[body.0];
             let starts_settled = beam.as_ref().is_some_and(|beam| beam.starts_settled);
             let is_nodal = beam.as_ref().is_some_and(|beam| beam.is_nodal());
-            BendingRecord { body: name.clone(), largest_angle_rad, starts_settled, is_nodal }
+            BendingRecord { body: name.clone(), largest_angle_rad, starts_settled, is_nodal, condensed }
         };
-        mechanism.real.flexible_bodies().zip(&self.largest_rad).map(record).collect()
+        mechanism.real.flexible_bodies().zip(&self.largest_rad).zip(&self.condensed).map(record).collect()
     }
 }

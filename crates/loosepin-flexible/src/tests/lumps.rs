@@ -166,3 +166,33 @@ fn analytic_heavy_body_beside_the_axis() {
         }
     }
 }
+
+/// Condensed shapes have the frequency at which they are cut off, the others theirs; loads bend the beam as far as before.
+#[test]
+fn identity_condensed_shapes_keep_slower_ones_and_their_flexibility() {
+    let beam = rod();
+    let shapes = Shapes::of(&Basis::new(Frame::Secant, [3, 3], &[0.12]), &[0.12]);
+    let lump = Lump { station: &shapes.inside[0], arm_m: Vec2::new(0.0, 0.01), mass_kg: 0.05, inertia_kg_m2: 1e-5 };
+    let mut held = HeldBeam::new(&beam, &shapes, &[lump]);
+    let sorted = |held: &HeldBeam| {
+        let mut all = held.frequencies_hz().concat();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let (before, stiffness) = (sorted(&held), held.stiffness().to_vec());
+    let above_hz = 8000.0;
+    let (added, were_hz) = held.condense(above_hz);
+    let kept = before.iter().filter(|hz| **hz <= above_hz).count();
+    assert!((2..before.len() - 1).contains(&kept), "{before:?}");
+    assert_eq!(were_hz.len(), before.len() - kept);
+    for (index, (hz, was)) in sorted(&held).iter().zip(&before).enumerate() {
+        let due = if index < kept { *was } else { above_hz };
+        assert!((hz / due - 1.0).abs() < 1e-9, "{hz} for {due}");
+    }
+    for (hz, was) in were_hz.iter().zip(&before[kept..]) {
+        assert!((hz / was - 1.0).abs() < 1e-12, "{hz} {was}");
+    }
+    assert_eq!(held.stiffness(), stiffness);
+    let count = shapes.count();
+    assert!((0..count).all(|k| added[k * count + k] >= 0.0));
+}

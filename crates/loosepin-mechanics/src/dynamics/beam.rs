@@ -35,6 +35,7 @@ impl<T: Real> Dynamics<'_, T> {
         let root_arm = pose.turn(numbers.root_m);
         let into_frame = |vector: Vec2<T>| vector.rotated(-axis.y, axis.x);
         beam.inertia(&place.shapes, q, rates, twist.angular, &mut room.inertia);
+        room.inertia.add_to_shapes(&numbers.added_mass);
         let Inertia { size, mass, bias: own_bias, .. } = &room.inertia;
         let size = *size;
 
@@ -130,7 +131,11 @@ impl<T: Real> Dynamics<'_, T> {
         let (q, rates) = (&self.coordinates[place.coordinates.clone()], &self.rates[place.coordinates.clone()]);
         let (axis, root_arm) = (pose.turn(numbers.axis), pose.turn(numbers.root_m));
         let velocity = twist.at(root_arm).rotated(-axis.y, axis.x);
-        let kinetic_j = numbers.beam.kinetic_j(&place.shapes, q, rates, velocity, twist.angular);
+        let mut kinetic_j = numbers.beam.kinetic_j(&place.shapes, q, rates, velocity, twist.angular);
+        for (row, rate) in numbers.added_mass.chunks_exact(rates.len()).zip(rates) {
+            let momentum = row.iter().zip(rates).fold(T::zero(), |sum, (entry, rate)| entry.mul_add(*rate, sum));
+            kinetic_j = (momentum * *rate).mul_add(T::from_f64(0.5), kinetic_j);
+        }
         let centre = numbers.beam.centre_of_mass_m(&place.shapes, q).rotated(axis.y, axis.x);
         let height = self.sample.real.gravity_m_s2.dot(pose.position_m + root_arm + centre);
         [kinetic_j, -(numbers.beam.mass_kg * height), numbers.beam.strain_j(&place.shapes, q)]

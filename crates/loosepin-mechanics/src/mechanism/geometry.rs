@@ -107,11 +107,25 @@ pub struct BeamGeometry<T> {
     pub tip_m: Vec2<T>,
     /// Direction from root to tip in the frame of the body.
     pub axis: Vec2<T>,
-    /// Damping matrix over all shapes of a beam with damping and lumps, row by row; empty where it follows from [`Beam::damping_ratio`] alone.
+    /// Damping matrix over all shapes of a beam with damping and lumps or condensed shapes, row by row; empty where it follows from
+    /// [`Beam::damping_ratio`] alone.
     pub damping: Vec<T>,
+    /// What condensed shapes add to the mass matrix of the shapes, row by row; empty where none may be condensed.
+    pub added_mass: Vec<T>,
+    /// Which shapes are condensed; absent where none may be.
+    pub condensed: Option<Condensed>,
 }
 
-numbers!(struct BeamGeometry { beam, root_m, tip_m, axis, damping });
+numbers!(struct BeamGeometry { beam, root_m, tip_m, axis, damping, added_mass; condensed });
+
+/// Shapes of a flexible body that are condensed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Condensed {
+    /// The frequency that they have with the frame held, Hz.
+    pub above_hz: f64,
+    /// The frequencies that they had, Hz, ascending.
+    pub were_hz: Vec<f64>,
+}
 
 impl<T: Real> BeamGeometry<T> {
     /// A place on the axis of `beam` in the frame of the body, undeformed, m.
@@ -144,6 +158,8 @@ impl<T: Real> BeamGeometry<T> {
             tip_m,
             axis: (tip_m - root_m) * (T::one() / length_m),
             damping: Vec::new(),
+            added_mass: Vec::new(),
+            condensed: None,
         })
     }
 }
@@ -223,10 +239,21 @@ impl<T: Real> Geometry<T> {
         let nodal_beams = tree.nodal_beams.iter().filter_map(|beam| NodalGeometry::new(model, beam, number)).collect();
         let mut geometry = Self { links, cuts, couplings, beams, nodal_beams, gravity_m_s2 };
         for (index, place) in tree.beams.iter().enumerate() {
-            if place.is_damped && place.has_lumps {
-                let ratio = geometry.beams[index].beam.damping_ratio.to_f64();
-                let damping = geometry.held_beam(tree, index).damping(ratio);
-                geometry.beams[index].damping = damping.into_iter().map(T::from_f64).collect();
+            let above_hz = model.bodies[place.body.0].beam.as_ref().and_then(|beam| beam.condense_above_hz);
+            if above_hz.is_none() && !(place.is_damped && place.has_lumps) {
+                continue;
+            }
+            let mut held = geometry.held_beam(tree, index);
+            let numbers = &mut geometry.beams[index];
+            if let Some(above_hz) = above_hz {
+                let above_hz = number(above_hz).to_f64();
+                let (added, were_hz) = held.condense(above_hz);
+                numbers.condensed = Some(Condensed { above_hz, were_hz });
+                numbers.added_mass = added.into_iter().map(T::from_f64).collect();
+            }
+            if place.is_damped {
+                let damping = held.damping(numbers.beam.damping_ratio.to_f64());
+                numbers.damping = damping.into_iter().map(T::from_f64).collect();
             }
         }
         geometry
@@ -241,10 +268,12 @@ impl<T: Real> Geometry<T> {
             .iter()
             .zip(&self.links)
             .filter_map(|(link, of_link)| {
-                let Attachment::Section { beam, place: at } = link.attachment else { return None };
-                let arm = of_link.centre_of_mass_m - numbers.axis_point_m(place, at);
-                let arm = arm.rotated(-axis.y, axis.x);
-                (beam == index && link.has_own_mass).then(|| Lump {
+                let at = match link.attachment {
+                    Attachment::Section { beam, place } if beam == index && link.has_own_mass => place,
+                    _ => return None,
+                };
+                let arm = (of_link.centre_of_mass_m - numbers.axis_point_m(place, at)).rotated(-axis.y, axis.x);
+                Some(Lump {
                     station: place.station(at),
                     arm_m: Vec2::new(arm.x.to_f64(), arm.y.to_f64()),
                     mass_kg: of_link.mass_kg.to_f64(),

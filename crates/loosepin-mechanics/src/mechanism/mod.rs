@@ -57,7 +57,7 @@ pub use drive::{DriveMotion, Drives, TimeDual, room};
 pub use error::{MechanismError, SampleError};
 pub use flanks::Flanks;
 pub use gap_measure::GapMeasure;
-pub use geometry::{BeamGeometry, CutGeometry, Geometry, LinkGeometry};
+pub use geometry::{BeamGeometry, Condensed, CutGeometry, Geometry, LinkGeometry};
 pub use ideal::IdealMotion;
 pub use joint_friction::JointFriction;
 pub use joint_geometry::JointGeometry;

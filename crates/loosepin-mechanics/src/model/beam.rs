@@ -26,6 +26,8 @@ pub struct Beam {
     pub bending_stiffness_n_m: QuantityId,
     /// Damping ratio of every shape, >= 0; absent for a beam without damping.
     pub damping_ratio: Option<QuantityId>,
+    /// Frequency above which a shape is condensed, Hz, > 0; absent where none is.
+    pub condense_above_hz: Option<QuantityId>,
     /// The frame in which it is described.
     pub frame: Frame,
     /// Number of axial shapes.

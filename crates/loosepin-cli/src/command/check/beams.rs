@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::contact::NormalContact;
-use loosepin::mechanism::{Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
+use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
 use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
 use loosepin::units::{Dimension, format_value, listed};
 
@@ -52,7 +52,9 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             true => beam.frequencies_hz(&place.shapes),
             false => sample.real.held_beam(&mechanism.real, index).frequencies_hz(),
         };
-        let fastest_hz = axial.iter().chain(&lateral).fold(0.0_f64, |fastest, hz| fastest.max(*hz));
+        let condensed = numbers.condensed.as_ref();
+        let limit_hz = condensed.map_or(f64::INFINITY, |condensed| condensed.above_hz);
+        let fastest_hz = axial.iter().chain(&lateral).fold(0.0_f64, |fastest, hz| fastest.max(*hz)).min(limit_hz);
         let starts_settled = model.bodies[place.body.0].beam.as_ref().is_some_and(|beam| beam.starts_settled);
         for (frequencies_hz, one, many) in
             [(lateral, "lateral shape", "lateral shapes"), (axial, "axial shape", "axial shapes")]
@@ -62,6 +64,14 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let at =
                 if hz.is_empty() { String::new() } else { format!(" at {} with the frame held", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
+        }
+        if let Some(Condensed { above_hz, were_hz }) = condensed {
+            let _ = writeln!(
+                text,
+                "{indent}{} above {} Hz condensed: static flexibility is kept, faster waves are not",
+                counted(were_hz.len(), "shape", "shapes"),
+                format_value(*above_hz, Dimension::NUMBER),
+            );
         }
         if !lumps.is_empty() {
             let _ = writeln!(text, "{indent}with {}", listed(&lumps, "and"));
@@ -79,7 +89,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
             let _ = writeln!(
                 text,
                 "{indent}warning: its fastest shape takes {evaluations_1_s:.1e} evaluations for a second of motion\n\
-                 {indent}hint: take fewer shapes, or a smaller damping_ratio{}",
+                 {indent}hint: take condense_above, fewer shapes, or a smaller damping_ratio{}",
                 if held.is_empty() { "" } else { ", or static_shapes = \"none\"" }
             );
         }

@@ -131,6 +131,13 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
              shapes of the beam without such points",
         ),
         optional(
+            "condense_above",
+            quantity(D::FREQUENCY, Rule::Positive),
+            "\"50 kHz\"",
+            "floating frame: frequency above which a shape is condensed: it keeps its static flexibility, and its inertia is raised until it has this \
+             frequency, so that it needs no shorter steps; none is if left out",
+        ),
+        optional(
             "foreshortening",
             Kind::Choice(&["second-order", "none"]),
             "\"second-order\"",

@@ -22,8 +22,16 @@ const DEFAULT_SHAPES: u64 = 2;
 const DEFAULT_ELEMENTS: u64 = 8;
 
 /// Keys that one formulation has and the other has not.
-const OF_FLOATING_FRAME: [&str; 7] =
-    ["lumps", "damping_ratio", "frame", "lateral_shapes", "axial_shapes", "static_shapes", "foreshortening"];
+const OF_FLOATING_FRAME: [&str; 8] = [
+    "lumps",
+    "damping_ratio",
+    "frame",
+    "lateral_shapes",
+    "axial_shapes",
+    "static_shapes",
+    "condense_above",
+    "foreshortening",
+];
 const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
 
 /// A number that follows from others: its operations, and the quantities that they read.
@@ -62,6 +70,7 @@ impl ModelReader {
         });
         let statics = [("at-points", true), ("none", false)];
         let has_static_shapes = self.choice_or(&table, "static_shapes", &statics, true);
+        let condense_above_hz = self.quantity(&table, "condense_above");
         let forms = [("second-order", true), ("none", false)];
         let foreshortening = self.choice_or(&table, "foreshortening", &forms, true);
         let starts = [("undeformed", false), ("settled", true)];
@@ -143,6 +152,7 @@ impl ModelReader {
             axial_shapes: axial as usize,
             lateral_shapes: lateral as usize,
             has_static_shapes,
+            condense_above_hz,
             foreshortening,
             formulation,
             retardation_s,

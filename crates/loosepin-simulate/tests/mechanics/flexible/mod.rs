@@ -1,5 +1,6 @@
 //! Mechanisms with flexible links: against histories of another program, energy, momenta, and other trees of the same mechanism.
 
+mod condensed;
 mod histories;
 mod laws;
 mod lumps;
