@@ -151,24 +151,16 @@ impl Basis {
 
     /// The shapes at `share`; H is integrated span by span.
     pub(crate) fn station(&self, share: f64, spans: &[Span]) -> Station {
-        let count = self.lateral_count();
-        let mut shortening = vec![0.0; count * count];
-        for span in spans.iter().filter(|span| span.start < share || span.start == 0.0) {
-            for [s, weight] in span_rule(span.start, span.end.min(share), span.points) {
-                let slopes: Vec<f64> = (0..count).map(|i| self.lateral(i, s)[1]).collect();
-                for (place, entry) in shortening.iter_mut().enumerate() {
-                    *entry += weight * slopes[place / count] * slopes[place % count];
-                }
-            }
-        }
-        let lateral: Vec<[f64; 3]> = (0..count).map(|i| self.lateral(i, share)).collect();
-        Station {
+        let up_to = spans
+            .iter()
+            .filter(|span| span.start < share || span.start == 0.0)
+            .flat_map(|span| span_rule(span.start, span.end.min(share), span.points));
+        Station::at(
             share,
-            axial: (0..self.axial_count()).map(|k| self.axial(k, share)[0]).collect(),
-            lateral: lateral.iter().map(|values| values[0]).collect(),
-            slopes: lateral.iter().map(|values| values[1]).collect(),
-            shortening,
-        }
+            (self.axial_count(), &|index, s| self.axial(index, s)),
+            (self.lateral_count(), &|index, s| self.lateral(index, s)),
+            up_to,
+        )
     }
 }
 

@@ -23,8 +23,8 @@ pub use cuts::Cuts;
 pub use functions::Frame;
 pub use held::{HeldBeam, Lump};
 pub use nodal::{Clamped, ElementMatrix, MassEntries, Mesh, Nodal, NodalBeam, NotBalanced, Rule, TipLoad};
-pub use shapes::{AxialFunction, LateralFunction, MassPoint, Shapes};
-pub use station::Station;
+pub use shapes::{MassPoint, Shapes};
+pub use station::{AxialFunction, LateralFunction, Station, even_shares};
 
 #[cfg(test)]
 mod tests;

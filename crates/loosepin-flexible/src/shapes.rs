@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::functions::Frame;
 use super::point_shapes::span_rule;
 use super::spectrum::{eigenvalues, root_damping};
-use super::station::Station;
+use super::station::{AxialFunction, LateralFunction, Station};
 
 /// A place that carries a share of the mass.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,11 +42,6 @@ pub struct Shapes {
     pub bending_damping: Vec<f64>,
 }
 
-/// Values of an axial shape by its index and s: ψ and dψ/ds.
-pub type AxialFunction<'f> = &'f dyn Fn(usize, f64) -> [f64; 2];
-/// Values of a lateral shape by its index and s: φ/L, φ' and dφ'/ds.
-pub type LateralFunction<'f> = &'f dyn Fn(usize, f64) -> [f64; 3];
-
 impl Shapes {
     /// The shapes of a frame without points inside: axial s, sin(πs), sin(2πs), …; lateral those of [`Frame`].
     pub fn new(frame: Frame, axial_count: usize, lateral_count: usize) -> Self {
@@ -73,7 +68,10 @@ impl Shapes {
         points: usize,
     ) -> Self {
         let rule: Vec<[f64; 2]> = span_rule(0.0, 1.0, points).collect();
-        let station = |share: f64| station(share, (axial_count, axial), (lateral_count, lateral), &rule);
+        let station = |share: f64| {
+            let up_to = rule.iter().map(|&[within, weight]| [share * within, share * weight]);
+            Station::at(share, (axial_count, axial), (lateral_count, lateral), up_to)
+        };
         Self::assembled([axial_count, lateral_count], (axial, lateral), &station, &rule, &[])
     }
 
@@ -145,27 +143,5 @@ impl Shapes {
             eigenvalues(&axial, &self.axial_stiffness, self.axial),
             eigenvalues(&lateral, &self.bending_stiffness, self.lateral),
         ]
-    }
-}
-
-fn station(
-    share: f64,
-    (axial_count, axial): (usize, AxialFunction<'_>),
-    (lateral_count, lateral): (usize, LateralFunction<'_>),
-    rule: &[[f64; 2]],
-) -> Station {
-    let mut shortening = vec![0.0; lateral_count * lateral_count];
-    for &[within, weight] in rule {
-        let slopes: Vec<f64> = (0..lateral_count).map(|i| lateral(i, share * within)[1]).collect();
-        for (place, entry) in shortening.iter_mut().enumerate() {
-            *entry += share * weight * slopes[place / lateral_count] * slopes[place % lateral_count];
-        }
-    }
-    Station {
-        share,
-        axial: (0..axial_count).map(|k| axial(k, share)[0]).collect(),
-        lateral: (0..lateral_count).map(|i| lateral(i, share)[0]).collect(),
-        slopes: (0..lateral_count).map(|i| lateral(i, share)[1]).collect(),
-        shortening,
     }
 }

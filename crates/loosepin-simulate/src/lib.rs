@@ -7,6 +7,7 @@ pub mod sweep;
 mod balance;
 mod batch;
 mod bending;
+mod bending_estimate;
 mod column;
 mod control_history;
 mod controlled_drawing;
@@ -55,6 +56,7 @@ mod wear;
 mod work;
 
 pub use batch::{Queue, Run};
+pub use bending_estimate::{BendingEstimate, estimate_bending};
 pub use column::{Arms, Column, Reading, columns, relative_words};
 pub use controlled_drawing::controlled_drawing;
 pub use drawing::{add_pose, skeleton};

@@ -160,3 +160,29 @@ fn identity_slopes_and_shortening_of_shapes_with_points_inside() {
         }
     }
 }
+
+/// Two points close to each other have two static lateral shapes, one of which is a couple at both, and two hats, one of which is a short and fast
+/// stretch between them. Deflections and slow shapes do not suffer.
+#[test]
+fn analytic_points_close_to_each_other() {
+    for gap in [1.1e-3, 5e-3, 0.02] {
+        let inside = [0.3, 0.3 + gap];
+        let shapes = Shapes::of(&Basis::new(Frame::Secant, [1, 2], &inside), &inside);
+        assert_eq!([shapes.axial(), shapes.lateral()], [3, 4]);
+        for at in &shapes.inside {
+            let (a, b) = (at.share, 1.0 - at.share);
+            let found = lateral(&shapes, at);
+            assert!((found / (a * a * b * b / 3.0) - 1.0).abs() < 1e-8, "{gap}: {found}");
+        }
+        let [axial, squares] = shapes.squared_frequencies();
+        let first = squares[0].sqrt() / (PI * PI) - 1.0;
+        assert!((-1e-9..6e-4).contains(&first), "{gap}: {first:e}");
+        assert!(squares.iter().all(|square| *square < (6.0 * PI).powi(4)), "{gap}: {squares:?}");
+        // With the second hat the slow stretches come nearer to those of the whole bar, from above.
+        let [of_one, _] = with_point(Frame::Secant, [1, 2], 0.3).squared_frequencies();
+        for (both, one) in axial.iter().zip(&of_one) {
+            assert!(*both < (1.0 + 1e-9) * one && *both > 0.9 * one, "{gap}: {axial:?} {of_one:?}");
+        }
+        assert!(axial[2] > 1.0 / gap, "{gap}: {axial:?}");
+    }
+}

@@ -39,3 +39,4 @@ pub use energy::MechanicalEnergy;
 pub use equations::{Dynamics, Powers};
 pub use foundation_contact::foundation_motion;
 pub use play::PlayMotion;
+pub use stress::SectionForce;

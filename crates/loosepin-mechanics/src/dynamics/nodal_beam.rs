@@ -7,7 +7,7 @@
 use super::equations::Dynamics;
 use super::nodal_room::{Column, NodalRoom};
 use crate::mechanism::{Pose, Twist, acceleration_at, moved};
-use loosepin_flexible::{MassEntries, Nodal};
+use loosepin_flexible::{MassEntries, Nodal, even_shares};
 use loosepin_math::{Real, Vec2, arctangent};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -198,8 +198,7 @@ impl Dynamics<'_, f64> {
     pub fn nodal_axis_m(&self, index: usize, count: usize) -> Vec<Vec2<f64>> {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
         let nodes = &self.nodal_rooms[index].nodes;
-        let share = |point: usize| point as f64 / (count - 1) as f64;
-        (0..count).map(|point| numbers.beam.point_m(&place.mesh, nodes, share(point))).collect()
+        even_shares(count).into_iter().map(|share| numbers.beam.point_m(&place.mesh, nodes, share)).collect()
     }
 }
 

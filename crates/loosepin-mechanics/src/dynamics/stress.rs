@@ -6,6 +6,15 @@ use crate::model::{BodyId, JointId, LoadKind, PlayId, PointId, SpringKind};
 use loosepin_flexible::Station;
 use loosepin_math::{Real, Vec2};
 
+/// What the part of a link nearer to its root does to the part beyond a cut.
+#[derive(Debug, Clone, Copy)]
+pub struct SectionForce<T> {
+    /// Force along the axis of the section, N: negative under tension, as the inner part pulls the outer one back.
+    pub along_n: T,
+    /// Couple, N m.
+    pub moment_n_m: T,
+}
+
 /// What acts on a link at one of its points.
 struct PointLoad<T> {
     /// Share of the length at which it enters.
@@ -46,6 +55,26 @@ impl<T: Real> Dynamics<'_, T> {
         let Some(index) = self.mechanism.stressed.iter().position(|stressed| stressed.body == body) else {
             return T::from_f64(f64::NAN);
         };
+        let numbers = &self.sample.sections[index];
+        let mut largest_pa = T::zero();
+        self.at_each_cut(index, &mut |_, cut| {
+            let axial_pa = cut.along_n.abs() * T::from_f64(1.0 / numbers.area_m2);
+            let stress_pa = cut.moment_n_m.abs().mul_add(T::from_f64(1.0 / numbers.modulus_m3), axial_pa);
+            largest_pa = largest_pa.max(stress_pa);
+        });
+        largest_pa
+    }
+
+    /// Forces at all cuts of the link `index` of [`crate::mechanism::Mechanism::stressed`] at the last evaluation, from root to tip, with their share of the length: twice
+    /// at a point, once before it and once behind it.
+    pub fn section_forces(&self, index: usize) -> Vec<(f64, SectionForce<T>)> {
+        let mut found = Vec::new();
+        self.at_each_cut(index, &mut |share, cut| found.push((share, cut)));
+        found
+    }
+
+    /// Shows the forces at each cut with its share of the length.
+    fn at_each_cut(&self, index: usize, show: &mut impl FnMut(f64, SectionForce<T>)) {
         let (stressed, numbers) = (&self.mechanism.stressed[index], &self.sample.sections[index]);
         let motion = self.link_motion(stressed, index);
         let points: Vec<(Vec2<T>, Vec2<T>)> = stressed
@@ -58,7 +87,6 @@ impl<T: Real> Dynamics<'_, T> {
             })
             .collect();
         let loads = self.point_loads(stressed, index, &motion);
-        let mut largest_pa = T::zero();
         for (cut, station) in stressed.cuts.stations.iter().enumerate() {
             let at_m = self.place_m(&motion, station, numbers.length_m);
             let (sine, cosine) = self.section_angle_rad(&motion, station).sin_cos();
@@ -74,16 +102,13 @@ impl<T: Real> Dynamics<'_, T> {
                     moment_n_m += (*d - at_m).cross(share_n);
                 }
                 let along_n = force_n.dot(Vec2::new(cosine, sine));
-                let axial_pa = along_n.abs() * T::from_f64(1.0 / numbers.area_m2);
-                let stress_pa = moment_n_m.abs().mul_add(T::from_f64(1.0 / numbers.modulus_m3), axial_pa);
-                largest_pa = largest_pa.max(stress_pa);
+                show(station.share, SectionForce { along_n, moment_n_m });
             };
             look(&|share| share >= station.share);
             if station.share < 1.0 && loads.iter().any(|load| load.share == station.share) {
                 look(&|share| share > station.share);
             }
         }
-        largest_pa
     }
 
     fn link_motion(&self, stressed: &StressedBody, index: usize) -> LinkMotion<T> {

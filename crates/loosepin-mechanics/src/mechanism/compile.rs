@@ -108,6 +108,11 @@ impl Mechanism {
         Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), dynamic_freedoms: 0, ..self.clone() }
     }
 
+    /// A copy in which every body with a beam is cut along its length, to be looked at as a rigid link by [`Mechanism::without_play`].
+    pub fn with_rigid_links_cut(&self, values: &Values) -> Self {
+        Self { stressed: StressedBody::rigid(&self.model, values), ..self.clone() }
+    }
+
     /// Whether the drives alone determine the motion: they move every freedom, no joint has play, and no body is flexible.
     pub fn is_ideal(&self) -> bool {
         self.plays.is_empty() && self.real.flexible_bodies().next().is_none() && self.is_driven()

@@ -2,9 +2,9 @@
 
 use super::points::point_m;
 use super::tree::Tree;
-use super::tree_beam::BeamPlace;
-use crate::model::{BodyId, Model, OutputKind, PointId, QuantityId, Values};
-use loosepin_flexible::Cuts;
+use super::tree_beam::{BeamPlace, SAME_SECTION, share_of};
+use crate::model::{Body, BodyId, Model, OutputKind, PointId, QuantityId, Values};
+use loosepin_flexible::{Basis, Cuts, Frame, even_shares};
 use loosepin_math::Vec2;
 use std::sync::Arc;
 
@@ -39,15 +39,39 @@ impl StressedBody {
                 (*place != BeamPlace::Root).then(|| (point, in_tree.station(*place).share))
             };
             let points: Vec<(usize, f64)> = in_tree.places.iter().enumerate().filter_map(acting).collect();
-            let mut shares: Vec<f64> = (0..CUTS).map(|cut| cut as f64 / (CUTS - 1) as f64).collect();
-            shares.extend(in_tree.shapes.inside.iter().map(|station| station.share));
-            shares.sort_by(f64::total_cmp);
-            shares.dedup();
+            let shares = cut_shares(in_tree.shapes.inside.iter().map(|station| station.share));
             let cuts = Arc::new(Cuts::new(&in_tree.basis, &shares));
             found.push(Self { body, ends: in_tree.points(), points, cuts });
         }
         found
     }
+
+    /// Every body with a beam as a rigid link, whatever its formulation, from its `from` on.
+    pub(super) fn rigid(model: &Model, values: &Values) -> Vec<Self> {
+        let flexible = (0..model.bodies.len()).map(BodyId);
+        let cut = |body: BodyId| {
+            let Body { points, beam, .. } = &model.bodies[body.0];
+            let beam = beam.as_ref()?;
+            let share = |point: usize| share_of(model, PointId { body, point }, values).clamp(0.0, 1.0);
+            let beyond: Vec<(usize, f64)> = (0..points.len())
+                .map(|point| (point, share(point)))
+                .filter(|(_, share)| *share > SAME_SECTION)
+                .collect();
+            let shares = cut_shares(beyond.iter().map(|(_, share)| *share));
+            let cuts = Arc::new(Cuts::new(&Basis::new(Frame::Secant, [0, 0], &[]), &shares));
+            Some(Self { body, ends: beam.ends, points: beyond, cuts })
+        };
+        flexible.filter_map(cut).collect()
+    }
+}
+
+/// Shares of the length at which a link is cut: evenly, and at its points.
+fn cut_shares(points: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut shares = even_shares(CUTS);
+    shares.extend(points);
+    shares.sort_by(f64::total_cmp);
+    shares.dedup();
+    shares
 }
 
 /// Numbers of a link whose stress is an output. They are no numbers of the lanes: stress is read off plain states.

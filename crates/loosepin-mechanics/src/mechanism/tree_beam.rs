@@ -6,7 +6,7 @@
 //! velocities.
 
 use crate::model::{BodyId, LoadKind, Lump, Model, PointId, SpringKind, Values};
-use loosepin_flexible::{Basis, Shapes, Station};
+use loosepin_flexible::{Basis, Shapes, Station, even_shares};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -100,8 +100,7 @@ impl TreeBeam {
 
     /// φ/L of each lateral shape at `count` >= 2 places evenly from root to tip.
     pub fn lateral_shapes(&self, count: usize) -> Vec<Vec<f64>> {
-        let shares: Vec<f64> = (0..count).map(|place| place as f64 / (count - 1) as f64).collect();
-        let places = self.basis.stations(&shares);
+        let places = self.basis.stations(&even_shares(count));
         (0..self.shapes.lateral()).map(|shape| places.iter().map(|place| place.lateral[shape]).collect()).collect()
     }
 

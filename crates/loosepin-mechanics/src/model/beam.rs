@@ -82,6 +82,11 @@ impl Beam {
         }
     }
 
+    /// Whether its frame turns with its section at `from`.
+    pub fn has_tangent_frame(&self) -> bool {
+        self.frame == Frame::Tangent && !self.is_nodal()
+    }
+
     /// Whether it is described in absolute nodal coordinates.
     pub fn is_nodal(&self) -> bool {
         matches!(self.formulation, Formulation::AbsoluteNodal { .. })

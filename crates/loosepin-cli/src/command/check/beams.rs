@@ -5,8 +5,10 @@ use std::fmt::Write;
 use loosepin::contact::NormalContact;
 use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
 use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
+use loosepin::simulate::estimate_bending;
 use loosepin::units::{Dimension, format_value, listed};
 
+use super::bending::push_bending;
 use crate::console::counted;
 
 /// Penetration at which the stiffness of a contact is compared with that of the beam, m: that of a hard impact.
@@ -25,7 +27,7 @@ fn evaluations_1_s(frequency_hz: f64, damping_ratio: f64) -> f64 {
 }
 
 /// Shapes, frequencies, Euler load and stiffness of each flexible body; nothing where there are none.
-pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
+pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, turn_s: f64) {
     let beams = &mechanism.real.beams;
     let Ok(sample) = Sample::<f64>::new(mechanism, values) else { return };
     let count = mechanism.real.flexible_bodies().count();
@@ -34,6 +36,20 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
     }
     let _ = writeln!(text, "\n{}", counted(count, "flexible body", "flexible bodies"));
     let model = &mechanism.model;
+    let cycle = &model.cycle;
+    let span_s = turn_s * (cycle.transient_turns + cycle.recorded_turns).min(1.0);
+    let estimates = estimate_bending(mechanism, values, span_s);
+    let push_estimate = |text: &mut String, indent: &str, body: BodyId| match &estimates {
+        Ok(estimates) => {
+            let estimate = estimates.iter().find(|estimate| estimate.body == body);
+            if let Some((estimate, beam)) = estimate.zip(model.bodies[body.0].beam.as_ref()) {
+                push_bending(text, indent, beam, estimate, mechanism.is_driven());
+            }
+        }
+        Err(failure) => {
+            let _ = writeln!(text, "{indent}its bending is not estimated: {failure}");
+        }
+    };
     let names = mechanism.real.flexible_bodies().map(|body| model.bodies[body.0].name.chars().count());
     let width = names.max().unwrap_or(0);
     for (index, (place, numbers)) in beams.iter().zip(&sample.real.beams).enumerate() {
@@ -93,10 +109,12 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values) {
                 if held.is_empty() { "" } else { ", or static_shapes = \"none\"" }
             );
         }
+        push_estimate(text, &indent, place.body);
         push_contacts(text, &indent, (mechanism, &sample), place.body, beam.axial_stiffness_n_m);
     }
     for (place, numbers) in mechanism.real.nodal_beams.iter().zip(&sample.real.nodal_beams) {
         push_nodal(text, width, (mechanism, &sample), place, numbers);
+        push_estimate(text, &" ".repeat(width + 4), place.body);
     }
 }
 

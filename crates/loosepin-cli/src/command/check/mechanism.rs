@@ -30,7 +30,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     let model = &mechanism.model;
     let mut text = format!("{}\n", model.name);
     push_bodies(&mut text, model, values);
-    push_beams(&mut text, mechanism, values);
+    push_beams(&mut text, mechanism, values, tried.turn_s);
     push_joints(&mut text, mechanism, values);
     push_elements(&mut text, model, values, &coupling_lines(mechanism, values));
     push_mobility(&mut text, mechanism);

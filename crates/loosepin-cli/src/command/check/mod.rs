@@ -1,6 +1,7 @@
 //! `loosepin check`.
 
 mod beams;
+mod bending;
 mod elements;
 mod law_words;
 mod mechanism;

@@ -1,6 +1,7 @@
 //! Mechanisms with flexible links: against histories of another program, energy, momenta, and other trees of the same mechanism.
 
 mod condensed;
+mod estimates;
 mod histories;
 mod laws;
 mod lumps;

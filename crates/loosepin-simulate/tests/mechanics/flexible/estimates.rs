@@ -1,0 +1,102 @@
+//! Estimates of how far beams bend, against closed forms.
+
+use super::case_text;
+use crate::elements::build;
+use loosepin_simulate::{BendingEstimate, estimate_bending};
+use std::f64::consts::PI;
+
+const LENGTH_M: f64 = 0.4;
+const AREA_M2: f64 = 0.012 * 0.007;
+const BENDING_N_M2: f64 = 207e9 * 0.012 * 0.007 * 0.007 * 0.007 / 12.0;
+const BAR_KG: f64 = 7800.0 * AREA_M2 * LENGTH_M;
+
+fn estimate(text: &str, span_s: f64) -> BendingEstimate {
+    let built = build(text);
+    let estimates =
+        estimate_bending(&built.mechanism, &built.values, span_s).unwrap_or_else(|failure| panic!("{failure}"));
+    assert_eq!(estimates.len(), 1);
+    estimates[0]
+}
+
+/// A bar with a drive at its root.
+fn bar(gravity: &str, drive: &str, formulation: &str, more: &str) -> String {
+    format!(
+        "name = \"bar\"\ngravity = \"{gravity}\"\n\
+         [body.ground]\npoints = {{ o = [\"0 mm\", \"0 mm\"] }}\n\
+         [body.bar]\npoints = {{ root = [\"30 mm\", \"-20 mm\"], tip = [\"430 mm\", \"-20 mm\"] }}\n\
+         [body.bar.beam]\nfrom = \"root\"\nto = \"tip\"\nsection = {{ width = \"12 mm\", height = \"7 mm\" }}\n\
+         youngs_modulus = \"207 GPa\"\ndensity = \"7800 kg/m^3\"\n{formulation}\n\
+         [joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"bar.root\"\n\
+         [drive.bar]\njoint = \"main\"\n{drive}\n[cycle]\nduration = \"2 ms\"\n{more}\n"
+    )
+}
+
+fn near(found: f64, due: f64) {
+    assert!((found - due).abs() < 1e-3 * due.abs().max(1e-12), "{found:e} for {due:e}");
+}
+
+/// P L²/2EI and q L³/6EI of a cantilever in its tangent frame; P L²/3EI and q L³/8EI of them from the line through its ends.
+#[test]
+fn analytic_slopes_of_a_cantilever() {
+    let still = "motion = { kind = \"expression\", position = \"0 rad + 0 rad/s * time\" }";
+    let push = "[load.push]\nkind = \"force\"\npoint = \"bar.tip\"\nforce = \"20 N\"\ndirection = \"-90 deg\"\n";
+    let weight_n = BAR_KG * 9.81;
+    let square = LENGTH_M * LENGTH_M / BENDING_N_M2;
+    near(estimate(&bar("0 m/s^2", still, "frame = \"tangent\"", push), 0.0).largest_angle_rad, 20.0 * square / 2.0);
+    near(
+        estimate(&bar("9.81 m/s^2", still, "frame = \"tangent\"", ""), 0.0).largest_angle_rad,
+        weight_n * square / 6.0,
+    );
+    // The root turns most from the chord: w(L)/L.
+    let nodal = "formulation = \"absolute-nodal\"";
+    near(estimate(&bar("0 m/s^2", still, nodal, push), 0.0).largest_angle_rad, 20.0 * square / 3.0);
+    near(estimate(&bar("9.81 m/s^2", still, nodal, ""), 0.0).largest_angle_rad, weight_n * square / 8.0);
+    // Pushed along: its buckling load is a quarter of that between pins.
+    let along = push.replace("-90 deg", "180 deg");
+    let pushed = estimate(&bar("0 m/s^2", still, "frame = \"tangent\"", &along), 0.0);
+    near(pushed.largest_compression_n, 20.0);
+    near(pushed.largest_strain, 20.0 / (207e9 * AREA_M2));
+    near(pushed.buckling_load_n, 0.25 * PI.powi(2) * BENDING_N_M2 / LENGTH_M.powi(2));
+    assert!(pushed.largest_tension_n < 1e-9 && pushed.largest_angle_rad < 1e-12, "{pushed:?}");
+    let mass = "[body.bar.beam.lumps]\nhead = { at = \"tip\", mass = \"0.5 kg\" }\n";
+    let loaded = estimate(&bar("9.81 m/s^2", still, "frame = \"tangent\"", mass), 0.0);
+    near(loaded.largest_angle_rad, (weight_n / 6.0 + 0.5 * 9.81 / 2.0) * square);
+}
+
+/// ½ m ω² L of a bar that turns, whose largest pull is at its root.
+#[test]
+fn analytic_pull_of_a_turning_bar() {
+    let drive = "speed = \"300 rad/s\"\nstart_angle = \"0 deg\"";
+    let found = estimate(&bar("0 m/s^2", drive, "frame = \"tangent\"", ""), 0.01);
+    near(found.largest_tension_n, 0.5 * BAR_KG * 300.0_f64.powi(2) * LENGTH_M);
+    assert!(found.largest_compression_n < 1e-9 && found.largest_angle_rad < 1e-9, "{found:?}");
+}
+
+/// The rod of a slider-crank at its dead centre, where its inertia bends it not at all, and in a turn: another way to the angle by the load
+/// ρA a_n across it, that of the points of a rigid rod.
+#[test]
+fn analytic_whip_of_a_connecting_rod() {
+    let found = estimate(&case_text("flexible_slider_crank"), 2.0 * std::f64::consts::PI / 150.0);
+    let (crank_m, rod_m, spin) = (0.15_f64, 0.3_f64, 150.0_f64);
+    let bending_n_m2 = 200e9 * 0.008_f64.powi(4) / 12.0;
+    let line_kg_m = 7870.0 * 0.008 * 0.008;
+    let mut largest = 0.0_f64;
+    for position in 0..=72 {
+        let turn = f64::from(position) / 72.0 * 2.0 * std::f64::consts::PI;
+        // sin φ = -(r/l) sin θ; acceleration across the rod at both ends, linear between.
+        let sine = -crank_m / rod_m * turn.sin();
+        let cosine = (1.0 - sine * sine).sqrt();
+        let rate = -crank_m / rod_m * turn.cos() * spin / cosine;
+        let change = (crank_m / rod_m * turn.sin() * spin * spin + sine * rate * rate) / cosine;
+        let root = [-crank_m * spin * spin * turn.cos(), -crank_m * spin * spin * turn.sin() + 9.81];
+        let across = -sine * root[0] + cosine * root[1];
+        let [at_root, at_tip] = [across, across + change * rod_m].map(|acceleration| -line_kg_m * acceleration);
+        // Slopes of a beam on two pins under a load that goes evenly from one value to another.
+        let third = rod_m.powi(3) / (360.0 * bending_n_m2);
+        for slope in [8.0 * at_root + 7.0 * at_tip, 7.0 * at_root + 8.0 * at_tip] {
+            largest = largest.max((slope * third).abs());
+        }
+    }
+    assert!(largest > 1e-3, "{largest}");
+    near(found.largest_angle_rad, largest);
+}
