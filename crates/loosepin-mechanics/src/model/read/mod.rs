@@ -1,6 +1,7 @@
 //! From the text of a model file to a model, with all its complaints at once.
 
 mod beam;
+mod beam_mass;
 mod body;
 mod contact;
 mod control;
