@@ -127,7 +127,7 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
             "static_shapes",
             Kind::Choice(&["at-points", "none"]),
             "\"at-points\"",
-            "floating frame: at-points, if left out: one more shape of each kind for every point inside on which a joint, a spring or a load acts; none: the \
+            "floating frame: at-points, if left out: one more shape of each kind for every point inside on which a joint, a spring, a load or a lump acts; none: the \
              shapes of the beam without such points",
         ),
         optional(
@@ -135,7 +135,7 @@ pub(in crate::model) static BEAM_KEYS: Keys = Keys::new(
             quantity(D::FREQUENCY, Rule::Positive),
             "\"50 kHz\"",
             "floating frame: frequency above which a shape is condensed: it keeps its static flexibility, and its inertia is raised until it has this \
-             frequency, so that it needs no shorter steps; none is if left out",
+             frequency, so that it needs no shorter steps; no shape is, if left out",
         ),
         optional(
             "foreshortening",
