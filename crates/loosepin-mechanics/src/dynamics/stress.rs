@@ -164,22 +164,23 @@ impl<T: Real> Dynamics<'_, T> {
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
         let root_m = place_m(slot, numbers.ends_m[0]);
         let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);
-        let load = |((&(point, share), arm_m), lump): ((&(usize, f64), &Vec2<f64>), &[f64; 2])| {
+        let load = |index: usize| {
+            let ((point, share), arm_m, lump) = (stressed.points[index], numbers.arms_m[index], numbers.lumps[index]);
             let point = PointId { body: stressed.body, point };
             let slot = tree.slot_of_point(point);
             let (mut force_n, mut couple_n_m) = self.load_at(point);
-            if *lump != [0.0; 2] {
+            if lump != [0.0; 2] {
                 let [mass_kg, inertia_kg_m2] = lump.map(T::from_f64);
                 let (twist, change) = (&self.kinematics.twists[slot], self.acceleration(slot));
-                let arm = self.kinematics.poses[slot].turn(Vec2::from_f64(*arm_m));
+                let arm = self.kinematics.poses[slot].turn(Vec2::from_f64(arm_m));
                 let pull = acceleration_at(&change, twist, arm) - self.sample.real.gravity_m_s2;
                 force_n += -(pull * mass_kg);
                 couple_n_m -= inertia_kg_m2 * change.angular;
             }
-            let at_m = into_frame(place_m(slot, *arm_m) - root_m);
+            let at_m = into_frame(place_m(slot, arm_m) - root_m);
             PointLoad { share, at_m, force_n: into_frame(force_n), couple_n_m }
         };
-        stressed.points.iter().zip(&numbers.arms_m).zip(&numbers.lumps).map(load).collect()
+        (0..stressed.points.len()).map(load).collect()
     }
 
     /// Force, N, in the ground's frame, and couple, N m, of joints, springs and loads at a point.

@@ -179,6 +179,7 @@ mod tests {
         for needed in [estimate(0.02, 0.1, 1e-4), estimate(1e-3, 0.6, 1e-4), estimate(1e-3, 0.1, 0.1)] {
             assert!(found(&model, &needed, true).is_empty(), "{needed:?}");
         }
+        assert_eq!(angle_in_words(&estimate(250.0, 0.0, 0.0)), "more than 1");
         let mut text = String::new();
         let beam = model.bodies[2].beam.as_ref().expect("a beam");
         push_bending(&mut text, "  ", beam, &estimate(0.02, 1e-15, 1e-4), true);
