@@ -34,7 +34,7 @@ pub use gauss::{legendre_coefficient, legendre_rule, orthonormal_values, symmetr
 pub use gram::GramSystem;
 pub use hermite::Quintic;
 pub use ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
-pub use linear::{Elimination, determinant, solve_square};
+pub use linear::{Elimination, determinant, determinant_sign, solve_square};
 pub use numbers::Numbers;
 pub use real::Real;
 pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};

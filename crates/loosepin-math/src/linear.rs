@@ -48,6 +48,17 @@ pub fn solve_square(a: &mut [f64], n: usize, b: &mut [f64]) -> f64 {
 
 /// Determinant of the n × n matrix `a` (row-major), which is destroyed.
 pub fn determinant(a: &mut [f64], n: usize) -> f64 {
+    product_of_pivots(a, n, |pivot| pivot)
+}
+
+/// Sign of the determinant of the n × n matrix `a` (row-major), which is destroyed: 1, -1, or 0 where it is singular. The determinant itself may
+/// be too large or too small for a number.
+pub fn determinant_sign(a: &mut [f64], n: usize) -> f64 {
+    product_of_pivots(a, n, f64::signum)
+}
+
+/// Product of `part` of each pivot, with the sign of the row exchanges; zero where a pivot is.
+fn product_of_pivots(a: &mut [f64], n: usize, part: impl Fn(f64) -> f64) -> f64 {
     let mut product = 1.0;
     for j in 0..n {
         let best = (j..n).max_by(|&i, &k| a[i * n + j].abs().total_cmp(&a[k * n + j].abs())).unwrap_or(j);
@@ -56,7 +67,7 @@ pub fn determinant(a: &mut [f64], n: usize) -> f64 {
             product = -product;
         }
         let pivot = a[j * n + j];
-        product *= pivot;
+        product *= part(pivot);
         if pivot == 0.0 {
             return 0.0;
         }
@@ -233,7 +244,10 @@ mod tests {
         let mut matrix = [0.0, 2.3, -0.4, 1.7, 0.6, 3.1, -0.9, 0.2, 0.5];
         // Sarrus: 2.3·3.1·(-0.9) + (-0.4)·1.7·0.2 - (-0.4)·0.6·(-0.9) - 0.5·1.7·2.3.
         let exact = 2.3 * 3.1 * -0.9 - 0.4 * 1.7 * 0.2 - 0.4 * 0.6 * 0.9 - 0.5 * 1.7 * 2.3;
-        assert!((determinant(&mut matrix, 3) - exact).abs() < ROUND_OFF);
+        assert!((determinant(&mut matrix.clone(), 3) - exact).abs() < ROUND_OFF);
+        assert_eq!(determinant_sign(&mut matrix, 3), exact.signum());
+        assert_eq!(determinant_sign(&mut [1e-200, 0.0, 0.0, -1e-200], 2), -1.0);
+        assert_eq!(determinant_sign(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
         assert_eq!(determinant(&mut [1.3, 2.6, 0.4, 0.8], 2), 0.0);
         assert_eq!(determinant(&mut [], 0), 1.0);
     }

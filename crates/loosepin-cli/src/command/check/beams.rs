@@ -71,7 +71,6 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
         let condensed = numbers.condensed.as_ref();
         let limit_hz = condensed.map_or(f64::INFINITY, |condensed| condensed.above_hz);
         let fastest_hz = axial.iter().chain(&lateral).fold(0.0_f64, |fastest, hz| fastest.max(*hz)).min(limit_hz);
-        let starts_settled = model.bodies[place.body.0].beam.as_ref().is_some_and(|beam| beam.starts_settled);
         for (frequencies_hz, one, many) in
             [(lateral, "lateral shape", "lateral shapes"), (axial, "axial shape", "axial shapes")]
         {
@@ -98,8 +97,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
         if !held.is_empty() {
             let _ = writeln!(text, "{indent}static shapes at {} among them", listed(&held, "and"));
         }
-        let start = if starts_settled { "settled" } else { "undeformed" };
-        let _ = writeln!(text, "{indent}starts {start}");
+        let _ = writeln!(text, "{indent}starts {}", start_of(mechanism, place.body));
         let evaluations_1_s = evaluations_1_s(fastest_hz, beam.damping_ratio);
         if evaluations_1_s > MANY_EVALUATIONS_1_S {
             let _ = writeln!(
@@ -128,6 +126,12 @@ fn lumps_in_words(model: &Model, place: &TreeBeam, values: &Values) -> Vec<Strin
     beam.iter().flat_map(|beam| &beam.lumps).map(in_words).collect()
 }
 
+/// How a flexible body starts.
+fn start_of(mechanism: &Mechanism, body: BodyId) -> &'static str {
+    let settles = mechanism.model.bodies[body.0].beam.as_ref().is_some_and(|beam| beam.starts_settled);
+    if settles { "settled" } else { "undeformed" }
+}
+
 /// Mesh, Euler load, stiffness and cost of a body in absolute nodal coordinates.
 fn push_nodal(
     text: &mut String,
@@ -152,10 +156,11 @@ fn push_nodal(
     let evaluations_1_s = evaluations_1_s(fastest_hz, 0.5 * fastest_rad_s * beam.retardation_s);
     let _ = writeln!(
         text,
-        "{indent}absolute nodal coordinates, {}, {} coordinates; largest frequency of the mesh {:.3e} Hz\n{indent}starts undeformed",
+        "{indent}absolute nodal coordinates, {}, {} coordinates; largest frequency of the mesh {:.3e} Hz\n{indent}starts {}",
         counted(place.mesh.elements(), "element", "elements"),
         place.coordinates.len(),
         fastest_hz,
+        start_of(mechanism, place.body),
     );
     if evaluations_1_s > MANY_EVALUATIONS_1_S {
         let _ = writeln!(

@@ -80,11 +80,6 @@ impl ModelReader {
         let Some(formulation) = formulation else { return };
         let Some(has_static_shapes) = has_static_shapes else { return };
         let words = table.path.describe();
-        if starts_settled && formulation != Formulation::FloatingFrame {
-            let span = table.get("start").map_or(entry.span, |entry| entry.span);
-            self.reader.complain(&BeamProblem::SettledNodal { entry: words }, span);
-            return;
-        }
         if from == to {
             let span = table.get("to").map_or(entry.span, |entry| entry.span);
             self.reader.complain(&BeamProblem::SamePoint { entry: words }, span);

@@ -6,6 +6,7 @@ mod histories;
 mod laws;
 mod lumps;
 mod nodal;
+mod nodal_settled;
 mod points;
 mod refusals;
 mod settled;
