@@ -53,6 +53,11 @@ impl Station {
         }
     }
 
+    /// A place without shapes.
+    pub(crate) fn bare(share: f64) -> Self {
+        Self { share, axial: Vec::new(), lateral: Vec::new(), slopes: Vec::new(), shortening: Vec::new() }
+    }
+
     /// The same with zeros and ones where they are off by round-off.
     pub(crate) fn cleaned(mut self) -> Self {
         for values in [&mut self.axial, &mut self.lateral, &mut self.slopes, &mut self.shortening] {

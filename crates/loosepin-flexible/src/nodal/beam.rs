@@ -1,7 +1,7 @@
 //! The numbers of a beam in absolute nodal coordinates: forces, inertia and energies of the whole chain.
 
-use super::element::{Loads, Section};
-use super::mesh::{Mesh, Nodal};
+use super::element::{Ends, Loads, Section};
+use super::mesh::{Mesh, Nodal, Point};
 use loosepin_math::{Real, Vec2, numbers};
 
 /// A straight uniform beam in absolute nodal coordinates (planar cable element, thin beam without shear).
@@ -201,17 +201,21 @@ impl<T: Real> NodalBeam<T> {
         nodes.windows(2).fold(Vec2::zero(), middle) * T::from_f64(1.0 / mesh.elements() as f64)
     }
 
-    /// Point of the axis at the share `s` of the length, from 0 to 1, m.
+    /// Point of the axis at the share `s` of the length, from 0 to 1, m; of accelerations of the nodes, its acceleration.
     pub fn point_m(&self, mesh: &Mesh, nodes: &[Nodal<T>], s: f64) -> Vec2<T> {
-        let at = s * mesh.elements() as f64;
-        let element = (at.max(0.0) as usize).min(mesh.elements() - 1);
-        let xi = at - element as f64;
+        let (element, xi) = mesh.place(s);
         let length_m = self.element_length_m(mesh);
         let (first, last) = (nodes[element], nodes[element + 1]);
         let share = T::from_f64(xi * xi * (3.0 - 2.0 * xi));
         let of_first = length_m * T::from_f64(xi * (1.0 - xi) * (1.0 - xi));
         let of_last = length_m * T::from_f64(xi * xi * (xi - 1.0));
         first.position.plus(last.position - first.position, share).plus(first.slope, of_first).plus(last.slope, of_last)
+    }
+
+    /// Slope r' of the axis at the share `s` of the length, from 0 to 1.
+    pub fn slope(&self, mesh: &Mesh, nodes: &[Nodal<T>], s: f64) -> Vec2<T> {
+        let (element, xi) = mesh.place(s);
+        Ends::new(self.element_length_m(mesh), &nodes[element..element + 2]).slope(&Point::at(xi, 0.0))
     }
 }
 

@@ -65,7 +65,7 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn at(xi: f64, weight: f64) -> Self {
+    pub(super) fn at(xi: f64, weight: f64) -> Self {
         Self {
             weight,
             chord: 6.0 * xi * (1.0 - xi),
@@ -107,6 +107,13 @@ impl Mesh {
     /// Number of elements.
     pub fn elements(&self) -> usize {
         self.elements
+    }
+
+    /// Element at the share `s` of the length, and the place ξ in it, from 0 to 1.
+    pub(super) fn place(&self, s: f64) -> (usize, f64) {
+        let at = s * self.elements as f64;
+        let element = (at.max(0.0) as usize).min(self.elements - 1);
+        (element, at - element as f64)
     }
 
     /// Number of nodes: one more.

@@ -124,6 +124,13 @@ impl<T: Real> Dynamics<'_, T> {
     /// Force that the body `index` needs at the last evaluation, Σ m (a - g), N.
     pub(super) fn nodal_force_n(&self, index: usize) -> Vec2<T> {
         let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
+        let of_centre = numbers.beam.centre_of_mass_m(&place.mesh, &self.nodal_accelerations(index));
+        (of_centre - self.sample.real.gravity_m_s2) * numbers.beam.mass_kg
+    }
+
+    /// Accelerations of the nodes of the body `index` at the last evaluation.
+    pub(super) fn nodal_accelerations(&self, index: usize) -> Vec<Nodal<T>> {
+        let (place, numbers) = (&self.mechanism.real.nodal_beams[index], &self.sample.real.nodal_beams[index]);
         let end = |slot: usize, arm_m: Vec2<T>, stretch: usize| {
             let (pose, twist) = (&self.kinematics.poses[slot], &self.kinematics.twists[slot]);
             let change = self.acceleration(slot);
@@ -139,8 +146,7 @@ impl<T: Real> Dynamics<'_, T> {
         for (node, acceleration) in accelerations.iter_mut().enumerate().take(last).skip(1) {
             *acceleration = nodal(&self.accelerations[place.node(node)..place.node(node) + 4]);
         }
-        let of_centre = numbers.beam.centre_of_mass_m(&place.mesh, &accelerations);
-        (of_centre - self.sample.real.gravity_m_s2) * numbers.beam.mass_kg
+        accelerations
     }
 
     /// Kinetic, potential and strain energy of the body `index` at the last state that was set, J.

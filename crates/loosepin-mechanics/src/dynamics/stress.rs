@@ -3,7 +3,7 @@
 use super::equations::Dynamics;
 use crate::mechanism::{StressedBody, acceleration_at};
 use crate::model::{BodyId, JointId, LoadKind, PlayId, PointId, SpringKind};
-use loosepin_flexible::Station;
+use loosepin_flexible::{Nodal, Station};
 use loosepin_math::{Real, Vec2};
 
 /// What the part of a link nearer to its root does to the part beyond a cut.
@@ -29,14 +29,24 @@ struct PointLoad<T> {
 
 /// Motion of the link in the axes of its frame, at the last evaluation.
 struct LinkMotion<T> {
-    /// Direction of the x axis of the frame, in the ground's frame.
+    /// Direction of the x axis of the frame, in the ground's frame: that of the ground in absolute nodal coordinates.
     axis: Vec2<T>,
     /// Acceleration of the root minus that of gravity, m/s².
     fall_m_s2: Vec2<T>,
     /// Angular velocity, rad/s, and angular acceleration, rad/s², of the frame.
     turning: [T; 2],
-    /// Index of the flexible body among those of the tree; a rigid body has none.
-    beam: Option<usize>,
+    /// What carries the points.
+    carrier: Carrier<T>,
+}
+
+/// What carries the points of a link.
+enum Carrier<T> {
+    /// A rigid body.
+    Rigid,
+    /// A floating frame with the shapes of this flexible body of the tree.
+    Shapes(usize),
+    /// The nodes of this flexible body in absolute nodal coordinates of the tree, with their accelerations.
+    Nodes(usize, Vec<Nodal<T>>),
 }
 
 impl<T: Real> Dynamics<'_, T> {
@@ -89,7 +99,7 @@ impl<T: Real> Dynamics<'_, T> {
         let loads = self.point_loads(stressed, index, &motion);
         for (cut, station) in stressed.cuts.stations.iter().enumerate() {
             let at_m = self.place_m(&motion, station, numbers.length_m);
-            let (sine, cosine) = self.section_angle_rad(&motion, station).sin_cos();
+            let section = self.section_axis(&motion, station);
             let mut look = |is_beyond: &dyn Fn(f64) -> bool| {
                 let (mut force_n, mut moment_n_m) = (Vec2::zero(), T::zero());
                 for load in loads.iter().filter(|load| is_beyond(load.share)) {
@@ -101,7 +111,7 @@ impl<T: Real> Dynamics<'_, T> {
                     force_n += share_n;
                     moment_n_m += (*d - at_m).cross(share_n);
                 }
-                let along_n = force_n.dot(Vec2::new(cosine, sine));
+                let along_n = force_n.dot(section);
                 show(station.share, SectionForce { along_n, moment_n_m });
             };
             look(&|share| share >= station.share);
@@ -113,15 +123,32 @@ impl<T: Real> Dynamics<'_, T> {
 
     fn link_motion(&self, stressed: &StressedBody, index: usize) -> LinkMotion<T> {
         let tree = &self.mechanism.real;
-        let beam = tree.beams.iter().position(|beam| beam.body == stressed.body);
-        let slot = beam.map_or(tree.slot_of_body[stressed.body.0], |beam| tree.beams[beam].slot);
+        let slot = self.slot_of_root(stressed);
         let [root_m, tip_m] =
             self.sample.sections[index].ends_m.map(|end| Vec2::new(T::from_f64(end.x), T::from_f64(end.y)));
         let (pose, twist, change) =
             (&self.kinematics.poses[slot], &self.kinematics.twists[slot], self.acceleration(slot));
-        let axis = pose.turn((tip_m - root_m) * T::from_f64(1.0 / self.sample.sections[index].length_m));
+        let nodal = tree.nodal_beams.iter().position(|beam| beam.body == stressed.body);
+        let axis = match nodal {
+            Some(_) => Vec2::new(T::one(), T::zero()),
+            None => pose.turn((tip_m - root_m) * T::from_f64(1.0 / self.sample.sections[index].length_m)),
+        };
+        let shapes = tree.beams.iter().position(|beam| beam.body == stressed.body);
+        let carrier = match (shapes, nodal) {
+            (Some(beam), _) => Carrier::Shapes(beam),
+            (None, Some(beam)) => Carrier::Nodes(beam, self.nodal_accelerations(beam)),
+            (None, None) => Carrier::Rigid,
+        };
         let fall = acceleration_at(&change, twist, pose.turn(root_m)) - self.sample.real.gravity_m_s2;
-        LinkMotion { axis, fall_m_s2: fall.rotated(-axis.y, axis.x), turning: [twist.angular, change.angular], beam }
+        LinkMotion { axis, fall_m_s2: fall.rotated(-axis.y, axis.x), turning: [twist.angular, change.angular], carrier }
+    }
+
+    /// Slot of the frame of a link, at its root.
+    fn slot_of_root(&self, stressed: &StressedBody) -> usize {
+        let tree = &self.mechanism.real;
+        let shapes = tree.beams.iter().find(|beam| beam.body == stressed.body).map(|beam| beam.slot);
+        let nodes = || tree.nodal_beams.iter().find(|beam| beam.body == stressed.body).map(|beam| beam.slot);
+        shapes.or_else(nodes).unwrap_or(tree.slot_of_body[stressed.body.0])
     }
 
     /// Coordinates of the shapes of a flexible body, with their rates or accelerations `of`.
@@ -131,9 +158,15 @@ impl<T: Real> Dynamics<'_, T> {
 
     /// d(x), m, in the axes of the frame.
     fn place_m(&self, motion: &LinkMotion<T>, station: &Station, length_m: f64) -> Vec2<T> {
-        match motion.beam {
-            Some(beam) => self.sample.real.beams[beam].beam.point_m(station, self.shapes_of(beam, &self.coordinates)),
-            None => Vec2::new(T::from_f64(length_m * station.share), T::zero()),
+        match &motion.carrier {
+            Carrier::Shapes(beam) => {
+                self.sample.real.beams[*beam].beam.point_m(station, self.shapes_of(*beam, &self.coordinates))
+            }
+            Carrier::Nodes(beam, _) => {
+                let (mesh, nodes) = (&self.mechanism.real.nodal_beams[*beam].mesh, &self.nodal_rooms[*beam].nodes);
+                self.sample.real.nodal_beams[*beam].beam.point_m(mesh, nodes, station.share) - nodes[0].position
+            }
+            Carrier::Rigid => Vec2::new(T::from_f64(length_m * station.share), T::zero()),
         }
     }
 
@@ -141,7 +174,15 @@ impl<T: Real> Dynamics<'_, T> {
     fn pull_m_s2(&self, motion: &LinkMotion<T>, station: &Station, d: Vec2<T>) -> Vec2<T> {
         let [spin, change] = motion.turning;
         let carried = motion.fall_m_s2.plus(d.turned(), change).plus(d, -spin.squared());
-        let Some(index) = motion.beam else { return carried };
+        let index = match &motion.carrier {
+            Carrier::Rigid => return carried,
+            Carrier::Nodes(beam, accelerations) => {
+                let mesh = &self.mechanism.real.nodal_beams[*beam].mesh;
+                let numbers = &self.sample.real.nodal_beams[*beam].beam;
+                return numbers.point_m(mesh, accelerations, station.share) - self.sample.real.gravity_m_s2;
+            }
+            Carrier::Shapes(beam) => *beam,
+        };
         let beam = &self.sample.real.beams[index].beam;
         let [q, rates, changes] =
             [&self.coordinates, &self.rates, &self.accelerations].map(|of| self.shapes_of(index, of));
@@ -149,17 +190,27 @@ impl<T: Real> Dynamics<'_, T> {
         carried + beam.rate_m_s(station, q, changes) + beam.relative_acceleration_m_s2(station, rate, rates, spin)
     }
 
-    /// α, rad: angle of a section from the frame.
-    fn section_angle_rad(&self, motion: &LinkMotion<T>, station: &Station) -> T {
-        motion.beam.map_or(T::zero(), |beam| {
-            self.sample.real.beams[beam].beam.angle_rad(station, self.shapes_of(beam, &self.coordinates))
-        })
+    /// Direction of the axis of a section, in the axes of the frame.
+    fn section_axis(&self, motion: &LinkMotion<T>, station: &Station) -> Vec2<T> {
+        match &motion.carrier {
+            Carrier::Shapes(beam) => {
+                let numbers = &self.sample.real.beams[*beam].beam;
+                let (sine, cosine) = numbers.angle_rad(station, self.shapes_of(*beam, &self.coordinates)).sin_cos();
+                Vec2::new(cosine, sine)
+            }
+            Carrier::Nodes(beam, _) => {
+                let (mesh, nodes) = (&self.mechanism.real.nodal_beams[*beam].mesh, &self.nodal_rooms[*beam].nodes);
+                let slope = self.sample.real.nodal_beams[*beam].beam.slope(mesh, nodes, station.share);
+                slope * (T::one() / slope.length())
+            }
+            Carrier::Rigid => Vec2::new(T::one(), T::zero()),
+        }
     }
 
     /// What joints, springs, loads and the inertia of lumps do at the points of a link beyond its root.
     fn point_loads(&self, stressed: &StressedBody, index: usize, motion: &LinkMotion<T>) -> Vec<PointLoad<T>> {
         let tree = &self.mechanism.real;
-        let slot = motion.beam.map_or(tree.slot_of_body[stressed.body.0], |beam| tree.beams[beam].slot);
+        let slot = self.slot_of_root(stressed);
         let numbers = &self.sample.sections[index];
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
         let root_m = place_m(slot, numbers.ends_m[0]);

@@ -34,14 +34,19 @@ impl StressedBody {
             if found.iter().any(|stressed| stressed.body == body) {
                 continue;
             }
-            let Some(in_tree) = real.beams.iter().find(|in_tree| in_tree.body == body) else { continue };
-            let acting = |(point, place): (usize, &BeamPlace)| {
-                (*place != BeamPlace::Root).then(|| (point, in_tree.station(*place).share))
-            };
-            let points: Vec<(usize, f64)> = in_tree.places.iter().enumerate().filter_map(acting).collect();
-            let shares = cut_shares(in_tree.shapes.inside.iter().map(|station| station.share));
-            let cuts = Arc::new(Cuts::new(&in_tree.basis, &shares));
-            found.push(Self { body, ends: in_tree.points(), points, cuts });
+            if let Some(in_tree) = real.beams.iter().find(|in_tree| in_tree.body == body) {
+                let acting = |(point, place): (usize, &BeamPlace)| {
+                    (*place != BeamPlace::Root).then(|| (point, in_tree.station(*place).share))
+                };
+                let points: Vec<(usize, f64)> = in_tree.places.iter().enumerate().filter_map(acting).collect();
+                let shares = cut_shares(in_tree.shapes.inside.iter().map(|station| station.share));
+                let cuts = Arc::new(Cuts::new(&in_tree.basis, &shares));
+                found.push(Self { body, ends: in_tree.points(), points, cuts });
+            } else if let Some(in_tree) = real.nodal_beams.iter().find(|in_tree| in_tree.body == body) {
+                let [root, tip] = in_tree.points();
+                let cuts = Arc::new(Cuts::of_elements(in_tree.mesh.elements(), &cut_shares(std::iter::empty())));
+                found.push(Self { body, ends: [root, tip], points: vec![(tip, 1.0)], cuts });
+            }
         }
         found
     }

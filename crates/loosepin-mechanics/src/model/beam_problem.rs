@@ -48,9 +48,6 @@ problems! {
         NodalPointBetween { entry: String } => Code::BeamNotPossible,
             says("{entry} is not an end of the beam; in absolute nodal coordinates it has points at from and to only"),
             hint("leave the point out, or write formulation = \"floating-frame\"");
-        NodalStress { entry: String, body: String } => Code::BeamNotPossible,
-            says("{entry}: body '{body}' is described in absolute nodal coordinates; its stress is not computed yet"),
-            hint("write formulation = \"floating-frame\" in [body.{body}.beam]");
         IsRigid { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: body '{body}' is rigid; stress is computed along flexible bodies"),
             hint("give it [body.{body}.beam] in place of mass, inertia and centre_of_mass");

@@ -329,7 +329,7 @@ joint: a slot does not keep it parallel to its line."
 and, in a floating frame, at points between. Where a drive or a rigid joint holds it at `from`, its frame must be \"tangent\": the frame through both ends turns \
 against the section there. With formulation = \"absolute-nodal\" either end may be held, without a frame. Not computed yet: joints of other \
 kinds, torques and torsional springs on the link, couplings, controls and friction in ideal joints beside it; in absolute nodal \
-coordinates points between the ends and the stress."
+coordinates points between the ends."
 
     TooFewDrives "E0701" "the drives do not determine the motion"
 "The mechanism has more degrees of freedom than drives, counted with every clearance at zero. The message names bodies \

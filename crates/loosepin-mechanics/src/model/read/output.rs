@@ -92,7 +92,6 @@ impl ModelReader {
         let Body { name, beam, .. } = &self.bodies[body.0];
         let (entry_words, name) = (entry.path.describe(), name.clone());
         let problem = match beam {
-            Some(beam) if beam.is_nodal() => BeamProblem::NodalStress { entry: entry_words, body: name },
             Some(Beam { height_m: Some(_), .. }) => return Some(OutputKind::Stress(body)),
             Some(_) => BeamProblem::NoHeight { entry: entry_words, body: name },
             // The complaint about its beam is enough.

@@ -31,11 +31,6 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         ),
         (with("axial_shapes = 2", "elements = 8"), "'elements' belongs to formulation = \"absolute-nodal\""),
         (
-            with("lateral_shapes = 2\naxial_shapes = 2", "formulation = \"absolute-nodal\"")
-                + "\n[output.stress]\nstress_in = \"rod\"\n",
-            "body 'rod' is described in absolute nodal coordinates; its stress is not computed yet",
-        ),
-        (
             with(points, &format!("{points}\nmass = \"0.2 kg\"")),
             "body 'rod': 'mass' and 'beam' cannot be used together; give exactly one of 'mass' and 'beam'",
         ),
