@@ -157,11 +157,23 @@ pub struct SimulateArguments {
     /// Position accuracy over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
+    /// Kind of steps: implicit for flexible bodies in absolute nodal coordinates that move slowly against the frequencies of their mesh
+    #[arg(long, value_name = "KIND", value_enum, default_value_t = IntegratorKind::Explicit)]
+    pub integrator: IntegratorKind,
     /// Measured curves to compare with the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
     #[arg(long, value_name = "CSV")]
     pub measured: Vec<PathBuf>,
     #[command(flatten)]
     pub output: OutputArguments,
+}
+
+/// Kinds of steps of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum IntegratorKind {
+    /// Fewest evaluations for rigid bodies, few shapes and contacts
+    Explicit,
+    /// Between contacts its steps are not limited by the frequencies of a mesh
+    Implicit,
 }
 
 /// Simulate a cycle and show the wear of its joints

@@ -4,6 +4,7 @@ pub mod integrate;
 
 mod angle;
 mod arctangent;
+mod complex_lu;
 pub mod dense;
 pub mod descent;
 mod dual;
@@ -18,6 +19,7 @@ mod ldl;
 mod linear;
 mod numbers;
 mod real;
+mod real_lu;
 mod scalar;
 mod spline;
 mod vector;

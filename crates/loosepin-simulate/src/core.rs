@@ -68,7 +68,7 @@ impl<'a> Core<'a> {
         let of_sample = if execution == Execution::Scalar { 0 } else { numbers(sample, arms).len() };
         let lengths = pass.block_lengths(of_sample);
         let way = match execution {
-            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, follow))),
+            Execution::Scalar => Way::Plain(Box::new(Plain::new(mechanism, sample, arms, follow, settings))),
             Execution::Interpreted | Execution::MachineCode(_) => {
                 let recorded =
                     Recorded::new(mechanism, sample, arms, follow, &pass, lengths, (execution.level(), lanes));

@@ -12,7 +12,7 @@ use super::pace::fastest_drive_rad_s;
 use super::pass::LARGEST_RESIDUAL;
 use super::report::{Counters, RunReport};
 use super::resume::MotionState;
-use super::settings::{Settings, Window};
+use super::settings::{Integrator, Settings, Window};
 use super::work::KinematicAccount;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::Course;
@@ -80,7 +80,9 @@ pub fn conduct<O: Observer>(
         }
         return;
     }
-    Batch::conduct(mechanism, follow, settings, execution_of(mechanism, execution), &mut Seats::new(queue));
+    let is_implicit = settings.integrator == Integrator::Implicit;
+    let execution = if is_implicit { Execution::Scalar } else { execution_of(mechanism, execution) };
+    Batch::conduct(mechanism, follow, settings, execution, &mut Seats::new(queue));
 }
 
 /// How the runs of `mechanism` are made where `execution` is at hand.

@@ -169,6 +169,10 @@ problems! {
         NotSettled => Code::StartNotPossible,
             says("a flexible body with start = \"settled\" has no stable static shape under the forces at the start"),
             hint("it buckles or bends too far there: look at its section, or leave start out");
+        /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
+        ImplicitWithoutNodes => Code::BeamNotPossible,
+            says("implicit steps are for mechanisms with a flexible body in absolute nodal coordinates, and this one has none"),
+            hint("leave --integrator out: explicit steps cost less here");
         /// The drives leave nothing free that a neighbouring motion could differ in.
         NothingIsFree => Code::NothingIsFree,
             says("the drives alone move the mechanism: no motion lies beside it, and there is no Lyapunov exponent"),
@@ -185,7 +189,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 29] = [
+const CODES: [&str; 30] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -215,6 +219,7 @@ const CODES: [&str; 29] = [
     "wear_not_finite",
     "jumps_too_short",
     "point_off_section",
+    "implicit_without_nodes",
 ];
 
 impl RunFailure {
@@ -257,6 +262,7 @@ impl RunFailure {
             Self::WearNotFinite { .. } => 26,
             Self::JumpsTooShort { .. } => 27,
             Self::Sample(SampleError::PointOffSection { .. }) => 28,
+            Self::ImplicitWithoutNodes => 29,
         }
     }
 
@@ -294,7 +300,7 @@ impl RunFailure {
                 Complaint::error(self, model.place("cycle"))
             }
             Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Complaint::error(self, model.place("wear")),
-            Self::NothingIsFree | Self::NotSettled => Complaint::error(self, None),
+            Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes => Complaint::error(self, None),
         }
     }
 }

@@ -15,7 +15,7 @@ use super::reference::IdealReference;
 use super::report::RunReport;
 use super::search::{Peak, maximum_within, may_exceed};
 use super::sections::SectionRecorder;
-use super::settings::{Settings, Window};
+use super::settings::{Integrator, Settings, Window};
 use super::turns::Turns;
 use super::watched::Watched;
 use super::wear::{LifePlan, WearRecorder, worn_life};
@@ -58,6 +58,9 @@ impl Plan {
     /// # Errors
     /// One of these, or the drive of the cycle stands still.
     pub fn check(&self, mechanism: &Mechanism, sample: &Sample<f64>, values: &Values) -> Result<(), RunFailure> {
+        if self.settings.integrator == Integrator::Implicit && mechanism.real.nodal_beams.is_empty() {
+            return Err(RunFailure::ImplicitWithoutNodes);
+        }
         let rows = self.cycle.recorded_turns * self.cycle.samples_per_turn as f64;
         if !(rows <= MOST_ROWS as f64) {
             return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
@@ -469,7 +472,7 @@ impl<'a> Recorder<'a> {
                 recorded_turns: plan.cycle.recorded_turns,
                 samples_per_turn: plan.cycle.samples_per_turn,
                 tolerance_m: plan.settings.tolerance_m,
-                method: plan.settings.method.name.to_owned(),
+                method: plan.settings.method_name(),
             },
             stop: StopReason::Finished,
             repeat: repeat(&self.mechanism.model, plan),
@@ -654,6 +657,9 @@ fn repeat(model: &Model, plan: &Plan) -> Repeat {
     }
     if plan.settings.tolerance_m != Settings::for_simulation().tolerance_m {
         add("--tolerance", format!("{:e} m", plan.settings.tolerance_m));
+    }
+    if plan.settings.integrator == Integrator::Implicit {
+        add("--integrator", "implicit".to_owned());
     }
     if let Some(turns) = plan.lyapunov_turns {
         add("--lyapunov", turns.to_string());

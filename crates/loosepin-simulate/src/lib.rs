@@ -86,7 +86,7 @@ pub use report::{Counters, EnergyAccount, FrictionLoss, FrictionPath, PlaySummar
 pub use resolution::{SmallestClearance, ToleranceProblem};
 pub use resume::MotionState;
 pub use search::{Peak, maximum_within};
-pub use settings::{LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
+pub use settings::{Integrator, LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
 pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
 pub use turns::Turns;
 pub use wear::{

@@ -2,13 +2,21 @@
 
 use super::column::{Arms, Reading};
 use super::follow::{Follow, LOBATTO};
+use super::memory::LaneLayout;
 use super::memory::{Memory, Named};
 use super::motion::Motion;
+use super::motion::tolerances;
 use super::pass::Pass;
 use super::projection::Projection;
-use loosepin_math::integrate::System;
+use super::settings::{Integrator, Settings};
+use loosepin_math::integrate::{Radau, System};
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
+
+/// Share of a step before an awaited instant that is left out.
+const CRUMB: f64 = 1e-6;
+/// Change of coordinates over which slopes are taken, rad, and m for each metre of the mechanism.
+const DIFFERENCE: f64 = 1e-7;
 
 /// The equations of the one lane there is.
 pub struct Plain<'a> {
@@ -19,13 +27,33 @@ pub struct Plain<'a> {
     inside: Vec<Reading>,
     state: Vec<f64>,
     arms: Arms,
+    /// Implicit steps, where they are asked for.
+    implicit: Option<Radau>,
+    /// Whether the step at hand is one of it.
+    is_implicit: bool,
 }
 
 impl<'a> Plain<'a> {
     /// With the numbers of `sample` until another one is loaded; reads what `follow` says.
-    pub fn new(mechanism: &'a Mechanism, sample: &Sample<f64>, arms: &Arms, follow: &Follow) -> Self {
+    pub fn new(
+        mechanism: &'a Mechanism,
+        sample: &Sample<f64>,
+        arms: &Arms,
+        follow: &Follow,
+        settings: &Settings,
+    ) -> Self {
         let motion = Motion::new(mechanism, sample);
+        let radau = || {
+            let layout = &motion.layout;
+            // Of lengths one, of angles one over the size of the mechanism.
+            let units = tolerances(mechanism, layout, sample, 1.0, 1.0, 1.0);
+            let differences =
+                units[..layout.freedoms].iter().map(|unit| DIFFERENCE * mechanism.size_m * unit).collect();
+            Radau::new(layout.freedoms, layout.dimension, layout.integrals(), differences, layout.has_dampers)
+        };
         Self {
+            implicit: (settings.integrator == Integrator::Implicit).then(radau),
+            is_implicit: false,
             state: vec![0.0; motion.layout.dimension],
             motion,
             projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
@@ -37,6 +65,9 @@ impl<'a> Plain<'a> {
 
     /// Takes the numbers of a run.
     pub fn load(&mut self, sample: &Sample<f64>, arms: &Arms) {
+        if let Some(radau) = &mut self.implicit {
+            radau.restart();
+        }
         self.motion.dynamics.sample_mut().clone_from(sample);
         self.arms.clone_from(arms);
     }
@@ -60,8 +91,37 @@ impl<'a> Plain<'a> {
     pub fn attempt(&mut self, pass: &Pass, memory: &mut Memory) {
         let mut named = Named::new(memory.blocks());
         pass.choose_step(&mut named);
+        self.is_implicit = self.implicit.is_some() && self.motion.states.iter().all(|state| state.contact == 0.0);
+        match self.implicit.take() {
+            Some(mut radau) if self.is_implicit => {
+                self.attempt_implicitly(&mut radau, pass, &mut named);
+                self.implicit = Some(radau);
+                return pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
+            }
+            Some(mut radau) => {
+                radau.restart();
+                self.implicit = Some(radau);
+            }
+            None => {}
+        }
         pass.attempt(&mut named.rows, named.lane, &mut self.reading(named.end_reads));
         pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
+    }
+
+    /// Tries an implicit step. It ends where somebody awaits a state: between its ends stiff directions are not in balance.
+    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) {
+        let left_s = named.lane[LaneLayout::AWAITED] - named.rows.start[pass.layout.time()];
+        let step_s = named.lane[LaneLayout::STEP];
+        if step_s > left_s && left_s > CRUMB * step_s {
+            named.lane[LaneLayout::STEP] = left_s;
+        }
+        let (end_row, weights) = (pass.stepper.end_row(), named.lane[pass.lane.weights()].to_vec());
+        let step_s = named.lane[LaneLayout::STEP];
+        let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));
+        named.lane[LaneLayout::ERROR] = found.error;
+        named.lane[LaneLayout::GROWTH] = found.growth;
+        // Those of an explicit step are counted for every attempt.
+        named.lane[LaneLayout::EVALUATIONS] += found.evaluations as f64 - pass.stepper.evaluations_per_attempt() as f64;
     }
 
     /// Holds the loops of ideal joints.
@@ -74,6 +134,9 @@ impl<'a> Plain<'a> {
     /// Computes what looks inside of the step at hand need.
     pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
         let Named { lane, mut rows, .. } = Named::new(memory.blocks());
+        if self.is_implicit {
+            return pass.stepper.prepare_cubic(&mut rows, lane[LaneLayout::STEP]);
+        }
         pass.prepare_dense(&mut rows, lane, &mut self.motion);
     }
 

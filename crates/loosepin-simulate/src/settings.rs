@@ -13,6 +13,19 @@ pub struct Settings {
     /// Evaluations of the equations of motion after which a run is given up. Default: 3e8, a minute or so; the same
     /// in a study, so that a run that is given up there is given up again by itself.
     pub largest_evaluations: u64,
+    /// Whether explicit or implicit steps. Default: explicit.
+    pub integrator: Integrator,
+}
+
+/// Kind of steps.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// The embedded pair of [`Settings::method`].
+    #[default]
+    Explicit,
+    /// Radau IIA of order five while all contacts are open, the embedded pair in contact: for flexible bodies in absolute nodal coordinates whose
+    /// mesh has frequencies far above those of their motion.
+    Implicit,
 }
 
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
@@ -28,11 +41,19 @@ pub const LARGEST_ENERGY_RESIDUAL: f64 = 1e-4;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000 }
+        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000, integrator: Integrator::Explicit }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {
         Self { tolerance_m: 1e-8, ..Self::for_simulation() }
+    }
+
+    /// Name of the method, for people.
+    pub fn method_name(&self) -> String {
+        match self.integrator {
+            Integrator::Explicit => self.method.name.to_owned(),
+            Integrator::Implicit => format!("Radau IIA of order 5, in contact {}", self.method.name),
+        }
     }
 
     /// A contact begins or ends where |δ| is below this, m.

@@ -14,7 +14,8 @@ use loosepin_result::study::Witness;
 use loosepin_simulate::accuracy::check_quasi_static;
 use loosepin_simulate::measured::{MeasuredTable, lay_over};
 use loosepin_simulate::{
-    Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv, wear_profiles_csv,
+    Integrator, Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv,
+    wear_profiles_csv,
 };
 use loosepin_store::results::{
     HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
@@ -48,6 +49,9 @@ pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[M
     }
     if let Some(turns) = plan.lyapunov_turns {
         hasher.add("lyapunov_turns", turns.to_string());
+    }
+    if plan.settings.integrator == Integrator::Implicit {
+        hasher.add("integrator", "implicit");
     }
     hasher
         .add_number("transient_turns", plan.cycle.transient_turns)

@@ -8,13 +8,13 @@ use loosepin::model::{Model, Rule, measured_argument};
 use loosepin::report::{simulation_page, simulation_text};
 use loosepin::results::ResultKind;
 use loosepin::simulate::record::{Override, SimulationRecord, StopReason};
-use loosepin::simulate::{Plan, Settings, SmallestClearance, columns};
+use loosepin::simulate::{Integrator, Plan, Settings, SmallestClearance, columns};
 use loosepin::study::{run_inputs, run_into};
 use loosepin::units::Dimension;
 
 use super::inputs::{check_tolerance, read_model};
 use super::stored::{StoredResult, claim, run_and_write, show_found, tell};
-use crate::arguments::SimulateArguments;
+use crate::arguments::{IntegratorKind, SimulateArguments};
 use crate::ending::{Done, Ending, Failure};
 
 /// Runs the model, or shows the run that is there.
@@ -73,9 +73,13 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
     cycle.transient_turns = arguments.transient.unwrap_or(cycle.transient_turns);
     cycle.samples_per_turn = arguments.samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
     let tolerance_m = measured_argument("--tolerance", &arguments.tolerance, Dimension::LENGTH, Rule::Positive)?;
+    let integrator = match arguments.integrator {
+        IntegratorKind::Explicit => Integrator::Explicit,
+        IntegratorKind::Implicit => Integrator::Implicit,
+    };
     Ok(Plan {
         cycle,
-        settings: Settings { tolerance_m, ..Settings::for_simulation() },
+        settings: Settings { tolerance_m, integrator, ..Settings::for_simulation() },
         with_states: arguments.states,
         lyapunov_turns: arguments.lyapunov,
         overrides: Override::of_settings(&arguments.set),

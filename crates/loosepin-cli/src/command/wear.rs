@@ -9,7 +9,7 @@ use loosepin::simulate::record::SimulationRecord;
 use super::inputs::read_model;
 use super::simulate::run_shown;
 use super::stored::StoredResult;
-use crate::arguments::{SimulateArguments, WearArguments};
+use crate::arguments::{IntegratorKind, SimulateArguments, WearArguments};
 use crate::ending::{Done, Ending};
 
 /// Simulates a cycle, or takes the simulation that is there, and shows the wear of its joints.
@@ -33,6 +33,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
         samples: None,
         lyapunov: None,
         measured: Vec::new(),
+        integrator: IntegratorKind::Explicit,
     };
     run_shown::<ShownWear>(&simulation)
 }

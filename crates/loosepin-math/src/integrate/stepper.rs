@@ -119,6 +119,23 @@ impl Stepper {
         }
     }
 
+    /// The same for a step of another method: the polynomial of degree three with the slopes at both ends.
+    pub fn prepare_cubic<T: Real>(&self, rows: &mut StepRows<'_, T>, step: T) {
+        let n = self.stride;
+        let (stages, dense) = rows.stages.split_at_mut(self.dense_row() * n);
+        for i in 0..n {
+            let difference = rows.end[i] - rows.start[i];
+            let first = step * stages[i];
+            let second = step * stages[self.end_row() * n + i];
+            dense[i] = difference;
+            dense[n + i] = first - difference;
+            dense[2 * n + i] = difference + difference - (second + first);
+            for extra in 0..self.tableau.dense.len() {
+                dense[(3 + extra) * n + i] = T::zero();
+            }
+        }
+    }
+
     /// Unknown `i` at `share` in [0, 1] of the step over its value at the start, by Hairer's nested form of the dense output;
     /// `number` reads a number of [`StepRows::stages`].
     #[inline]

@@ -166,8 +166,8 @@ fn push_nodal(
         let _ = writeln!(
             text,
             "{indent}warning: its mesh takes {evaluations_1_s:.1e} evaluations for a second of motion\n\
-             {indent}hint: take fewer elements or a smaller retardation_time, or formulation = \"floating-frame\" where its sections turn by \
-             less than 0.1 rad"
+             {indent}hint: take fewer elements or a smaller retardation_time, simulate with --integrator implicit where contacts are rare, or \
+             formulation = \"floating-frame\" where its sections turn by less than 0.1 rad"
         );
     }
     push_contacts(text, &indent, (mechanism, sample), place.body, beam.axial_stiffness_n_m);

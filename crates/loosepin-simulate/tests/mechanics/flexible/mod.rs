@@ -3,6 +3,7 @@
 mod condensed;
 mod estimates;
 mod histories;
+mod implicit;
 mod laws;
 mod lumps;
 mod nodal;

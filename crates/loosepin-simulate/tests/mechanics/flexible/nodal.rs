@@ -2,7 +2,7 @@
 
 use super::{apart, case_text, record_of, record_within, reordered, values};
 use crate::elements::{build, file};
-use loosepin_simulate::{Observer, Settings, Step, Window, run};
+use loosepin_simulate::{Integrator, Observer, Plan, Settings, Step, Window, run, simulate};
 
 /// A case of a flexible link in absolute nodal coordinates, over a short time.
 fn nodal(name: &str, shapes: &str, elements: usize, [duration, short]: [&str; 2]) -> String {
@@ -64,8 +64,13 @@ fn blade_tips_m(elements: usize, times: usize) -> Vec<f64> {
     let built = build(&text);
     // The hub is driven, the root is clamped to it: its slope has a length alone.
     assert_eq!((built.mechanism.real.free, built.mechanism.real.cuts.len()), (4 * elements + 1, 0));
-    let record = record_of(&built, 1e-7);
-    assert!(record.energy.relative_residual < 1e-9, "{:e}", record.energy.relative_residual);
+    let plan = Plan {
+        settings: Settings { tolerance_m: 1e-4, integrator: Integrator::Implicit, ..Settings::for_simulation() },
+        ..Plan::of_model(&built.mechanism.model)
+    };
+    let record = simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record;
+    // Explicit steps, which follow axial waves, have the same places to 3e-8 m, with fourteen times the evaluations.
+    assert!(record.energy.relative_residual < 1e-6, "{:e}", record.energy.relative_residual);
     rows.iter().map(|row| values(&record, "across")[*row]).collect()
 }
 
@@ -74,14 +79,12 @@ const BLADE_TIPS_M: [f64; 3] = [-0.62314398, -0.75038786, -0.70697221];
 
 /// A blade on a hub that is brought to speed: at 5 s two elements leave 4.4e-2 m, four 3.6e-3 m, eight 8.5e-5 m.
 #[test]
-#[ignore = "a minute of processor time: explicit steps follow the axial waves"]
 fn peer_a_blade_of_two_and_four_elements_whose_hub_is_brought_to_speed() {
     let [two, four] = [2, 4].map(|elements| (blade_tips_m(elements, 1)[0] - BLADE_TIPS_M[0]).abs());
     assert!(four < 4e-3 && two > 8.0 * four, "{two:e} m and {four:e} m");
 }
 
 #[test]
-#[ignore = "minutes of processor time: explicit steps follow the axial waves"]
 fn peer_a_blade_of_eight_elements_whose_hub_is_brought_to_speed() {
     for (found, exact) in blade_tips_m(8, 3).iter().zip(BLADE_TIPS_M) {
         assert!((found - exact).abs() < 1e-3, "{found} m for {exact} m");

@@ -136,12 +136,11 @@ fn analytic_stress_of_a_cantilever_that_bends_far() {
 #[test]
 fn identity_stress_in_absolute_nodal_coordinates_is_that_in_the_floating_frame() {
     let run = |keys: &str| {
-        let text = case_text("flexible_four_bar")
+        case_text("flexible_four_bar")
             .replace("duration = \"20 ms\"", "duration = \"0.5 ms\"")
             .replace("radial_clearance = \"0.2 mm\"", "radial_clearance = \"0 mm\"")
             .replace("lateral_shapes = 3\naxial_shapes = 2", &format!("{keys}\nstart = \"settled\""))
-            + "\n[output.stress]\nstress_in = \"coupler\"\n";
-        text
+            + "\n[output.stress]\nstress_in = \"coupler\"\n"
     };
     let nodes = run("formulation = \"absolute-nodal\"\nelements = 8");
     let exchanged = nodes.replace("from = \"tail\"\nto = \"head\"", "from = \"head\"\nto = \"tail\"");
