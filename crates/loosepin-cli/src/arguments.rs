@@ -157,8 +157,9 @@ pub struct SimulateArguments {
     /// Position accuracy over the first half turn, with its unit
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
-    /// Kind of steps: implicit for flexible bodies in absolute nodal coordinates that move slowly against the frequencies of their mesh
-    #[arg(long, value_name = "KIND", value_enum, default_value_t = IntegratorKind::Explicit)]
+    /// Kind of steps: explicit, or implicit for flexible bodies in absolute nodal coordinates that move slowly against the frequencies of
+    /// their mesh
+    #[arg(long, value_name = "KIND", value_enum, hide_possible_values = true, default_value_t = IntegratorKind::Explicit)]
     pub integrator: IntegratorKind,
     /// Measured curves to compare with the outputs, with a header such as "angle [deg], slider [mm]"; may be repeated
     #[arg(long, value_name = "CSV")]
