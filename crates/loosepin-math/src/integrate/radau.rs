@@ -171,7 +171,7 @@ impl Radau {
         }
         // Hairer's safety factor: less where the iterations were many.
         let safety = 0.9 * (2 * ITERATIONS + 1) as f64 / (2 * ITERATIONS + self.iterations) as f64;
-        let mut growth = safety / error.max(LEAST_ERROR).powf(0.25);
+        let mut growth = safety / error.max(LEAST_ERROR).sqrt().sqrt();
         if self.iterations >= MANY {
             growth = growth.min(1.0);
         }
@@ -296,8 +296,8 @@ impl Radau {
                     self.iterations = iteration + 1;
                     return true;
                 }
-                let rest = (ITERATIONS - 1 - iteration) as i32;
-                if factor.powi(rest) / (1.0 - factor) * size > LEFT {
+                let at_the_end = (iteration + 1..ITERATIONS).fold(size, |size, _| size * factor);
+                if at_the_end / (1.0 - factor) > LEFT {
                     return false;
                 }
             } else if size <= NOTHING * LEFT {
