@@ -1,6 +1,7 @@
 //! Problems whose bounds are known in closed form or by quadrature.
 
 mod correlated;
+mod curves;
 mod discrete;
 mod evidence;
 pub(crate) mod exact;

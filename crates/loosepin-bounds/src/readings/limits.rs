@@ -7,7 +7,7 @@ use crate::estimators::sample::Sample;
 use crate::search::measure::MeasureKind;
 
 /// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them; and a rough
-/// statistic among those of curves, whose reach is not located between the candidates.
+/// statistic among those of curves.
 const RESPONSE_MARGIN: f64 = 0.1;
 
 /// The same for what a search concedes to any other statistic: a hill of which a run has met the upper half may be twice as high.

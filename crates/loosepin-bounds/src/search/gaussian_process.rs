@@ -73,13 +73,41 @@ impl Kernel {
         covariance
     }
 
-    /// Correlations of places at these distances.
-    fn at_distances(&self, distances: &[f64]) -> Vec<f64> {
-        let factor = match self.smoothness {
+    /// s over r.
+    fn factor(&self) -> f64 {
+        match self.smoothness {
             Smoothness::Once => 3.0_f64.sqrt(),
             Smoothness::Twice => 5.0_f64.sqrt(),
             Smoothness::FourTimes => 3.0,
-        };
+        }
+    }
+
+    /// The slopes of the correlations of places at these distances, each divided by its distance:
+    ///
+    /// ```text
+    /// (dk/ds)/s · (s/d)²,   (dk/ds)/s = -exp(-s),  -(1 + s)/3 exp(-s),  -(1 + s + 2s²/5 + s³/15)/7 exp(-s)
+    /// ```
+    fn slopes_at_distances(&self, distances: &[f64]) -> Vec<f64> {
+        let scale = self.factor() / self.length_scale;
+        let negated: Vec<f64> = distances.iter().map(|distance| -(scale * distance)).collect();
+        let mut slopes = vec![0.0; distances.len()];
+        exponentials(&negated, &mut slopes);
+        for (slope, negated) in slopes.iter_mut().zip(&negated) {
+            let s = -negated;
+            *slope *= -scale
+                * scale
+                * match self.smoothness {
+                    Smoothness::Once => 1.0,
+                    Smoothness::Twice => (1.0 + s) / 3.0,
+                    Smoothness::FourTimes => (1.0 + s * (1.0 + s * (0.4 + s / 15.0))) / 7.0,
+                };
+        }
+        slopes
+    }
+
+    /// Correlations of places at these distances.
+    fn at_distances(&self, distances: &[f64]) -> Vec<f64> {
+        let factor = self.factor();
         let negated: Vec<f64> = distances.iter().map(|distance| -(factor * (distance / self.length_scale))).collect();
         let mut correlations = vec![0.0; distances.len()];
         exponentials(&negated, &mut correlations);
@@ -297,9 +325,46 @@ impl Model {
         (dot(&correlations, white) + dot(&rest, of_trend), variance.sqrt())
     }
 
+    /// The mean of the process at `place` and so `many` of its deviations for σ = 1, from [`Self::whitened`] estimates, with how this sum
+    /// changes along each coordinate. With m many deviations and s one of them,
+    ///
+    /// ```text
+    /// b = G Bᵀ W y + (m/s) G r,   slope_i = ∂k/∂x_i · Wᵀ(W y - (m/s) c - B b) + ∂f/∂x_i · b
+    /// ```
+    pub fn moved_and_slopes(&self, place: &[f64], whitened: (&[f64], &[f64]), many: f64) -> (f64, Vec<f64>) {
+        let (white, of_trend) = whitened;
+        let distances = self.distances(place);
+        let Prediction { correlations, rest, variance } = self.predict_at(place, &distances);
+        let deviation = variance.sqrt();
+        let moved = dot(&correlations, white) + dot(&rest, of_trend) + many * deviation;
+        // At a point that the model meets the deviation has a kink.
+        let share = if deviation > 0.0 { many / deviation } else { 0.0 };
+        let of_rest = self.trend_covariance.multiply(&rest);
+        let of_trend: Vec<f64> = of_trend.iter().zip(&of_rest).map(|(own, rest)| own + share * rest).collect();
+        let mut white: Vec<f64> = white.iter().zip(&correlations).map(|(own, known)| own - share * known).collect();
+        self.whitened.take_out(&mut white, &of_trend);
+        let weights = self.whitened.whitening().multiply_transposed(&white);
+        let mut slopes = self.trend.slopes(place, &of_trend);
+        let by_distance = self.kernel.slopes_at_distances(&distances);
+        for ((point, weight), by_distance) in self.points.iter().zip(&weights).zip(&by_distance) {
+            for (slope, (x, own)) in slopes.iter_mut().zip(place.iter().zip(point)) {
+                *slope += weight * by_distance * (x - own);
+            }
+        }
+        (moved, slopes)
+    }
+
+    fn distances(&self, place: &[f64]) -> Vec<f64> {
+        self.points.iter().map(|point| distance(point, place)).collect()
+    }
+
     fn predict(&self, place: &[f64]) -> Prediction {
-        let distances: Vec<f64> = self.points.iter().map(|point| distance(point, place)).collect();
-        let known = self.kernel.at_distances(&distances);
+        self.predict_at(place, &self.distances(place))
+    }
+
+    /// The same where the distances from the points are known.
+    fn predict_at(&self, place: &[f64], distances: &[f64]) -> Prediction {
+        let known = self.kernel.at_distances(distances);
         let (correlations, rest) = self.whitened.at_place(&known, &self.trend.terms(place));
         let variance = 1.0 - dot(&correlations, &correlations) + dot(&rest, &self.trend_covariance.multiply(&rest));
         Prediction { correlations, rest, variance: variance.max(0.0) }

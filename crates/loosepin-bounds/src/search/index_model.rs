@@ -50,6 +50,18 @@ impl<'a> IndexModel<'a> {
         self.forecast(self.fit.at(place, allowance))
     }
 
+    /// As [`LocalFits::moved_and_slopes`], of x.
+    pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
+        let (moved, mut slopes) = self.fit.moved_and_slopes(place, allowance, sign);
+        if self.is_compressed {
+            return (moved, slopes);
+        }
+        // dx/dz
+        let slope = 1.0 / (1.0 + moved * moved).sqrt();
+        slopes.iter_mut().for_each(|own| *own *= slope);
+        (compressed(moved), slopes)
+    }
+
     /// Predictions at every one of [`Self::places`].
     pub fn at_places(&self, allowance: Allowance) -> impl Iterator<Item = IndexForecast> {
         self.fit.at_places(allowance).map(|found| self.forecast(found))

@@ -222,6 +222,16 @@ impl<'a> LocalFits<'a> {
 
     /// Prediction of S at `place`, with what an allowance asks for.
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Prediction {
+        self.fit_of(place).at(place, allowance)
+    }
+
+    /// As [`Fit::moved_and_slopes`].
+    pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
+        self.fit_of(place).moved_and_slopes(place, allowance, sign)
+    }
+
+    /// The fit of the part that `place` lies in.
+    fn fit_of(&self, place: &[f64]) -> &Fit<'a> {
         let own = match &self.smoothers.parts[..] {
             [_] => 0,
             parts => {
@@ -234,7 +244,7 @@ impl<'a> LocalFits<'a> {
                 )
             }
         };
-        self.fits[own].at(place, allowance)
+        &self.fits[own]
     }
 }
 

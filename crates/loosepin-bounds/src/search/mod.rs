@@ -2,6 +2,7 @@
 
 mod assessment;
 mod broken_reach;
+mod climb;
 pub(crate) mod design;
 mod extremes;
 mod gaussian_process;

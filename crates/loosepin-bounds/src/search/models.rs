@@ -20,7 +20,8 @@ pub(super) const LEAST_DISTANCE_IN_ROUND: f64 = 0.02;
 /// A new point keeps this distance from all earlier ones.
 pub(super) const LEAST_DISTANCE: f64 = 1e-6;
 
-/// With more targets than this (the poses of curves) the reach of each is taken over the candidates alone.
+/// With more targets than this (the poses of curves) next points are sought at the candidates alone, and the reach of each is found by a few
+/// short climbs.
 pub(crate) const MOST_LOCATED_TARGETS: usize = 256;
 
 /// From this share of noise on, what values differ by from one point to the next says more of it than of the statistic.

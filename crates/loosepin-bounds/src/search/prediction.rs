@@ -53,6 +53,11 @@ impl Allowance {
     /// What is conceded.
     pub const CONCESSION: Self = Self { deviations: CONCEDED, concedes_roughness: true };
 
+    /// Standard deviations of the smooth part.
+    pub fn deviations(self) -> f64 {
+        self.deviations
+    }
+
     /// Whether it asks for the rough part, which takes time.
     pub fn concedes_roughness(self) -> bool {
         self.concedes_roughness

@@ -1,12 +1,17 @@
 //! How far models let a target go.
 
 use super::broken_reach::reach_of_break;
+use super::climb::Climb;
 use super::models::{Branch, Search};
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
 use super::target::Target;
 use super::target_model::TargetModel;
 use crate::data::direction::Direction;
+
+/// Summits that are climbed to, at most, and how far their candidates lie apart along some axis, in units of the box.
+const MOST_SUMMITS: usize = 3;
+const APART: f64 = 0.25;
 
 /// How far a target may go beyond what has been attained, by its model.
 #[derive(Debug, Clone)]
@@ -25,7 +30,7 @@ impl Search<'_> {
     pub fn reach(&self, target: &Target, branch: &Branch<'_>, direction: Direction, region: &Region) -> f64 {
         let Some(model) = &branch.model else { return direction.sign() * f64::INFINITY };
         let most = if self.is_of_curves() {
-            reach(model, direction, region, Allowance::CONCESSION).optimistic
+            climbed_reach(self.axes, model, direction, region, target.range())
         } else {
             located_reach(self.axes, model, direction, region)
         };
@@ -54,13 +59,27 @@ impl Search<'_> {
 
 /// How far the model lets its target go in `direction`, with an `allowance`, over all candidates and points in `region`.
 pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
+    reach_where(model, direction, region, allowance, |_| true)
+}
+
+/// [`reach`] over those of the candidates and points alone that are `meant`.
+pub(super) fn reach_where(
+    model: &TargetModel<'_>,
+    direction: Direction,
+    region: &Region,
+    allowance: Allowance,
+    is_meant: impl Fn(&[f64]) -> bool,
+) -> Reach {
     let sign = direction.sign();
     // Nearly all models are plain ones: what is asked at thousands of places is then one straight loop, where nothing is rough without
     // a question.
     let (optimistic, expected) = match model {
         TargetModel::Plain(fit) => {
             let all_in = fit.are_all_in(region);
-            let is_held = |place: usize| all_in || region.holds(&fit.places()[place]);
+            let is_held = |place: usize| {
+                let at = &fit.places()[place];
+                (all_in || region.holds(at)) && is_meant(at)
+            };
             let ends = |at: Prediction| (sign * at.moved(allowance, sign), sign * at.mean);
             if allowance.concedes_roughness() && fit.is_rough() {
                 furthest(fit.at_places(allowance).map(ends), is_held)
@@ -71,7 +90,10 @@ pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Regi
         _ => {
             let at_places = model.at_places(allowance);
             let ends = at_places.map(|at| (sign * at.moved(allowance, sign), sign * at.mean()));
-            furthest(ends, |place| region.holds(&model.places()[place]))
+            furthest(ends, |place| {
+                let at = &model.places()[place];
+                region.holds(at) && is_meant(at)
+            })
         }
     };
     if optimistic.0 == f64::NEG_INFINITY {
@@ -106,6 +128,43 @@ fn furthest(ends: impl Iterator<Item = (f64, f64)>, is_held: impl Fn(usize) -> b
         }
     }
     (optimistic, expected)
+}
+
+/// How far the model of a target with this `range` lets it go over the whole region: the most that it concedes at a candidate, and where
+/// climbs from the best candidates end; of an index from the best in what is hoped for, as in [`located_reach`].
+fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region, range: f64) -> f64 {
+    let coarse = reach(model, direction, region, Allowance::CONCESSION);
+    if !coarse.optimistic.is_finite() || range == 0.0 {
+        return coarse.optimistic;
+    }
+    let climb = Climb::new(axes, model, direction, region, range);
+    if !matches!(model, TargetModel::Plain(_)) {
+        let hoped = reach(model, direction, region, Allowance::HOPED);
+        return direction.further(coarse.optimistic, climb.concession_above(&hoped.optimistic_at));
+    }
+    let mut furthest = direction.further(coarse.optimistic, climb.concession_above(&coarse.optimistic_at));
+    // Beside what is noisy or rough a summit that is a little higher than the best candidate says nothing.
+    if model.is_beside() {
+        return furthest;
+    }
+    // The mean distance of neighbours.
+    let spacing = (model.places().len() as f64).powf(-1.0 / region.lower.len() as f64);
+    let mut starts = vec![coarse.optimistic_at];
+    for _ in 1..MOST_SUMMITS {
+        let is_apart = |place: &[f64]| {
+            let away = |start: &Vec<f64>| (0..place.len()).any(|k| axes.step(k, start[k], place[k]).abs() > APART);
+            starts.iter().all(away)
+        };
+        let next = reach_where(model, direction, region, Allowance::CONCESSION, is_apart);
+        if !next.optimistic.is_finite() {
+            break;
+        }
+        if climb.may_exceed(furthest, &next.optimistic_at, 2.0 * spacing) {
+            furthest = direction.further(furthest, climb.concession_above(&next.optimistic_at));
+        }
+        starts.push(next.optimistic_at);
+    }
+    furthest
 }
 
 /// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what

@@ -47,6 +47,20 @@ impl Axes {
         seen
     }
 
+    /// How a quantity changes along each axis at `at` that changes so along the coordinates [`Self::seen`].
+    pub fn slopes(&self, at: &[f64], of_seen: &[f64]) -> Vec<f64> {
+        let (of_open, of_circles) = of_seen.split_at(at.len() - self.circles());
+        let (mut of_open, mut of_circles) = (of_open.iter(), of_circles.chunks_exact(2));
+        let slope = |(x, is_periodic): (&f64, &bool)| {
+            if !is_periodic {
+                return of_open.next().copied().unwrap_or(0.0);
+            }
+            let angle = core::f64::consts::TAU * x;
+            of_circles.next().map_or(0.0, |of| libm::cos(angle) * of[1] - libm::sin(angle) * of[0])
+        };
+        at.iter().zip(&self.is_periodic).map(slope).collect()
+    }
+
     /// `value` brought into the part of `axis` from `lower` to `upper`: to the nearer end, or round the circle.
     pub fn inside(&self, axis: usize, value: f64, [lower, upper]: [f64; 2]) -> f64 {
         if self.is_periodic[axis] { value.rem_euclid(1.0) } else { value.max(lower).min(upper) }

@@ -382,6 +382,15 @@ impl Fit<'_> {
         let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(&seen));
         Prediction { mean: self.centre + found.0, deviation: self.deviation * found.1, roughness }
     }
+
+    /// The smooth part of S at `place` where its model errs by `allowance` towards `sign`, with how this changes along each axis.
+    pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
+        let axes = &self.smoother.axes;
+        let many = sign * allowance.deviations() * self.deviation;
+        let whitened = (&self.whitened.0[..], &self.whitened.1[..]);
+        let (moved, seen_slopes) = self.model.moved_and_slopes(&axes.seen(place), whitened, many);
+        (self.centre + moved, axes.slopes(place, &seen_slopes))
+    }
 }
 
 #[cfg(test)]

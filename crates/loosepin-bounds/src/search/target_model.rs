@@ -9,6 +9,9 @@ use super::prediction::{Allowance, Prediction};
 use super::target::{Target, TargetKind};
 use crate::estimators::index::index_of_either;
 
+/// Half of the distance of indices over which the slope of that of either of two events is taken.
+const HALF_STEP: f64 = 1e-4;
+
 /// Prediction of a target at a place.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Forecast {
@@ -94,6 +97,25 @@ impl<'a> TargetModel<'a> {
             Self::Plain(fit) => Forecast::Plain(fit.at(place, allowance)),
             Self::Index(model) => Forecast::Index(model.at(place, allowance)),
             Self::Either(models) => Forecast::Either([0, 1].map(|side| models[side].at(place, allowance))),
+        }
+    }
+
+    /// The smooth part of the target at `place` where its model, or that of each event, errs by `allowance` towards `sign`, with how this
+    /// changes along each axis.
+    pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
+        match self {
+            Self::Plain(fit) => fit.moved_and_slopes(place, allowance, sign),
+            Self::Index(model) => model.moved_and_slopes(place, allowance, sign),
+            Self::Either(models) => {
+                let [(a, of_a), (b, of_b)] = [0, 1].map(|side| models[side].moved_and_slopes(place, allowance, sign));
+                let along = |a: [f64; 2], b: [f64; 2]| {
+                    (index_of_either(a[1], b[1]) - index_of_either(a[0], b[0])) / (2.0 * HALF_STEP)
+                };
+                let beside = |x: f64| [x - HALF_STEP, x + HALF_STEP];
+                let (by_a, by_b) = (along(beside(a), [b; 2]), along([a; 2], beside(b)));
+                let slopes = of_a.iter().zip(&of_b).map(|(of_a, of_b)| by_a * of_a + by_b * of_b);
+                (index_of_either(a, b), slopes.collect())
+            }
         }
     }
 

@@ -50,13 +50,40 @@ impl Trend {
             terms.extend(point.iter().map(|x| 2.0 * x - 1.0));
         }
         if self.degree == Degree::Quadratic {
-            let open = point.len() - 2 * self.circles;
             for (i, x) in point.iter().enumerate() {
-                let is_sine = i >= open && (i - open) % 2 == 1;
-                let first = if is_sine { i + 1 } else { i };
-                terms.extend(point[first..].iter().map(|y| (2.0 * x - 1.0) * (2.0 * y - 1.0)));
+                terms.extend(
+                    point[self.first_partner(i, point.len())..].iter().map(|y| (2.0 * x - 1.0) * (2.0 * y - 1.0)),
+                );
             }
         }
         terms
+    }
+
+    /// How the polynomial with these `coefficients` of [`Self::terms`] changes along each coordinate of `point`.
+    pub fn slopes(self, point: &[f64], coefficients: &[f64]) -> Vec<f64> {
+        let mut slopes = vec![0.0; point.len()];
+        let mut rest = coefficients.iter().skip(1);
+        if self.degree != Degree::Constant {
+            // dt/dx = 2
+            for (slope, coefficient) in slopes.iter_mut().zip(rest.by_ref()) {
+                *slope = 2.0 * coefficient;
+            }
+        }
+        if self.degree == Degree::Quadratic {
+            for i in 0..point.len() {
+                for (j, coefficient) in (self.first_partner(i, point.len())..point.len()).zip(rest.by_ref()) {
+                    slopes[i] += 2.0 * coefficient * (2.0 * point[j] - 1.0);
+                    slopes[j] += 2.0 * coefficient * (2.0 * point[i] - 1.0);
+                }
+            }
+        }
+        slopes
+    }
+
+    /// The first coordinate with which coordinate `i` is multiplied.
+    fn first_partner(self, i: usize, dimensions: usize) -> usize {
+        let open = dimensions - 2 * self.circles;
+        let is_sine = i >= open && (i - open) % 2 == 1;
+        if is_sine { i + 1 } else { i }
     }
 }
