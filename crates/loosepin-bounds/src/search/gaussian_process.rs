@@ -436,3 +436,41 @@ fn side_by_side<const N: usize>(rows: &[f64], length: usize) -> Vec<[f64; N]> {
 fn is_zero(values: &[f64]) -> bool {
     values.iter().all(|value| *value == 0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Kernel, Model, Smoothness};
+    use crate::search::design::first_points;
+    use crate::search::trend::Trend;
+
+    #[test]
+    fn identity_slopes_of_every_kernel_are_those_of_differences() {
+        const STEP: f64 = 1e-5;
+        // Of central differences, of values about 1: round-off over the step.
+        const TOLERANCE: f64 = 1e-5;
+        let points = first_points(3, 2, 24).unwrap();
+        let (trend, terms, _) = Trend::for_points(&points, 0).unwrap();
+        let values: Vec<f64> = points.iter().map(|u| (5.0 * u[0]).sin() + (4.0 * u[1] * u[0]).cos()).collect();
+        for smoothness in [Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes] {
+            let kernel = Kernel { smoothness, length_scale: 0.45 };
+            let covariance = kernel.covariance(&points);
+            let model = Model::try_new(0, &points, covariance, (trend, &terms), kernel, 1e-4, None).unwrap();
+            let (white, of_trend) = model.whitened(&values);
+            for (place, many) in [([0.3, 0.2], 0.0), ([0.85, 0.95], 3.0), ([0.05, 0.6], -2.0)] {
+                let at = |place: &[f64]| {
+                    let (mean, deviation) = model.mean_and_deviation(place, (&white, &of_trend));
+                    mean + many * deviation
+                };
+                let (moved, slopes) = model.moved_and_slopes(&place, (&white, &of_trend), many);
+                assert!((moved - at(&place)).abs() < 1e-12, "{smoothness:?}: {moved}");
+                for (axis, slope) in slopes.iter().enumerate() {
+                    let [mut before, mut behind] = [place; 2];
+                    before[axis] -= STEP;
+                    behind[axis] += STEP;
+                    let expected = (at(&behind) - at(&before)) / (2.0 * STEP);
+                    assert!((slope - expected).abs() < TOLERANCE, "{smoothness:?}, {axis}: {slope} {expected}");
+                }
+            }
+        }
+    }
+}
