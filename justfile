@@ -148,6 +148,10 @@ compare *ARGUMENTS:
 compare-bounds *ARGUMENTS:
     python3 tools/compare/bounds.py {{ ARGUMENTS }}
 
+# Holds `loosepin identify` against approximate Bayesian computation; tools/compare/identify/README.md says how.
+compare-identify *ARGUMENTS:
+    python3 tools/compare/identify.py {{ ARGUMENTS }}
+
 # Holds what surrogates predict, ours and those of other packages, against the same points; tools/compare/surrogates/README.md says how.
 compare-surrogates *ARGUMENTS:
     python3 tools/compare/surrogates.py {{ ARGUMENTS }}

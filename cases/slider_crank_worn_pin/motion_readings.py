@@ -2,8 +2,9 @@
 
 Each seed draws play, restitution and lengths as measured.toml declares them, runs the mechanism of model.toml for two turns and ten
 more, and takes the largest magnitude and the rms of the acceleration of the slider over the ten. The gain of the sensor is off by up to
-5 %, the same for both. Alternatives are mechanisms that the study does not allow: a crank pin with play as well (`joint`), and
-friction in the worn pin (`friction`).
+5 %, the same for both. Alternatives are mechanisms that the study does not allow: a crank pin with play as well, of 0.3 mm (`joint`) or
+1 mm (`worn_joint`), and friction of 0.3 in the worn pin, whose play is anywhere in its interval (`friction`) or between 0.3 and 0.5 mm, for
+a study that knows this (`friction_known_play`).
 
     python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative
     python motion_readings.py 20 5 joint                   seeds 5 to 19 of one alternative
@@ -28,7 +29,14 @@ SAMPLES = 5000  # a turn: 2.4 us, of a contact of 30 us
 SETTINGS = Settings(position_error=1e-10, velocity_error=1e-7, largest_step_s=2e-5)
 ERROR = 0.05
 CRANK_PIN = '[joint.crank_pin]\nkind = "revolute"\nbearing = "crank.pin"\njournal = "rod.big_end"\n'
-SECOND_PLAY = 'bearing_radius = "10 mm"\nradial_clearance = "0.3 mm"\ncontact = "steel_pin"\n'
+# Play of the crank pin, mm; friction in the worn pin; interval of its play, mm.
+ALTERNATIVES = {
+    "none": (None, None, (0.1, 0.5)),
+    "joint": (0.3, None, (0.1, 0.5)),
+    "worn_joint": (1.0, None, (0.1, 0.5)),
+    "friction": (None, 0.3, (0.1, 0.5)),
+    "friction_known_play": (None, 0.3, (0.3, 0.5)),
+}
 FRICTION = 'density = "7800 kg/m^3"                              # for the law\'s validity limit\n'
 
 
@@ -40,10 +48,12 @@ def model_text(alternative, play_mm, restitution, crank_mm, rod_mm):
         ("restitution = 0.8 ", f"restitution = {restitution!r} "),
         ('radial_clearance = "0.3 mm"', f'radial_clearance = "{play_mm!r} mm"'),
     ]
-    if alternative == "joint":
-        changes.append((CRANK_PIN, CRANK_PIN + SECOND_PLAY))
-    if alternative == "friction":
-        changes.append((FRICTION, FRICTION + 'friction = { law = "ambrosio", coefficient = 0.3 }\n'))
+    second_play_mm, friction, _ = ALTERNATIVES[alternative]
+    if second_play_mm:
+        play = f'bearing_radius = "10 mm"\nradial_clearance = "{second_play_mm} mm"\ncontact = "steel_pin"\n'
+        changes.append((CRANK_PIN, CRANK_PIN + play))
+    if friction:
+        changes.append((FRICTION, FRICTION + f'friction = {{ law = "ambrosio", coefficient = {friction} }}\n'))
     for old, new in changes:
         if text.count(old) != 1:
             raise SystemExit(f"model.toml does not hold {old!r} once")
@@ -75,7 +85,7 @@ def main(seeds, alternatives):
         for seed in seeds:
             random = np.random.default_rng([seed, 31])
             truth = [
-                float(random.uniform(0.1, 0.5)),
+                float(random.uniform(*ALTERNATIVES[alternative][2])),
                 float(random.uniform(0.7, 0.9)),
                 float(random.normal(50.0, 0.02)),
                 float(random.normal(120.0, 0.03)),
@@ -88,4 +98,4 @@ def main(seeds, alternatives):
 
 if __name__ == "__main__":
     first, behind = int(sys.argv[2]) if len(sys.argv) > 2 else 0, int(sys.argv[1]) if len(sys.argv) > 1 else 100
-    main(range(first, behind), sys.argv[3:] or ("none", "joint", "friction"))
+    main(range(first, behind), sys.argv[3:] or ALTERNATIVES)

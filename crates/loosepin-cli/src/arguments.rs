@@ -486,6 +486,9 @@ pub struct IdentifyArguments {
     /// Values of the unknowns at which a motion is tested, about at most
     #[arg(long, value_name = "N", default_value = "400", value_parser = points)]
     pub points: usize,
+    /// Give a posterior distribution beside the values that are consistent with a motion, by the same runs
+    #[arg(long, conflicts_with = "plan")]
+    pub posterior: bool,
     /// Number of threads for the runs of a motion, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

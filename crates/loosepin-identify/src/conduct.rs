@@ -46,11 +46,20 @@ pub struct Options {
     pub points: usize,
     /// Number of threads that runs of a motion are made on (default: all).
     pub threads: usize,
+    /// Whether a posterior distribution is given beside the set of a motion (default: no).
+    pub with_posterior: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { confidence: CONFIDENCE, specimen: None, looks_further: true, points: POINTS, threads: 0 }
+        Self {
+            confidence: CONFIDENCE,
+            specimen: None,
+            looks_further: true,
+            points: POINTS,
+            threads: 0,
+            with_posterior: false,
+        }
     }
 }
 
@@ -68,7 +77,12 @@ pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Id
         return Err(Complaint::error(&IdentifyProblem::NoReadings, Some(place)).into());
     }
     let wanted = specimens(study, options)?;
-    let asked = MotionValues { confidence, points: options.points, threads: options.threads };
+    let asked = MotionValues {
+        confidence,
+        points: options.points,
+        threads: options.threads,
+        with_posterior: options.with_posterior,
+    };
     let motion = identify_motion(study, options.specimen.as_ref(), &asked, heard)?;
     let answer = |random_inputs, specimens| Identification {
         study: study.name.clone(),

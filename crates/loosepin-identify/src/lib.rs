@@ -21,5 +21,5 @@ pub use conduct::{CONFIDENCE, Options, POINTS, identify};
 pub use error::IdentifyProblem;
 pub use loosepin_result::identification as record;
 pub use loosepin_result::motion_identification as motion_record;
-pub use motion::{Heard, MotionRig, MotionValues, UNHEARD, plan_motion};
+pub use motion::{Heard, MotionRig, MotionValues, RunsOfValue, UNHEARD, plan_motion};
 pub use narrowed::{Narrowed, known_bounds, narrowed, write_narrowed};

@@ -64,8 +64,9 @@ pub fn identified(
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Identification> {
     let Asked { values, specimen } = asked;
-    let MotionValues { confidence, points, threads } = *values;
-    let options = Options { confidence, points, threads, specimen: specimen.clone(), ..Options::default() };
+    let MotionValues { confidence, points, threads, with_posterior } = *values;
+    let specimen = specimen.clone();
+    let options = Options { confidence, points, threads, with_posterior, specimen, ..Options::default() };
     let answer = told(py, progress, |heard| identify(study, &options, heard).map_err(raise))?;
     Ok(Identification { answer, study: study.clone() })
 }

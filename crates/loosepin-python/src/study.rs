@@ -140,17 +140,20 @@ impl Study {
     }
 
     /// What its readings and its motion say of its unknowns.
-    #[pyo3(signature = (points, confidence, specimen, threads, progress))]
+    #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
+    #[pyo3(signature = (points, confidence, specimen, posterior, threads, progress))]
     fn identify(
         &self,
         py: Python<'_>,
         points: i64,
         confidence: f64,
         specimen: Option<String>,
+        posterior: bool,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Identification> {
-        let asked = identification::Asked { values: motion_values(points, confidence, threads)?, specimen };
+        let values = MotionValues { with_posterior: posterior, ..motion_values(points, confidence, threads)? };
+        let asked = identification::Asked { values, specimen };
         identified(py, &self.0, &asked, progress.as_ref())
     }
 
@@ -200,7 +203,7 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
         let text = format!("points {points}; must be between {LEAST_POINTS} and {MOST_POINTS}");
         return Err(PyValueError::new_err(text));
     }
-    Ok(MotionValues { confidence, points: points as usize, threads: count_threads(threads)? })
+    Ok(MotionValues { confidence, points: points as usize, threads: count_threads(threads)?, with_posterior: false })
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.

@@ -70,3 +70,27 @@ def test_a_motion_narrows_its_unknown_and_a_misfit_is_none(tmp_path):
     assert wrong.is_misfit
     with pytest.raises(lp.LoosepinError, match="no values explain what was measured"):
         wrong.narrowed()
+
+
+def test_a_posterior_distribution_is_that_of_the_command(tmp_path):
+    text = (REPOSITORY / "cases/slider_crank_worn_pin/model.toml").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith(("bearing_radius", "radial_clearance", "contact ="))]
+    (tmp_path / "model.toml").write_text("\n".join(lines), encoding="utf-8")
+    # 2 r = 100.3 mm with a standard deviation of 0.3 mm; 19 errors are drawn.
+    study = STROKE.replace('error = "± 0.2 mm"', 'scatter = "0.3 mm"')
+    (tmp_path / "study.toml").write_text(study, encoding="utf-8")
+    asked = {"confidence": 0.9, "points": 60, "progress": False}
+    loaded = lp.Study.load(tmp_path / "study.toml")
+    assert loaded.identify(**asked).posterior == ()
+    found = loaded.identify(posterior=True, **asked)
+    (crank,) = found.posterior
+    assert (crank.path, crank.unit, crank.specimen) == ("parameter.crank_length", "m", None)
+    assert crank.credible[0] < crank.mean < crank.credible[1] and sum(crank.probabilities) == pytest.approx(1.0)
+    # The mean of 19 errors is off by 0.23 standard deviations, 0.034 mm of the crank: three of them.
+    assert abs(crank.mean - 50.15e-3) < 0.11e-3
+    words = ["identify", "study.toml", "--posterior", "--confidence", "0.9", "--points", "60"]
+    ended = command(*words, "--json", cwd=tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert found.record == json.loads(ended.stdout)
+    assert str(found) == command(*words, cwd=tmp_path).stdout
+    assert "Posterior distribution" in str(found) and "prior: uniform" in str(found)

@@ -7,13 +7,15 @@ use super::identification_gain::{bound_words, narrower_words};
 use super::identification_text::{
     alike_words, further_words, grounds, headline, misfit_words, range, stated, sum_words,
 };
-use super::motion_identification_text::{self as motion_text, motion_range, plan_words};
+use super::motion_identification_text::{self as motion_text, plan_words};
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
+use super::posterior_figure::density;
+use super::posterior_text::{motion_range, posterior_heads, posterior_rows, posterior_words};
 use super::repeat_section::repeat_section;
 use super::wording::capitalised;
 use loosepin_result::identification::{Gain, Identification, Outcome, PlayBounds, Specimen};
-use loosepin_result::motion_identification::{MotionPlan, MotionSpecimen};
+use loosepin_result::motion_identification::{MotionPlan, MotionPosterior, MotionSpecimen};
 use loosepin_text::units::counted;
 
 /// Digits of a measured value.
@@ -31,6 +33,10 @@ pub fn identification_page(answer: &Identification) -> String {
         sections.push(Section::new("unknowns", "What the motion leaves", body));
         let body = each(&answer.motion, |specimen| &specimen.name, |index, it| features(it, index, &writer));
         sections.push(Section::new("features", "Measured and predicted", body));
+    }
+    if answer.motion.iter().any(|specimen| specimen.posterior.is_some()) {
+        let body = each(&answer.motion, |specimen| &specimen.name, |index, it| posterior(it, index, &writer));
+        sections.push(Section::new("posterior", "How probable the values are", body));
     }
     if !answer.specimens.is_empty() {
         let body = each(&answer.specimens, |specimen| &specimen.name, |index, it| plays(it, index, &writer));
@@ -189,6 +195,26 @@ fn features(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) 
     }
 }
 
+/// The posterior distribution, or why there is none.
+fn posterior(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) -> Markup {
+    let Some(posterior) = &specimen.posterior else { return Markup::default() };
+    let words = posterior_words(specimen, posterior, writer);
+    let MotionPosterior::Given(given) = posterior else {
+        return html! { ul { @for words in &words { li { (capitalised(words)) "." } } } };
+    };
+    let heads = posterior_heads(given, writer);
+    let rows = posterior_rows(specimen, given, writer).into_iter().map(|row| row.map(|cell| html! { (cell) }));
+    html! {
+        @for (place, (unknown, marginal)) in specimen.unknowns.iter().zip(&given.marginals).enumerate() {
+            @if let Some(summary) = &marginal.summary {
+                (density(unknown, (marginal, summary), given.probability, format!("posterior.{index}.{place}"), writer))
+            }
+        }
+        (cards(heads.each_ref().map(String::as_str), rows))
+        ul { @for words in &words { li { (capitalised(words)) "." } } }
+    }
+}
+
 /// What readings of a backlash test leave.
 fn plays(specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) -> Markup {
     let known = match &specimen.outcome {
@@ -287,7 +313,10 @@ fn method(answer: &Identification, writer: &NumberWriter<'_>) -> Markup {
 mod tests {
     use super::identification_page;
     use loosepin_result::identification::{Gain, Identification, PlayBounds};
-    use loosepin_result::motion_identification::{MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint};
+    use loosepin_result::motion_identification::{
+        Marginal, MarginalSummary, MotionFeature, MotionMisfit, MotionPosterior, MotionSpecimen, Posterior,
+        PosteriorRefusal, TestedPoint,
+    };
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
     fn unknown(name: &str, after_si: [f64; 2]) -> PlayBounds {
@@ -336,6 +365,7 @@ mod tests {
             failed: 0,
             is_coarse: false,
             misfit,
+            posterior: None,
         };
         Identification {
             study: "worn <pin>".to_owned(),
@@ -373,6 +403,32 @@ mod tests {
             page.split("class=\"cell\"").nth(1).and_then(|rest| rest.split('>').next()).map(|d| d.matches('Z').count()),
             Some(1)
         );
+    }
+
+    #[test]
+    fn a_posterior_distribution_is_drawn_for_each_unknown() {
+        let summary = MarginalSummary { mean_si: 2e-4, standard_deviation_si: 3e-5, credible_si: [1.3e-4, 2.9e-4] };
+        let marginal = Marginal { shares: vec![0.75, 0.25], summary: Some(summary) };
+        let given = Posterior {
+            probability: 0.99,
+            effective_values: 4.0,
+            effective_runs: 796.0,
+            marginals: vec![marginal.clone(), marginal],
+        };
+        let mut told = answer(None);
+        assert!(!identification_page(&told).contains("How probable the values are"));
+        told.motion[0].posterior = Some(MotionPosterior::Given(given));
+        let page = identification_page(&told).replace('\u{a0}', " ");
+        for words in
+            ["How probable the values are", "99 % credible", "Posterior density of gudgeon", "0.1300 mm to 0.2900 mm"]
+        {
+            assert!(page.contains(words), "{words}");
+        }
+        for name in ["posterior.0.0", "posterior.0.1"] {
+            assert!(page.contains(&format!("data-figure=\"{name}\"")), "{name}");
+        }
+        told.motion[0].posterior = Some(MotionPosterior::Refused(PosteriorRefusal::NothingScatters));
+        assert!(identification_page(&told).contains("No posterior distribution: nothing scatters"));
     }
 
     #[test]

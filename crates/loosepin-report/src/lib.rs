@@ -59,6 +59,8 @@ mod motion_page;
 mod number;
 mod page;
 mod percentile_words;
+mod posterior_figure;
+mod posterior_text;
 mod promise_text;
 mod repeat_section;
 mod script_data;

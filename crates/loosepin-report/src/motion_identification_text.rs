@@ -1,10 +1,11 @@
 //! The answer of an identification from motion for a terminal: what is consistent, or the misfit; and what features would tell.
 
 use super::number::{NumberWriter, Rounding};
+use super::posterior_text::{motion_range, posterior_heads, posterior_rows, posterior_words};
 use super::terminal_table::{keep_words, push_table, table, wrapped};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{
-    ConsistentMembers, MotionFeature, MotionMisfit, MotionPlan, MotionSpecimen, PlannedFeature,
+    ConsistentMembers, MotionFeature, MotionMisfit, MotionPlan, MotionPosterior, MotionSpecimen, PlannedFeature,
 };
 use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
 
@@ -54,6 +55,34 @@ pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: 
     }
     text.push('\n');
     for sentence in sentences {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
+    }
+    if let Some(posterior) = &specimen.posterior {
+        push_posterior(text, specimen, posterior, writer);
+    }
+}
+
+/// Appends how probable the values are, or why that is not told.
+fn push_posterior(
+    text: &mut String,
+    specimen: &MotionSpecimen,
+    posterior: &MotionPosterior,
+    writer: &NumberWriter<'_>,
+) {
+    text.push_str("\nPosterior distribution\n");
+    match posterior {
+        MotionPosterior::Given(given) => {
+            let heads = posterior_heads(given, writer);
+            let mut table = table(&heads.each_ref().map(String::as_str), &[1, 2]);
+            for row in posterior_rows(specimen, given, writer) {
+                table.add_row(row.to_vec());
+            }
+            push_table(text, &table);
+            text.push('\n');
+        }
+        MotionPosterior::Refused(_) => text.push('\n'),
+    }
+    for sentence in posterior_words(specimen, posterior, writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }
 }
@@ -205,14 +234,6 @@ pub(super) fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<St
         ));
     }
     words
-}
-
-/// Both ends, rounded outwards.
-pub(super) fn motion_range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
-    let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
-        if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
-    });
-    format!("{lower} to {upper}")
 }
 
 #[cfg(test)]

@@ -33,6 +33,85 @@ pub struct MotionSpecimen {
     pub is_coarse: bool,
     /// Why no value is consistent; nothing where some are.
     pub misfit: Option<MotionMisfit>,
+    /// How probable the values are, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub posterior: Option<MotionPosterior>,
+}
+
+/// The Bayesian answer beside the set: prior uniform over the box, each member of a list as probable as any other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MotionPosterior {
+    /// The posterior distribution.
+    Given(Posterior),
+    /// Why there is none.
+    Refused(PosteriorRefusal),
+}
+
+/// A posterior distribution of the unknowns.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Posterior {
+    /// Probability of each credible interval.
+    pub probability: f64,
+    /// Number of equally probable values that would carry as much as the tested ones do: 1/Σ p².
+    pub effective_values: f64,
+    /// Runs at so many values.
+    pub effective_runs: f64,
+    /// The distribution of each unknown by itself, in their order.
+    pub marginals: Vec<Marginal>,
+}
+
+/// The distribution of one unknown.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Marginal {
+    /// Probabilities of cells of equal width over the interval of the study, or of the members of a list.
+    pub shares: Vec<f64>,
+    /// Its numbers; nothing of a list.
+    pub summary: Option<MarginalSummary>,
+}
+
+/// Numbers of the distribution of an unknown that is no list.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MarginalSummary {
+    /// Mean, SI.
+    pub mean_si: f64,
+    /// Standard deviation, SI.
+    pub standard_deviation_si: f64,
+    /// Credible interval with equal tails, SI.
+    pub credible_si: [f64; 2],
+}
+
+/// Why there is no posterior distribution.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PosteriorRefusal {
+    /// No tested value is consistent.
+    Misfit,
+    /// Neither a random input nor an independent error scatters.
+    NothingScatters,
+    /// Too few runs at each value for the covariance of so many features.
+    FewRuns {
+        /// Runs at each value.
+        runs: usize,
+        /// Runs that so many features need, at least.
+        least: usize,
+    },
+    /// Too many of the runs that carry the weight failed.
+    Failed {
+        /// Their share, by weight.
+        share: f64,
+        /// Largest share that is allowed.
+        most: f64,
+    },
+    /// Too few values along an unknown carry the weight.
+    FewValues {
+        /// Place of the unknown.
+        unknown: usize,
+        /// Number of equally probable values that would carry as much.
+        effective: f64,
+        /// Number that is needed, at least.
+        least: f64,
+    },
 }
 
 /// An unknown that is one of a list.

@@ -78,7 +78,8 @@ impl StoredResult for Identification {
 
 fn motion_values(arguments: &IdentifyArguments) -> MotionValues {
     let threads = threads(arguments.threads);
-    MotionValues { confidence: arguments.confidence, points: arguments.points, threads }
+    let (confidence, points) = (arguments.confidence, arguments.points);
+    MotionValues { confidence, points, threads, with_posterior: arguments.posterior }
 }
 
 /// What the readings and the motion say, and what the study gains by it where that is asked for.
@@ -88,6 +89,7 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
         specimen: arguments.specimen.clone(),
         points: arguments.points,
         threads: threads(arguments.threads),
+        with_posterior: arguments.posterior,
         ..Options::default()
     };
     let mut answer = with_bar(|heard| identify(study, &options, heard))?;
@@ -143,6 +145,7 @@ fn stated(arguments: &IdentifyArguments) -> Vec<String> {
     stated.extend(["--points".to_owned(), arguments.points.to_string()]);
     stated.extend(arguments.specimen.iter().flat_map(|name| ["--specimen".to_owned(), name.clone()]));
     stated.extend(arguments.compare.then(|| "--compare".to_owned()));
+    stated.extend(arguments.posterior.then(|| "--posterior".to_owned()));
     stated.extend(["--out".to_owned(), "identified".to_owned()]);
     stated
 }

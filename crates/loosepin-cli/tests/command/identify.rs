@@ -134,6 +134,34 @@ fn a_page_is_written_once_and_again_from_its_record() {
 }
 
 #[test]
+fn a_posterior_distribution_is_printed_and_drawn_where_it_is_asked_for() {
+    let desk = stroke_desk();
+    desk.write("study.toml", &STROKE.replace("error = \"± 0.2 mm\"", "scatter = \"0.3 mm\""));
+    let asked = ["identify", "study.toml", "--points", "40", "--confidence", "0.9"];
+    assert!(!desk.succeed(&asked).output.contains("Posterior distribution"));
+    let with = [&asked[..], &["--posterior", "--out", "identified"]].concat();
+    let said = desk.succeed(&with);
+    for words in ["Posterior distribution", "90 % credible", "- prior: uniform over the intervals of the study"] {
+        assert!(said.output.contains(words), "{words}\n{}", said.output);
+    }
+    let page = desk.read("identified/report.html");
+    assert!(page.contains("data-figure=\"posterior.0.0\""), "the density is drawn");
+    assert!(page.contains("How probable the values are"));
+    // Without it, the same folder is asked for something else.
+    let other = desk.run(&[&asked[..], &["--out", "identified"]].concat());
+    assert_ne!(other.status, 0, "{}", other.output);
+    // Features of an ideal motion with nothing that scatters: the set alone.
+    let exact = STROKE.replace(
+        "[random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n",
+        "",
+    );
+    assert!(!exact.contains("[random]"));
+    desk.write("study.toml", &exact);
+    let said = desk.succeed(&[&asked[..], &["--posterior"]].concat());
+    assert!(said.output.contains("- no posterior distribution: nothing scatters"), "{}", said.output);
+}
+
+#[test]
 fn nothing_is_compared_for_a_misfit() {
     let desk = stroke_desk();
     desk.write("study.toml", &STROKE.replace("100.3 mm", "103 mm"));

@@ -6,6 +6,8 @@ use super::joint_test::Verdict;
 const FIRST_CELLS: usize = 64;
 /// A cell is fine enough where it is this share of the consistent set along each unknown.
 const RESOLUTION: f64 = 1.0 / 20.0;
+/// Where the inside of the set counts as well, its cells are this share of it along each unknown.
+const INSIDE: f64 = 1.0 / 8.0;
 /// Cells along an unknown, at most.
 const MOST_CELLS: usize = 512;
 
@@ -27,6 +29,10 @@ pub(crate) struct Grid {
     pub cells: Vec<Verdict>,
     /// Whether a cell was tested at its own middle.
     is_own: Vec<bool>,
+    /// Of each cell which of the tests counts for it, in their order.
+    pub tests: Vec<usize>,
+    /// Number of tests.
+    settled: usize,
 }
 
 /// Tests the middles of the cells that it is given, and settles them.
@@ -37,21 +43,35 @@ impl Grid {
     pub fn untested(axes: &[Axis], counts: Vec<usize>) -> Self {
         let verdict = Verdict { is_consistent: false, distance: f64::INFINITY };
         let count = counts.iter().product();
-        Self { axes: axes.to_vec(), counts, cells: vec![verdict; count], is_own: vec![false; count] }
+        Self {
+            axes: axes.to_vec(),
+            counts,
+            cells: vec![verdict; count],
+            is_own: vec![false; count],
+            tests: vec![0; count],
+            settled: 0,
+        }
     }
 
     /// Notes what the test says of the middle of a cell.
     pub fn settle(&mut self, cell: usize, verdict: Verdict) {
         self.cells[cell] = verdict;
         self.is_own[cell] = true;
+        self.tests[cell] = self.settled;
+        self.settled += 1;
     }
 
     /// The box in cells that are fine enough beside the consistent set, and whether they are coarser since more than about `points` cells
-    /// would have to be tested. `test` settles the cells that it is given.
+    /// would have to be tested. `with_inside` tests cells inside the set too. `test` settles the cells that it is given.
     ///
     /// # Errors
     /// Those of `test`.
-    pub fn refined<E>(axes: &[Axis], points: usize, test: &mut SettleCells<'_, E>) -> Result<(Self, bool), E> {
+    pub fn refined<E>(
+        axes: &[Axis],
+        points: usize,
+        with_inside: bool,
+        test: &mut SettleCells<'_, E>,
+    ) -> Result<(Self, bool), E> {
         let mut grid = Self::untested(axes, Self::counts_at_start(axes));
         let mut waiting: Vec<usize> = (0..grid.cells.len()).collect();
         let mut tested = 0;
@@ -62,7 +82,7 @@ impl Grid {
                 tested += waiting.len();
                 waiting = grid.unsettled_beside();
             }
-            let Some((finer, open)) = grid.finer() else { return Ok((grid, false)) };
+            let Some((finer, open)) = grid.finer(with_inside) else { return Ok((grid, false)) };
             if tested + open.len() > points {
                 return Ok((grid, true));
             }
@@ -104,6 +124,26 @@ impl Grid {
         place(&self.counts, cell)
     }
 
+    /// The cell that holds a place among finer cells, so many along each unknown.
+    pub fn index_of(&self, place: &[usize], counts: &[usize]) -> usize {
+        let coarse: Vec<usize> =
+            place.iter().zip(counts).zip(&self.counts).map(|((at, fine), own)| at / (fine / own)).collect();
+        self.index(&coarse)
+    }
+
+    /// The cell at shares of the box, of a member at its place; nothing outside.
+    pub fn cell_at(&self, at: &[f64]) -> Option<usize> {
+        let along = |((at, count), axis): ((&f64, &usize), &Axis)| {
+            let place = match axis {
+                Axis::Continuous => at * *count as f64,
+                Axis::Members(_) => *at,
+            };
+            (place >= 0.0 && place < *count as f64).then_some(place as usize)
+        };
+        let place: Option<Vec<usize>> = at.iter().zip(&self.counts).zip(&self.axes).map(along).collect();
+        Some(self.index(&place?))
+    }
+
     fn index(&self, place: &[usize]) -> usize {
         let mut index = 0;
         for (at, count) in place.iter().zip(&self.counts).rev() {
@@ -119,6 +159,11 @@ impl Grid {
             Axis::Members(_) => at as f64,
         };
         self.place(cell).into_iter().enumerate().map(of).collect()
+    }
+
+    /// Width of a cell along each unknown, as a share of the box; of a member 1/n.
+    pub fn widths(&self) -> Vec<f64> {
+        self.counts.iter().map(|count| 1.0 / *count as f64).collect()
     }
 
     /// Cells that touch one, corners included; members of a list touch none.
@@ -169,12 +214,15 @@ impl Grid {
         own.distance - 0.5 * steepest <= 1.0
     }
 
+    /// A cell as a share of the set along an unknown.
+    fn share_of_set(&self, unknown: usize) -> f64 {
+        let cells = self.extent(unknown).map_or(1, |[first, last]| last - first + 1);
+        1.0 / cells as f64
+    }
+
     /// The unknown along which cells are coarsest beside the consistent set; nothing where all are fine enough.
     fn coarsest(&self) -> Option<usize> {
-        let share = |unknown: usize| {
-            let cells = self.extent(unknown).map_or(1, |[first, last]| last - first + 1);
-            1.0 / cells as f64
-        };
+        let share = |unknown: usize| self.share_of_set(unknown);
         let splittable =
             |unknown: &usize| self.axes[*unknown] == Axis::Continuous && self.counts[*unknown] < MOST_CELLS;
         let coarsest = (0..self.axes.len()).filter(splittable).max_by(|a, b| {
@@ -184,9 +232,11 @@ impl Grid {
     }
 
     /// The next finer cells, and which of them are to be tested; nothing where they are fine enough, or where none is open.
-    fn finer(&self) -> Option<(Self, Vec<usize>)> {
+    fn finer(&self, with_inside: bool) -> Option<(Self, Vec<usize>)> {
         let unknown = self.coarsest()?;
-        let is_open: Vec<bool> = (0..self.cells.len()).map(|cell| self.is_open(cell)).collect();
+        let is_coarse = with_inside && self.share_of_set(unknown) > INSIDE;
+        let is_due = |cell: usize| (is_coarse && self.is_consistent(cell)) || self.is_open(cell);
+        let is_open: Vec<bool> = (0..self.cells.len()).map(is_due).collect();
         if !is_open.contains(&true) {
             return None;
         }
@@ -201,7 +251,9 @@ impl Grid {
         let tested = (0..parents.len()).filter(|cell| is_open[parents[*cell]]).collect();
         let cells: Vec<Verdict> = parents.iter().map(|parent| self.cells[*parent]).collect();
         let is_own = vec![false; cells.len()];
-        Some((Self { axes: self.axes.clone(), counts, cells, is_own }, tested))
+        let tests = parents.iter().map(|parent| self.tests[*parent]).collect();
+        let finer = Self { axes: self.axes.clone(), counts, cells, is_own, tests, settled: self.settled };
+        Some((finer, tested))
     }
 }
 
@@ -245,14 +297,15 @@ mod tests {
                 let half_axes = [0.42, if unknowns == 2 { 0.035 } else { 0.12 }];
                 let axes = vec![Axis::Continuous; unknowns];
                 let at = |grid: &Grid, cell: usize| verdict(&grid.middle(cell), &middle, &direction, half_axes);
-                let (grid, is_coarse) = Grid::refined(&axes, usize::MAX, &mut |grid: &mut Grid, waiting: &[usize]| {
-                    for cell in waiting {
-                        let verdict = at(grid, *cell);
-                        grid.settle(*cell, verdict);
-                    }
-                    Ok::<(), Infallible>(())
-                })
-                .unwrap_or_else(|never| match never {});
+                let (grid, is_coarse) =
+                    Grid::refined(&axes, usize::MAX, false, &mut |grid: &mut Grid, waiting: &[usize]| {
+                        for cell in waiting {
+                            let verdict = at(grid, *cell);
+                            grid.settle(*cell, verdict);
+                        }
+                        Ok::<(), Infallible>(())
+                    })
+                    .unwrap_or_else(|never| match never {});
                 assert!(!is_coarse);
                 let mut all = Grid::untested(&axes, grid.counts.clone());
                 for cell in 0..all.cells.len() {

@@ -2,7 +2,9 @@
 
 use super::bank::{Bank, Heard, Runs};
 use super::grid::{Axis, Grid};
-use super::joint_test::{Observation, Verdict, joint_test, runs_for};
+use super::joint_test::{Verdict, joint_test, runs_for};
+use super::posterior::{TestedCell, posterior};
+use super::scatter::Observation;
 use super::unknowns::{axis, bounds, value};
 use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{
@@ -25,7 +27,12 @@ pub struct MotionValues {
     pub points: usize,
     /// Number of threads; the result is the same for any.
     pub threads: usize,
+    /// Whether a posterior distribution is given beside the set.
+    pub with_posterior: bool,
 }
+
+/// Values of the unknowns, and of each run at them its features, SI.
+pub type RunsOfValue = (Vec<f64>, Vec<Vec<f64>>);
 
 /// A study whose runs are made once, for any number of measurements of the same features.
 pub struct MotionRig<'s> {
@@ -96,26 +103,40 @@ impl<'s> MotionRig<'s> {
         Observation { values_si, errors: self.bank.features.iter().map(|feature| feature.error).collect(), instruments }
     }
 
-    /// The consistent values where the features were measured as `values_si`, means over their repeats.
+    /// The consistent values where the features were measured as `values_si`, means over their repeats; `with_posterior` their distribution
+    /// too.
     ///
     /// # Errors
     /// The study cannot begin.
-    pub fn invert(&mut self, name: Option<String>, values_si: &[f64]) -> Result<MotionSpecimen, Complaints> {
+    pub fn invert(
+        &mut self,
+        name: Option<String>,
+        values_si: &[f64],
+        with_posterior: bool,
+    ) -> Result<MotionSpecimen, Complaints> {
         let seen = self.observation(values_si.to_vec());
         let places: Vec<usize> = (0..values_si.len()).collect();
         let mut tested: Vec<(Vec<f64>, Verdict, Runs)> = Vec::new();
+        let mut cells: Vec<TestedCell> = Vec::new();
         let axes = self.axes.clone();
-        let (grid, is_coarse) = Grid::refined(&axes, self.points, &mut |grid: &mut Grid, waiting: &[usize]| {
-            let points: Vec<Vec<f64>> = waiting.iter().map(|cell| self.values(&grid.middle(*cell))).collect();
-            let all = self.runs_at(&points)?;
-            for ((cell, point), runs) in waiting.iter().zip(points).zip(all) {
-                let verdict = self.test(&runs, &places, &seen);
-                grid.settle(*cell, verdict);
-                tested.push((point, verdict, runs));
-            }
-            Ok::<(), Complaints>(())
-        })?;
-        Ok(self.specimen(name, &seen, &grid, &tested, is_coarse))
+        let (grid, is_coarse) =
+            Grid::refined(&axes, self.points, with_posterior, &mut |grid: &mut Grid, waiting: &[usize]| {
+                let points: Vec<Vec<f64>> = waiting.iter().map(|cell| self.values(&grid.middle(*cell))).collect();
+                let all = self.runs_at(&points)?;
+                for ((cell, point), runs) in waiting.iter().zip(points).zip(all) {
+                    let verdict = self.test(&runs, &places, &seen);
+                    grid.settle(*cell, verdict);
+                    cells.push(TestedCell { at: grid.middle(*cell), widths: grid.widths() });
+                    tested.push((point, verdict, runs));
+                }
+                Ok::<(), Complaints>(())
+            })?;
+        let mut found = self.specimen(name, &seen, &grid, &tested, is_coarse);
+        if with_posterior {
+            let runs: Vec<Runs> = tested.iter().map(|(_, _, runs)| Runs::clone(runs)).collect();
+            found.posterior = Some(posterior(self.bank.study, &seen, &grid, &cells, &runs, self.alpha));
+        }
+        Ok(found)
     }
 
     /// The values that the test keeps among so many along each unknown, evenly over the box: brute force, to hold an inversion against.
@@ -132,16 +153,17 @@ impl<'s> MotionRig<'s> {
         Ok(points.into_iter().zip(&all).filter(|(_, runs)| is_kept(runs)).map(|(point, _)| point).collect())
     }
 
-    /// Features of all runs at so many values along each unknown, evenly over the box; those of failed runs left out.
+    /// So many values along each unknown, evenly over the box, each with the features of its runs; those of failed runs are left out.
     ///
     /// # Errors
     /// The study cannot begin.
-    pub fn predicted(&mut self, counts: &[usize]) -> Result<Vec<Vec<f64>>, Complaints> {
+    pub fn predicted(&mut self, counts: &[usize]) -> Result<Vec<RunsOfValue>, Complaints> {
         let grid = Grid::untested(&self.axes, counts.to_vec());
         let points: Vec<Vec<f64>> = (0..grid.cells.len()).map(|cell| self.values(&grid.middle(cell))).collect();
         let all = self.runs_at(&points)?;
         let is_whole = |run: &&Vec<f64>| run.iter().all(|value| value.is_finite());
-        Ok(all.iter().flat_map(|runs| runs.iter()).filter(is_whole).cloned().collect())
+        let whole = |runs: Runs| runs.iter().filter(is_whole).cloned().collect();
+        Ok(points.into_iter().zip(all.into_iter().map(whole)).collect())
     }
 
     fn specimen(
@@ -179,6 +201,7 @@ impl<'s> MotionRig<'s> {
         widened.sort_unstable();
         widened.dedup();
         let cells = grid.cells.len() as f64;
+        let failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
         let range = |place: usize, is_kept: &dyn Fn(&Verdict) -> bool| {
             let runs = tested.iter().filter(|(_, verdict, _)| is_kept(verdict)).flat_map(|(_, _, runs)| runs.iter());
             let values = runs.map(|run| run[place]).filter(|value| value.is_finite());
@@ -221,7 +244,6 @@ impl<'s> MotionRig<'s> {
             let after = (0..before.len()).filter(is_kept).map(|place| before[place].clone()).collect();
             Some(ConsistentMembers { unknown: k, before, after })
         };
-        let failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
         MotionSpecimen {
             name,
             unknowns: grid.axes.iter().enumerate().map(of_axis).collect(),
@@ -241,6 +263,7 @@ impl<'s> MotionRig<'s> {
             failed: tested.iter().map(|(_, _, runs)| runs.iter().filter(failed).count()).sum(),
             is_coarse,
             misfit,
+            posterior: None,
             features,
         }
     }
@@ -280,7 +303,7 @@ pub(crate) fn identify_motion(
         let values: Vec<f64> = values.collect::<Result<_, _>>()?;
         let mut rig = MotionRig::new(study, &features, asked, 0)?;
         rig.bank.tell(heard, before, most);
-        let found = rig.invert(name.clone(), &values);
+        let found = rig.invert(name.clone(), &values, asked.with_posterior);
         before += rig.bank.count();
         found
     };

@@ -5,59 +5,14 @@
 //! least as far off is below α with probability α at most, whatever the distribution of the features (full conformal inference; V. Vovk,
 //! A. Gammerman, G. Shafer, "Algorithmic Learning in a Random World", 2005).
 
-use loosepin_study::MotionError;
+use super::scatter::{Form, Observation, Scatter};
 
-/// Least share of the mean, and of the common error, that counts as a standard deviation: what does not scatter must be met to this.
-const LEAST_DEVIATION: f64 = 1e-6;
 /// Standard deviations from the mean within which a measurement is kept whatever its rank: draws that do not scatter differ by round-off.
 const CENTRAL: f64 = 1e-3;
 /// What α (n + 1) may lack of a whole number: 1 - 0.9 is a little below 0.1.
 const ROUND_OFF: f64 = 1e-9;
 /// Ranks that are rejected: twice as many as the fewest that can be.
 const RANKS: f64 = 2.0;
-/// Rounds in which the common errors are fitted one after the other.
-const ROUNDS: usize = 20;
-/// Steps of a golden section.
-const SECTIONS: usize = 60;
-
-/// What was measured.
-#[derive(Debug, Clone)]
-pub(crate) struct Observation {
-    /// Mean over the repeats of each feature, SI.
-    pub values_si: Vec<f64>,
-    /// Common error of each feature.
-    pub errors: Vec<MotionError>,
-    /// Instrument of each feature.
-    pub instruments: Vec<usize>,
-}
-
-impl Observation {
-    /// The true values where the common error of each instrument is `shares` of its largest.
-    fn without_error(&self, shares: &[f64]) -> Vec<f64> {
-        let of = |place: usize| self.true_value(place, shares[self.instruments[place]]);
-        (0..self.values_si.len()).map(of).collect()
-    }
-
-    fn true_value(&self, place: usize, share: f64) -> f64 {
-        let (value_si, error) = (self.values_si[place], self.errors[place]);
-        if error.is_share { value_si / (1.0 + share * error.size) } else { value_si - share * error.size }
-    }
-
-    /// True values of a feature that its common error allows, SI.
-    pub fn found_si(&self, place: usize) -> [f64; 2] {
-        let ends = [-1.0, 1.0].map(|share| self.true_value(place, share));
-        [ends[0].min(ends[1]), ends[0].max(ends[1])]
-    }
-
-    /// The observation of these features alone.
-    pub fn of(&self, places: &[usize]) -> Self {
-        Self {
-            values_si: places.iter().map(|place| self.values_si[*place]).collect(),
-            errors: places.iter().map(|place| self.errors[*place]).collect(),
-            instruments: places.iter().map(|place| self.instruments[*place]).collect(),
-        }
-    }
-}
 
 /// Outcome of the test.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,29 +34,13 @@ pub(crate) fn due(alpha: f64, runs: usize) -> usize {
 
 /// Tests whether `seen` may be a draw like `runs`, at the level `alpha`; places choose the features that count.
 pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation, alpha: f64) -> Verdict {
-    let rows: Vec<Vec<f64>> = runs
-        .iter()
-        .map(|run| places.iter().map(|place| run[*place]).collect::<Vec<f64>>())
-        .filter(|run| run.iter().all(|value| value.is_finite()))
-        .collect();
-    let failed = runs.len() - rows.len();
     let seen = seen.of(places);
-    if rows.is_empty() {
+    let chosen: Vec<Vec<f64>> = runs.iter().map(|run| places.iter().map(|place| run[*place]).collect()).collect();
+    let Some(scatter) = Scatter::new(&chosen, &seen) else {
         return Verdict { is_consistent: true, distance: 0.0 };
-    }
-    // A share of an error is a difference of logarithms; all draws are treated alike.
-    let is_positive: Vec<bool> = (0..places.len())
-        .map(|place| {
-            rows.iter().all(|row| row[place] > 0.0) && seen.found_si(place)[0] > 0.0 && seen.values_si[place] > 0.0
-        })
-        .collect();
-    let scaled = |values: &[f64]| -> Vec<f64> {
-        values.iter().zip(&is_positive).map(|(value, is_log)| if *is_log { value.ln() } else { *value }).collect()
     };
-    let rows: Vec<Vec<f64>> = rows.iter().map(|row| scaled(row)).collect();
-    let form = Form::new(&rows, &is_positive, &seen.errors);
-    let shares = nearest_shares(&form, &seen, &scaled);
-    let nearest = scaled(&seen.without_error(&shares));
+    let nearest = scatter.scaled(&seen.without_error(&scatter.nearest_shares(&seen)));
+    let Scatter { rows, is_log, form, failed } = scatter;
     let own = form.distance(&nearest);
     // A single run has no rank. Of several, those that failed have one.
     if runs.len() < 2 {
@@ -115,7 +54,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let distance = own / kept;
     let mut all = rows;
     all.push(nearest);
-    let form = Form::new(&all, &is_positive, &seen.errors);
+    let form = Form::new(&all, &is_log, &seen.errors);
     let own = form.distance(&all[all.len() - 1]);
     let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
     let is_consistent = further + 1 > due || own <= CENTRAL;
@@ -124,81 +63,10 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     Verdict { is_consistent, distance }
 }
 
-/// Shares of the common errors, in [-1, 1], at which the measurement is nearest to the runs: one after the other, since the distance is
-/// convex in each.
-fn nearest_shares(form: &Form, seen: &Observation, scaled: &dyn Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
-    let count = seen.instruments.iter().max().map_or(0, |last| last + 1);
-    let mut shares = vec![0.0; count];
-    let has_error = |instrument: usize| {
-        (0..seen.errors.len()).any(|k| seen.instruments[k] == instrument && seen.errors[k].size > 0.0)
-    };
-    let movable: Vec<usize> = (0..count).filter(|instrument| has_error(*instrument)).collect();
-    for _ in 0..if movable.len() > 1 { ROUNDS } else { 1 } {
-        let before = shares.clone();
-        for &instrument in &movable {
-            let mut at = |share: f64| {
-                shares[instrument] = share;
-                form.distance(&scaled(&seen.without_error(&shares)))
-            };
-            let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-            let [mut low, mut high] = [-1.0, 1.0];
-            for _ in 0..SECTIONS {
-                let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
-                if at(left) <= at(right) { high = right } else { low = left }
-            }
-            let best = [-1.0, 0.5 * (low + high), 1.0].into_iter().min_by(|a, b| at(*a).total_cmp(&at(*b)));
-            shares[instrument] = best.unwrap_or(0.0);
-        }
-        if shares == before {
-            break;
-        }
-    }
-    shares
-}
-
-/// Mean and covariance of draws, the covariance as its Cholesky factor.
-struct Form {
-    mean: Vec<f64>,
-    factor: Vec<Vec<f64>>,
-}
-
-impl Form {
-    fn new(rows: &[Vec<f64>], is_log: &[bool], errors: &[MotionError]) -> Self {
-        let (count, features) = (rows.len() as f64, is_log.len());
-        let mean: Vec<f64> = (0..features).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / count).collect();
-        let mut factor = vec![vec![0.0; features]; features];
-        for i in 0..features {
-            let error = if errors[i].is_share { 0.0 } else { errors[i].size };
-            let size = if is_log[i] { 1.0 } else { mean[i].abs().max(error) };
-            let least = LEAST_DEVIATION * size + f64::MIN_POSITIVE.sqrt();
-            for j in 0..=i {
-                let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
-                let covariance = sum / (count - 1.0).max(1.0) + if i == j { least * least } else { 0.0 };
-                let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-                factor[i][j] = if i == j {
-                    (covariance - inner).max(least * least).sqrt()
-                } else {
-                    (covariance - inner) / factor[j][j]
-                };
-            }
-        }
-        Self { mean, factor }
-    }
-
-    /// Mahalanobis distance.
-    fn distance(&self, values: &[f64]) -> f64 {
-        let mut solved: Vec<f64> = Vec::with_capacity(values.len());
-        for (i, row) in self.factor.iter().enumerate() {
-            let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();
-            solved.push((values[i] - self.mean[i] - inner) / row[i]);
-        }
-        solved.iter().map(|value| value * value).sum::<f64>().sqrt()
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Observation, due, joint_test};
+    use super::super::scatter::Observation;
+    use super::{due, joint_test};
     use loosepin_study::MotionError;
     use loosepin_uncertainty::{hash, normal, uniform};
 

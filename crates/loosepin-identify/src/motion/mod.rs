@@ -4,10 +4,13 @@ mod bank;
 mod grid;
 mod invert;
 mod joint_test;
+mod likelihood;
 mod plan;
+mod posterior;
+mod scatter;
 mod unknowns;
 
 pub use bank::{Heard, UNHEARD};
 pub(crate) use invert::identify_motion;
-pub use invert::{MotionRig, MotionValues};
+pub use invert::{MotionRig, MotionValues, RunsOfValue};
 pub use plan::plan_motion;

@@ -4,6 +4,7 @@ mod closed_forms;
 mod misfits;
 mod motion;
 mod motion_repetitions;
+mod posterior;
 mod repetitions;
 mod uncertain;
 mod written;

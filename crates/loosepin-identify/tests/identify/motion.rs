@@ -17,11 +17,11 @@ fn ideal_model() -> String {
 }
 
 /// Scatter of the rod, of which the stroke knows nothing.
-const ROD: &str =
+pub const ROD: &str =
     "[random]\n\"parameter.rod_length\" = { normal = { mean = \"120 mm\", standard_deviation = \"0.03 mm\" } }\n\n";
 
 /// A study of the crank between 49 and 51 mm, with these tables.
-fn of_crank(tables: &str) -> Study {
+pub fn of_crank(tables: &str) -> Study {
     let text = format!(
         "name = \"crank\"\nmodel = \"model.toml\"\n\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\n\
          samples_per_turn = 360\n\n\
@@ -31,7 +31,7 @@ fn of_crank(tables: &str) -> Study {
     study(&ideal_model(), &text)
 }
 
-fn stroke(value: &str, errors: &str) -> String {
+pub fn stroke(value: &str, errors: &str) -> String {
     format!("[[measured]]\nkind = \"motion\"\noutput = \"slider\"\nfeature = \"range\"\nvalue = {value}\n{errors}\n")
 }
 
@@ -117,7 +117,7 @@ fn refusals_of_a_motion_name_its_specimens_and_keep_code_and_hint() {
         refused.contains("nothing was measured at a specimen 'C'") && refused.contains("there is 'A'"),
         "{refused}"
     );
-    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0 };
+    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false };
     let refused = plan_motion(&study, Some("C"), &asked, UNHEARD).expect_err("no such specimen").to_string();
     assert!(refused.contains("there is 'A'"), "{refused}");
     // A crank that is longer than its rod does not turn: the words of the run, not that "runs cannot be made".
@@ -156,7 +156,7 @@ fn a_plan_says_which_feature_tells() {
     };
     // The mean of the drive's turn counts the rod, whose length is known far better than the error; the stroke counts the crank.
     let study = of_crank(&format!("{ROD}{}{}", at("range", ""), at("order", "order = 7")));
-    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0 };
+    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false };
     let plan = plan_motion(&study, None, &asked, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(plan.features[0].name, "slider, range");
     assert!(plan.features[0].share_of_box < 0.5, "{plan:?}");

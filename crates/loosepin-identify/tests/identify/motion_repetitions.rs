@@ -1,7 +1,9 @@
 //! `just campaign identify-motion`: the worn pin from ten turns that cases/oracle made with other seeds: misses of the truth, widths
 //! beside those of brute force, and how often a mechanism that the study does not allow is told to be a misfit.
 
-use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues};
+use loosepin_identify::motion_record::MotionPosterior;
+use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues, RunsOfValue};
+use loosepin_mechanics::model::Model;
 use loosepin_study::{MeasuredMotion, Study};
 use std::path::Path;
 
@@ -17,11 +19,23 @@ const MOST_WIDTH: f64 = 1.2;
 const LEAST_TOLD: f64 = 0.95;
 /// Common error of both features: the gain of the sensor.
 const ERROR: f64 = 0.05;
+/// Play in the file, and that of a study which knows it better, mm.
+const FILE_PLAY_MM: [f64; 2] = [0.1, 0.5];
+const KNOWN_PLAY_MM: [f64; 2] = [0.3, 0.5];
+/// Mechanisms that the study does not allow, by their name in the readings, and the play of the study that they are held against, mm.
+const ALTERNATIVES: [(&str, [f64; 2]); 4] = [
+    ("joint", FILE_PLAY_MM),
+    ("worn_joint", FILE_PLAY_MM),
+    ("friction", FILE_PLAY_MM),
+    ("friction_known_play", KNOWN_PLAY_MM),
+];
 
 /// A reading with the truth behind it.
 struct Reading {
     alternative: String,
     play_m: f64,
+    /// What the sensor would have said without its error, and what it said.
+    true_si: [f64; 2],
     values_si: [f64; 2],
 }
 
@@ -31,20 +45,22 @@ fn readings(folder: &Path) -> Vec<Reading> {
     let read = |line: &str| {
         let cells: Vec<&str> = line.split(',').collect();
         let number = |place: usize| cells[place].parse::<f64>().expect("a number");
-        Reading { alternative: cells[0].to_owned(), play_m: 1e-3 * number(2), values_si: [number(7), number(8)] }
+        let values_si = [number(7), number(8)];
+        let true_si = values_si.map(|value| value / number(6));
+        Reading { alternative: cells[0].to_owned(), play_m: 1e-3 * number(2), true_si, values_si }
     };
     text.lines().skip(1).map(read).collect()
 }
 
 /// The least and the largest of what `of` gives.
-fn range(runs: &[Vec<f64>], of: impl Fn(&[f64]) -> f64) -> [f64; 2] {
-    let fold = |[low, high]: [f64; 2], run: &Vec<f64>| [low.min(of(run)), high.max(of(run))];
+fn range(runs: &[[f64; 2]], of: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+    let fold = |[low, high]: [f64; 2], run: &[f64; 2]| [low.min(of(*run)), high.max(of(*run))];
     runs.iter().fold([f64::INFINITY, f64::NEG_INFINITY], fold)
 }
 
-/// Whether a measurement lies outside the runs of all values by more than its error: by a feature, or by their ratio, from which the gain
+/// Whether a measurement lies outside runs at all values by more than its error: by a feature, or by their ratio, from which the gain
 /// drops out.
-fn is_outside(runs: &[Vec<f64>], [peak, rms]: [f64; 2]) -> bool {
+fn is_outside(runs: &[[f64; 2]], [peak, rms]: [f64; 2]) -> bool {
     let beyond =
         |value: f64, [low, high]: [f64; 2], error: f64| value / (1.0 - error) < low || value / (1.0 + error) > high;
     beyond(peak, range(runs, |run| run[0]), ERROR)
@@ -52,20 +68,40 @@ fn is_outside(runs: &[Vec<f64>], [peak, rms]: [f64; 2]) -> bool {
         || beyond(peak / rms, range(runs, |run| run[0] / run[1]), 0.0)
 }
 
+/// Peak and rms of all runs with a play within an interval, mm.
+fn within(all: &[RunsOfValue], [low_mm, high_mm]: [f64; 2]) -> Vec<[f64; 2]> {
+    let is_within = |(values, _): &&RunsOfValue| (low_mm..=high_mm).contains(&(1e3 * values[0]));
+    all.iter().filter(is_within).flat_map(|(_, runs)| runs.iter().map(|run| [run[0], run[1]])).collect()
+}
+
+/// The study of the case with this interval of the play, mm.
+fn study(folder: &Path, [low_mm, high_mm]: [f64; 2]) -> Study {
+    let read =
+        |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let written = "interval = [\"0.1 mm\", \"0.5 mm\"]";
+    let text = read("measured.toml");
+    assert_eq!(text.matches(written).count(), 1, "the play of measured.toml is {FILE_PLAY_MM:?} mm");
+    let text = text.replace(written, &format!("interval = [\"{low_mm} mm\", \"{high_mm} mm\"]"));
+    let model = Model::from_text("model.toml", &read("model.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    Study::from_text("measured.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
 #[test]
 #[ignore = "minutes of processor time: just campaign identify-motion"]
 fn peer_worn_pin_from_ten_turns_of_the_oracle() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
-    let study = Study::from_path(&folder.join("measured.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let features: Vec<&MeasuredMotion> = study.motion.iter().collect();
-    let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0 };
-    let mut rig = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let of_file = study(&folder, FILE_PLAY_MM);
+    let features: Vec<&MeasuredMotion> = of_file.motion.iter().collect();
+    let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: false };
+    let mut rig = MotionRig::new(&of_file, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
     let runs = rig.predicted(&[BRUTE_FORCE]).unwrap_or_else(|complaints| panic!("{complaints}"));
     let cell_m = (0.5e-3 - 0.1e-3) / BRUTE_FORCE as f64;
     let readings = readings(&folder);
     let (mut count, mut missed, mut narrowed, mut widths) = (0, 0, Vec::new(), Vec::new());
+    // Credible intervals: given, missed, and their widths over that of the set.
+    let (mut given, mut not_held, mut credible) = (0, 0, Vec::new());
     for reading in readings.iter().filter(|reading| reading.alternative == "none") {
-        let found = rig.invert(None, &reading.values_si).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let found = rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
         let [low_m, high_m] = found.unknowns[0].after_si;
         let words = match &found.misfit {
             Some(misfit) => format!("misfit, distance {:.3}", misfit.least_distance),
@@ -84,17 +120,32 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
             narrowed.push((high_m - low_m) / 0.4e-3);
         }
         println!("play {:.4} mm: {words}; width over brute force {ratio:.3}", 1e3 * reading.play_m);
+        let weighed = rig.invert(None, &reading.values_si, true).unwrap_or_else(|complaints| panic!("{complaints}"));
+        if let Some(MotionPosterior::Given(posterior)) = &weighed.posterior {
+            let [least, most] = posterior.marginals[0].summary.expect("the play is no list").credible_si;
+            given += 1;
+            not_held += usize::from(reading.play_m < least || reading.play_m > most);
+            credible.push((most - least) / (high_m - low_m));
+        }
     }
     let mut told_all = Vec::new();
-    for alternative in ["joint", "friction"] {
-        let of = readings.iter().filter(|reading| reading.alternative == alternative);
+    for (alternative, play_mm) in ALTERNATIVES {
+        let own = study(&folder, play_mm);
+        let features: Vec<&MeasuredMotion> = own.motion.iter().collect();
+        let mut rig = MotionRig::new(&own, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let ours = within(&runs, play_mm);
+        // The independent program's own runs of mechanisms that the study allows.
+        let is_allowed = |reading: &&Reading| {
+            reading.alternative == "none" && (play_mm[0]..=play_mm[1]).contains(&(1e3 * reading.play_m))
+        };
+        let theirs: Vec<[f64; 2]> = readings.iter().filter(is_allowed).map(|reading| reading.true_si).collect();
         // By outside: readings, and those that are told.
         let mut counts = [[0; 2]; 2];
-        for reading in of {
-            let found = rig.invert(None, &reading.values_si).unwrap_or_else(|complaints| panic!("{complaints}"));
-            let outside = usize::from(is_outside(&runs, reading.values_si));
-            counts[outside][0] += 1;
-            counts[outside][1] += usize::from(found.misfit.is_some());
+        for reading in readings.iter().filter(|reading| reading.alternative == alternative) {
+            let found = rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
+            let outside = is_outside(&ours, reading.values_si) && is_outside(&theirs, reading.values_si);
+            counts[usize::from(outside)][0] += 1;
+            counts[usize::from(outside)][1] += usize::from(found.misfit.is_some());
         }
         let [[within, told_within], [outside, told]] = counts;
         println!(
@@ -102,12 +153,16 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         );
         told_all.push((alternative, outside, told));
     }
-    for list in [&mut widths, &mut narrowed] {
+    for list in [&mut widths, &mut narrowed, &mut credible] {
         list.sort_by(f64::total_cmp);
     }
     println!("{count} readings, {missed} misses");
     println!("width over brute force: median {:.3}, largest {:.3}", widths[widths.len() / 2], widths[widths.len() - 1]);
     println!("share of the interval left: median {:.3}", narrowed[narrowed.len() / 2]);
+    println!(
+        "credible intervals: {given} given, {not_held} misses; median width over the set {:.3}",
+        credible[credible.len() / 2]
+    );
     assert!(missed as f64 <= MOST_MISSES * count as f64, "{missed} of {count}");
     assert!(widths[widths.len() - 1] <= MOST_WIDTH, "{widths:?}");
     for (alternative, outside, told) in told_all {

@@ -10,7 +10,7 @@ Numbers are SI unless a name says otherwise. Files and their keys are those of t
 """
 
 from ._function_bounds import Band, Box, FunctionBounds, bounds
-from ._identification import Identification, MotionPlan, Unknown
+from ._identification import Identification, MotionPlan, Posterior, Unknown
 from ._inputs import (
     Beta,
     Discrete,
@@ -66,6 +66,7 @@ __all__ = [
     "OneOf",
     "Output",
     "Periodic",
+    "Posterior",
     "Samples",
     "Simulation",
     "Study",

@@ -38,6 +38,25 @@ class Unknown:
         return self.after[0] > self.before[0] or self.after[1] < self.before[1]
 
 
+@dataclass(frozen=True)
+class Posterior:
+    """Posterior distribution of an unknown of a motion: prior uniform over the interval of the study."""
+
+    path: str
+    """Path in the model."""
+    unit: str
+    """SI unit."""
+    probabilities: tuple[float, ...]
+    """Of cells of equal width over the interval of the study, or of the members of a list in the order of the file."""
+    mean: float | None
+    """SI; None of a list, as the two that follow."""
+    standard_deviation: float | None
+    credible: tuple[float, float] | None
+    """Credible interval with equal tails, of the confidence that was asked for."""
+    specimen: str | None
+    """The mechanism that was measured, where the file says."""
+
+
 class Identification:
     """The answer of `Study.identify`: that of the command `loosepin identify`."""
 
@@ -60,6 +79,17 @@ class Identification:
             found += [_unknown(play, specimen["name"]) for play in plays]
         for specimen in self.record.get("motion", []):
             found += [_unknown(unknown, specimen["name"]) for unknown in specimen["unknowns"]]
+        return tuple(found)
+
+    @cached_property
+    def posterior(self) -> tuple[Posterior, ...]:
+        """Posterior distributions of the unknowns of motions, specimen by specimen; empty where none was asked for, or none can be
+        given: `str()` says why."""
+        found = []
+        for specimen in self.record.get("motion", []):
+            given = (specimen.get("posterior") or {}).get("given")
+            for unknown, marginal in zip(specimen["unknowns"], given["marginals"], strict=True) if given else ():
+                found.append(_posterior(unknown, marginal, specimen["name"]))
         return tuple(found)
 
     @cached_property
@@ -110,3 +140,12 @@ def _unknown(record: dict[str, Any], specimen: str | None) -> Unknown:
     before, after = record["before_si"], record["after_si"]
     unit = record["unit"]
     return Unknown(record["path"], record["name"], unit, (before[0], before[1]), (after[0], after[1]), specimen)
+
+
+def _posterior(unknown: dict[str, Any], marginal: dict[str, Any], specimen: str | None) -> Posterior:
+    path, unit, shares = unknown["path"], unknown["unit"], tuple(marginal["shares"])
+    known = marginal["summary"]
+    if known is None:
+        return Posterior(path, unit, shares, None, None, None, specimen)
+    low, high = known["credible_si"]
+    return Posterior(path, unit, shares, known["mean_si"], known["standard_deviation_si"], (low, high), specimen)

@@ -142,6 +142,7 @@ class Study:
         points: int,
         confidence: float,
         specimen: str | None,
+        posterior: bool,
         threads: int | None,
         progress: Callable[[int, int], object] | None,
     ) -> Identification: ...

@@ -1,0 +1,67 @@
+//! The worn pin identified from all readings of `cases/slider_crank_worn_pin/motion_repetitions.csv`: `cargo run --release --package
+//! loosepin-identify --example worn_pin_readings RUNS.csv`. Writes play, peak and rms of every run at evenly spread plays to RUNS.csv, for
+//! other programs, and prints a line for each reading. `tools/compare/identify.py` calls it.
+
+use loosepin_identify::motion_record::MotionPosterior;
+use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues};
+use loosepin_study::{MeasuredMotion, Study};
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+/// Plays whose runs are made once, evenly over the box: as many as brute force tests.
+const PLAYS: usize = 128;
+/// Values that an inversion tests, at most.
+const POINTS: usize = 100;
+
+fn main() {
+    let Some(path) = std::env::args().nth(1) else { panic!("name the table of runs that is to be written") };
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
+    let study = Study::from_path(&folder.join("measured.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let features: Vec<&MeasuredMotion> = study.motion.iter().collect();
+    let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: true };
+    let mut bank = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let start = Instant::now();
+    let all = bank.predicted(&[PLAYS]).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let seconds = start.elapsed().as_secs_f64();
+    let mut table = "play_mm,peak_m_s2,rms_m_s2\n".to_owned();
+    for (play_m, run) in all.iter().flat_map(|(values, runs)| runs.iter().map(|run| (values[0], run))) {
+        writeln!(table, "{:.6},{:.8e},{:.8e}", 1e3 * play_m, run[0], run[1]).unwrap_or_else(|error| panic!("{error}"));
+    }
+    std::fs::write(&path, table).unwrap_or_else(|error| panic!("{path}: {error}"));
+    println!("runs of {PLAYS} plays: {seconds:.1} s");
+    println!(
+        "alternative,seed,play_mm,set_low_mm,set_high_mm,is_misfit,values,mean_mm,credible_low_mm,credible_high_mm,effective_values,seconds"
+    );
+    let readings = std::fs::read_to_string(folder.join("motion_repetitions.csv")).unwrap_or_else(|e| panic!("{e}"));
+    for line in readings.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |place: usize| cells[place].parse::<f64>().unwrap_or_else(|error| panic!("{line}: {error}"));
+        let start = Instant::now();
+        // The bank keeps its runs from one reading to the next: the seconds are those of the test and of runs that are new.
+        let found =
+            bank.invert(None, &[number(7), number(8)], true).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let seconds = start.elapsed().as_secs_f64();
+        let [low_m, high_m] = found.unknowns[0].after_si;
+        let (mut posterior, mut effective) = ([f64::NAN; 3], f64::NAN);
+        if let Some(MotionPosterior::Given(given)) = &found.posterior {
+            if let Some(summary) = given.marginals[0].summary {
+                posterior = [summary.mean_si, summary.credible_si[0], summary.credible_si[1]];
+            }
+            effective = given.effective_values;
+        }
+        println!(
+            "{},{},{},{:.6},{:.6},{},{},{:.6},{:.6},{:.6},{effective:.3},{seconds:.3}",
+            cells[0],
+            cells[1],
+            cells[2],
+            1e3 * low_m,
+            1e3 * high_m,
+            found.misfit.is_some(),
+            found.points.len(),
+            1e3 * posterior[0],
+            1e3 * posterior[1],
+            1e3 * posterior[2],
+        );
+    }
+}

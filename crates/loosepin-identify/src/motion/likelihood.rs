@@ -1,0 +1,288 @@
+//! Likelihood of what was measured at one value of the unknowns, from its runs.
+//!
+//!     p(y | u) = 2^-m ∫ N(x(y, s); mean, covariance) |dx/dy| ds    over s in [-1, 1]^m
+//!
+//! x are the features without their common errors s, in logarithms where these are taken; mean and covariance are those of the runs, which
+//! hold the scatter of random inputs and the independent errors (synthetic likelihood: S. N. Wood, "Statistical inference for noisy
+//! nonlinear ecological dynamic systems", Nature 466 (2010) 1102-1104). Common errors of the m instruments are uniform and independent.
+
+use super::scatter::{Observation, Scatter};
+use loosepin_math::legendre_rule;
+use loosepin_uncertainty::{normal_cdf, normal_quantile};
+use std::f64::consts::{LN_2, TAU};
+
+/// Runs for each feature, at least: with fewer the covariance is not known.
+pub(crate) const RUNS_A_FEATURE: usize = 10;
+/// Points of the integral over the common errors: Gauss's for one instrument, a lattice for several.
+const POINTS_OF_ONE: usize = 96;
+const POINTS_OF_SEVERAL: usize = 1024;
+/// Standard deviations of a common error on either side of its nearest value that are integrated over.
+const REACH: f64 = 12.0;
+
+/// ln p(y | u); nothing where no run ended, -∞ where it is below the smallest number.
+pub(crate) fn log_likelihood(runs: &[Vec<f64>], seen: &Observation) -> Option<f64> {
+    let scatter = Scatter::new(runs, seen)?;
+    let movable = seen.movable();
+    if movable.is_empty() {
+        return Some(log_density(&scatter, seen, &vec![0.0; seen.instrument_count()]));
+    }
+    let near = NearestNormal::new(&scatter, seen, movable);
+    let instruments = seen.instrument_count();
+    let logs: Vec<f64> = match near.movable[..] {
+        [only] => {
+            let [low, high] = near.reach();
+            let of_node = |(node, weight): (f64, f64)| {
+                let mut shares = vec![0.0; instruments];
+                shares[only] = 0.5 * (low + high + node * (high - low));
+                log_density(&scatter, seen, &shares) + (weight * (high - low)).ln()
+            };
+            // The weights of the rule add up to 1.
+            legendre_rule(POINTS_OF_ONE).into_iter().map(of_node).collect()
+        }
+        _ => {
+            let steps = lattice_steps(near.movable.len());
+            let of_point = |point: usize| {
+                let levels: Vec<f64> = steps.iter().map(|step| (0.5 + step * (point + 1) as f64).fract()).collect();
+                let (shares, log_drawn) = near.drawn(&levels, instruments)?;
+                Some(log_density(&scatter, seen, &shares) - log_drawn - (POINTS_OF_SEVERAL as f64).ln())
+            };
+            (0..POINTS_OF_SEVERAL).filter_map(of_point).collect()
+        }
+    };
+    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if most == f64::NEG_INFINITY {
+        return Some(most);
+    }
+    let sum: f64 = logs.iter().map(|log| (log - most).exp()).sum();
+    Some(most + sum.ln() - near.movable.len() as f64 * LN_2)
+}
+
+/// Density of the measurement where the common errors are `shares` of their largest.
+fn log_density(scatter: &Scatter, seen: &Observation, shares: &[f64]) -> f64 {
+    let found = seen.without_error(shares);
+    let distance = scatter.form.distance(&scatter.scaled(&found));
+    let mut log = -0.5 * distance * distance;
+    for (place, true_si) in found.iter().enumerate() {
+        let error = seen.errors[place];
+        // |dx/dy|: of a logarithm 1/x, of a share of an error 1/(1 + s e).
+        let stretched = if error.is_share { 1.0 + shares[seen.instruments[place]] * error.size } else { 1.0 };
+        let scale = if scatter.is_log[place] { *true_si } else { 1.0 };
+        log -= scatter.form.factor[place][place].ln() + 0.5 * TAU.ln() + (stretched * scale).ln();
+    }
+    log
+}
+
+/// The density as a function of the common errors, where features are linear in these: normal, cut to the box.
+struct NearestNormal {
+    movable: Vec<usize>,
+    /// Where it is largest within the box.
+    nearest: Vec<f64>,
+    /// Where it is largest without the box.
+    centre: Vec<f64>,
+    /// L of the second derivatives of -ln: L Lᵀ = H.
+    factor: Vec<Vec<f64>>,
+}
+
+impl NearestNormal {
+    fn new(scatter: &Scatter, seen: &Observation, movable: Vec<usize>) -> Self {
+        let shares = scatter.nearest_shares(seen);
+        let found = seen.without_error(&shares);
+        let off: Vec<f64> =
+            scatter.scaled(&found).iter().zip(&scatter.form.mean).map(|(value, mean)| value - mean).collect();
+        let z = scatter.form.solved(&off);
+        // Columns of dz/ds.
+        let column = |instrument: &usize| {
+            let slope = |place: usize| {
+                let error = seen.errors[place];
+                if seen.instruments[place] != *instrument {
+                    return 0.0;
+                }
+                let slope = if error.is_share {
+                    -found[place] * error.size / (1.0 + shares[*instrument] * error.size)
+                } else {
+                    -error.size
+                };
+                if scatter.is_log[place] { slope / found[place] } else { slope }
+            };
+            scatter.form.solved(&(0..found.len()).map(slope).collect::<Vec<f64>>())
+        };
+        let columns: Vec<Vec<f64>> = movable.iter().map(column).collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let count = movable.len();
+        let mut factor = vec![vec![0.0; count]; count];
+        for i in 0..count {
+            for j in 0..=i {
+                let rest = dot(&columns[i], &columns[j]) - dot(&factor[i][..j], &factor[j][..j]);
+                factor[i][j] = if i == j { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / factor[j][j] };
+            }
+        }
+        // H x = -Jᵀ z.
+        let mut step: Vec<f64> = columns.iter().map(|column| -dot(column, &z)).collect();
+        for i in 0..count {
+            step[i] = (step[i] - dot(&factor[i][..i], &step[..i])) / factor[i][i];
+        }
+        for i in (0..count).rev() {
+            let known: f64 = (i + 1..count).map(|j| factor[j][i] * step[j]).sum();
+            step[i] = (step[i] - known) / factor[i][i];
+        }
+        let nearest: Vec<f64> = movable.iter().map(|instrument| shares[*instrument]).collect();
+        let centre = nearest.iter().zip(step).map(|(nearest, step)| nearest + step).collect();
+        Self { movable, nearest, centre, factor }
+    }
+
+    /// The part of the interval of the first common error that is integrated over.
+    fn reach(&self) -> [f64; 2] {
+        let reach = REACH / self.factor[0][0];
+        [(self.nearest[0] - reach).max(-1.0), (self.nearest[0] + reach).min(1.0)]
+    }
+
+    /// Shares of the common errors at these levels in (0, 1), drawn one after the other, each cut to its interval, and the logarithm of their density
+    /// (A. Genz, "Numerical computation of multivariate normal probabilities", Journal of Computational and Graphical Statistics 1 (1992)
+    /// 141-149). Nothing where no number is left of it.
+    fn drawn(&self, levels: &[f64], instruments: usize) -> Option<(Vec<f64>, f64)> {
+        let count = self.movable.len();
+        let (mut off, mut log_drawn, mut shares) = (vec![0.0; count], 0.0, vec![0.0; instruments]);
+        for j in (0..count).rev() {
+            let known: f64 = (j + 1..count).map(|i| self.factor[i][j] * off[i]).sum();
+            let own = self.factor[j][j];
+            let [low, high] = [-1.0, 1.0].map(|end| own * (end - self.centre[j]) + known);
+            // In the lower tail, where the distribution function keeps its digits.
+            let sign = if low > 0.0 { -1.0 } else { 1.0 };
+            let [low, high] = if sign < 0.0 { [-high, -low] } else { [low, high] };
+            let [below, above] = [low, high].map(normal_cdf);
+            let chance = above - below;
+            if !(chance > 0.0) {
+                return None;
+            }
+            let w = sign * normal_quantile(below + levels[j] * chance).clamp(low, high);
+            off[j] = (w - known) / own;
+            shares[self.movable[j]] = (self.centre[j] + off[j]).clamp(-1.0, 1.0);
+            log_drawn += -0.5 * w * w - 0.5 * TAU.ln() + own.ln() - chance.ln();
+        }
+        Some((shares, log_drawn))
+    }
+}
+
+/// Steps of a lattice that never repeats: powers of the root of x^(d+1) = x + 1.
+fn lattice_steps(dimensions: usize) -> Vec<f64> {
+    let mut root = 1.5_f64;
+    for _ in 0..64 {
+        root = (1.0 + root).powf(1.0 / (dimensions as f64 + 1.0));
+    }
+    (1..=dimensions).map(|power| root.powi(-(power as i32))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::log_likelihood;
+    use crate::motion::scatter::Observation;
+    use loosepin_study::MotionError;
+    use std::f64::consts::TAU;
+
+    /// Draws with exactly this mean, these standard deviations and this correlation.
+    fn runs(mean: [f64; 2], deviations: [f64; 2], correlation: f64) -> Vec<Vec<f64>> {
+        // (±1, ±1) has mean 0 and the identity as covariance, but for n/(n - 1).
+        let count = 400;
+        let scale = ((count - 1) as f64 / count as f64).sqrt();
+        let across = (1.0 - correlation * correlation).sqrt();
+        (0..count)
+            .map(|run| {
+                let a = scale * if run % 2 == 0 { 1.0 } else { -1.0 };
+                let b = scale * if run / 2 % 2 == 0 { 1.0 } else { -1.0 };
+                vec![mean[0] + deviations[0] * a, mean[1] + deviations[1] * (correlation * a + across * b)]
+            })
+            .collect()
+    }
+
+    fn density([x, y]: [f64; 2], mean: [f64; 2], deviations: [f64; 2], correlation: f64) -> f64 {
+        let [a, b] = [(x - mean[0]) / deviations[0], (y - mean[1]) / deviations[1]];
+        let rest = 1.0 - correlation * correlation;
+        (-0.5 * (a * a - 2.0 * correlation * a * b + b * b) / rest).exp()
+            / (TAU * deviations[0] * deviations[1] * rest.sqrt())
+    }
+
+    /// ∫ over [-1, 1] by Simpson's rule.
+    fn simpson(of: impl Fn(f64) -> f64) -> f64 {
+        let count = 2000;
+        let h = 2.0 / count as f64;
+        let weight = |k: usize| {
+            if k == 0 || k == count {
+                1.0
+            } else if k % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            }
+        };
+        (0..=count).map(|k| weight(k) * of(-1.0 + h * k as f64)).sum::<f64>() * h / 3.0
+    }
+
+    fn absolute(size: f64) -> MotionError {
+        MotionError { size, is_share: false }
+    }
+
+    #[test]
+    fn analytic_without_common_errors_it_is_the_density_of_the_features() {
+        let (mean, deviations) = ([-3.0, 7.3], [0.4, 1.7]);
+        let seen = Observation { values_si: vec![-2.6, 5.9], errors: vec![absolute(0.0); 2], instruments: vec![0, 0] };
+        let found = log_likelihood(&runs(mean, deviations, 0.6), &seen).expect("all runs ended");
+        // The second feature is positive in all runs: it is compared by its logarithm, whose mean and deviation are those of the runs.
+        assert!((found.exp() / logarithmic([-2.6, 5.9], mean, deviations, 0.6) - 1.0).abs() < 1e-9, "{found}");
+    }
+
+    /// Density where the second feature is compared by its logarithm: moments by hand from the draws.
+    fn logarithmic(at: [f64; 2], mean: [f64; 2], deviations: [f64; 2], correlation: f64) -> f64 {
+        let all: Vec<[f64; 2]> = runs(mean, deviations, correlation).iter().map(|run| [run[0], run[1].ln()]).collect();
+        let count = all.len() as f64;
+        let middle = [0, 1].map(|k: usize| all.iter().map(|row| row[k]).sum::<f64>() / count);
+        let product = |i: usize, j: usize| {
+            all.iter().map(|row| (row[i] - middle[i]) * (row[j] - middle[j])).sum::<f64>() / (count - 1.0)
+        };
+        let spread = [product(0, 0).sqrt(), product(1, 1).sqrt()];
+        density([at[0], at[1].ln()], middle, spread, product(0, 1) / (spread[0] * spread[1])) / at[1]
+    }
+
+    #[test]
+    fn peer_common_errors_are_integrated_as_by_simpsons_rule() {
+        // Negative features: no logarithms. One instrument whose error moves both, absolutely or by a share, small or large beside the scatter,
+        // the measurement near the runs, or further off than the error reaches.
+        let (mean, deviations, correlation) = ([-3.0, -7.3], [0.4, 0.9], 0.6);
+        let all = runs(mean, deviations, correlation);
+        for (size, is_share) in [(0.02, false), (0.8, false), (9.0, false), (0.05, true), (0.4, true)] {
+            for values_si in [[-2.6, -6.9], [-3.9, -8.8], [-1.1, -4.0]] {
+                let error = MotionError { size, is_share };
+                let seen =
+                    Observation { values_si: values_si.to_vec(), errors: vec![error; 2], instruments: vec![0, 0] };
+                let found = log_likelihood(&all, &seen).expect("all runs ended").exp();
+                let of = |share: f64| {
+                    let (at, stretched) = if is_share {
+                        (values_si.map(|value| value / (1.0 + share * size)), (1.0 + share * size).powi(2))
+                    } else {
+                        (values_si.map(|value| value - share * size), 1.0)
+                    };
+                    density(at, mean, deviations, correlation) / stretched
+                };
+                let expected = 0.5 * simpson(of);
+                assert!((found / expected - 1.0).abs() < 1e-6, "{size} {is_share} {values_si:?}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn peer_two_instruments_are_integrated_as_by_simpsons_rule_twice() {
+        let (mean, deviations, correlation) = ([-3.0, -7.3], [0.4, 0.9], 0.8);
+        let all = runs(mean, deviations, correlation);
+        for sizes in [[0.3, 0.5], [2.0, 0.1], [4.0, 6.0]] {
+            let values_si = [-2.6, -6.1];
+            let seen = Observation {
+                values_si: values_si.to_vec(),
+                errors: sizes.map(absolute).to_vec(),
+                instruments: vec![0, 1],
+            };
+            let found = log_likelihood(&all, &seen).expect("all runs ended").exp();
+            let at = |s: f64, t: f64| [values_si[0] - s * sizes[0], values_si[1] - t * sizes[1]];
+            let expected = 0.25 * simpson(|s| simpson(|t| density(at(s, t), mean, deviations, correlation)));
+            assert!((found / expected - 1.0).abs() < 5e-3, "{sizes:?}: {found} {expected}");
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The posterior distribution of an identification in words and as a table, for the terminal and for the page.
+
+use super::number::{NumberWriter, Rounding};
+use loosepin_result::identification::PlayBounds;
+use loosepin_result::motion_identification::{MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal};
+use loosepin_text::units::SiUnit;
+
+/// Digits of a mean, and of a standard deviation.
+const DIGITS: usize = 4;
+const DEVIATION_DIGITS: usize = 3;
+
+/// Both ends, rounded outwards.
+pub(super) fn motion_range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
+    let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
+        if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
+    });
+    format!("{lower} to {upper}")
+}
+
+/// Columns of [`posterior_rows`], with the probability of the credible intervals.
+pub(super) fn posterior_heads(posterior: &Posterior, writer: &NumberWriter<'_>) -> [String; 4] {
+    let credible = format!("{} credible", writer.percent(posterior.probability, Rounding::Nearest));
+    ["unknown".to_owned(), "mean".to_owned(), "standard deviation".to_owned(), credible]
+}
+
+/// A row for each unknown; of a list the probability of each member.
+pub(super) fn posterior_rows(
+    specimen: &MotionSpecimen,
+    posterior: &Posterior,
+    writer: &NumberWriter<'_>,
+) -> Vec<[String; 4]> {
+    let row = |(place, unknown): (usize, &PlayBounds)| {
+        let marginal = posterior.marginals.get(place);
+        let list = specimen.lists.iter().find(|list| list.unknown == place);
+        if let (Some(list), Some(marginal)) = (list, marginal) {
+            let told =
+                |(member, share): (&String, &f64)| format!("{member} {}", writer.percent(*share, Rounding::Nearest));
+            let told: Vec<String> = list.before.iter().zip(&marginal.shares).map(told).collect();
+            return [unknown.name.clone(), String::new(), String::new(), told.join(", ")];
+        }
+        match marginal.and_then(|marginal| marginal.summary) {
+            Some(known) => [
+                unknown.name.clone(),
+                writer.rounded(known.mean_si, &unknown.unit, DIGITS, Rounding::Nearest),
+                writer.rounded(known.standard_deviation_si, &unknown.unit, DEVIATION_DIGITS, Rounding::Nearest),
+                motion_range(known.credible_si, &unknown.unit, writer),
+            ],
+            None => [unknown.name.clone(), String::new(), String::new(), String::new()],
+        }
+    };
+    specimen.unknowns.iter().enumerate().map(row).collect()
+}
+
+/// Prior, likelihood and number of runs behind a distribution, or why there is none.
+pub(super) fn posterior_words(
+    specimen: &MotionSpecimen,
+    posterior: &MotionPosterior,
+    writer: &NumberWriter<'_>,
+) -> Vec<String> {
+    match posterior {
+        MotionPosterior::Given(given) => vec![
+            "prior: uniform over the intervals of the study, all members of a list equally probable".to_owned(),
+            "likelihood: normal, with the mean and the covariance of the runs at each value; common errors uniform within their intervals"
+                .to_owned(),
+            format!(
+                "the weight is carried as by {} equally probable values, {} runs",
+                writer.rounded(given.effective_values, &SiUnit::NONE, 2, Rounding::Down),
+                writer.count(given.effective_runs as u64)
+            ),
+        ],
+        MotionPosterior::Refused(refusal) => vec![format!("no posterior distribution: {}", refused(specimen, refusal, writer))],
+    }
+}
+
+fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &NumberWriter<'_>) -> String {
+    match refusal {
+        PosteriorRefusal::Misfit => "no tested value is consistent with the motion".to_owned(),
+        PosteriorRefusal::NothingScatters => {
+            "nothing scatters, so that no value is more probable than another within the set; give the instrument its scatter".to_owned()
+        }
+        PosteriorRefusal::FewRuns { runs, least } => {
+            format!("{runs} runs at each value, and so many features need {least}; a higher --confidence makes more")
+        }
+        PosteriorRefusal::Failed { share, most } => format!(
+            "{} of the runs that carry the weight failed; at most {} may",
+            writer.percent(*share, Rounding::Up),
+            writer.percent(*most, Rounding::Nearest)
+        ),
+        PosteriorRefusal::FewValues { unknown, effective, least } => {
+            let name = specimen.unknowns.get(*unknown).map_or("an unknown", |unknown| unknown.name.as_str());
+            format!(
+                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; write the narrowed study \
+                 (--write) and identify it again",
+                writer.rounded(*effective, &SiUnit::NONE, 2, Rounding::Nearest)
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{posterior_heads, posterior_rows, posterior_words};
+    use crate::number::NumberWriter;
+    use loosepin_result::identification::PlayBounds;
+    use loosepin_result::motion_identification::{
+        ConsistentMembers, Marginal, MarginalSummary, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal,
+    };
+    use loosepin_text::units::{DisplayUnits, SiUnit};
+
+    fn unknown(name: &str, unit: SiUnit) -> PlayBounds {
+        PlayBounds {
+            path: name.to_owned(),
+            name: name.to_owned(),
+            unit,
+            before_si: [1e-4, 5e-4],
+            after_si: [2e-4, 4e-4],
+            is_identifiable: true,
+            is_interval: true,
+        }
+    }
+
+    fn specimen() -> MotionSpecimen {
+        MotionSpecimen {
+            name: None,
+            features: Vec::new(),
+            unknowns: vec![unknown("pin play", SiUnit::LENGTH), unknown("pin normal", SiUnit::NONE)],
+            lists: vec![ConsistentMembers {
+                unknown: 1,
+                before: vec!["flores".to_owned(), "hertz".to_owned()],
+                after: vec!["flores".to_owned()],
+            }],
+            share_of_box: [0.5, 0.5],
+            grid: vec![2, 2],
+            cells: vec![0],
+            points: Vec::new(),
+            runs_per_point: 199,
+            failed: 0,
+            is_coarse: false,
+            misfit: None,
+            posterior: None,
+        }
+    }
+
+    #[test]
+    fn a_distribution_is_told_with_its_prior_its_likelihood_and_its_runs() {
+        let given = Posterior {
+            probability: 0.99,
+            effective_values: 8.67,
+            effective_runs: 1725.4,
+            marginals: vec![
+                Marginal {
+                    shares: vec![0.5, 0.5],
+                    summary: Some(MarginalSummary {
+                        mean_si: 3.0125e-4,
+                        standard_deviation_si: 4.21e-5,
+                        credible_si: [2.10001e-4, 4.0999e-4],
+                    }),
+                },
+                Marginal { shares: vec![0.8, 0.2], summary: None },
+            ],
+        };
+        let units = DisplayUnits::default();
+        let writer = NumberWriter::for_terminal(&units);
+        assert_eq!(posterior_heads(&given, &writer)[3], "99 % credible");
+        let rows = posterior_rows(&specimen(), &given, &writer);
+        // Ends are rounded outwards.
+        assert_eq!(rows[0], ["pin play", "0.3013 mm", "0.0421 mm", "0.2100 mm to 0.4100 mm"].map(str::to_owned));
+        assert_eq!(rows[1][3], "flores 80 %, hertz 20 %");
+        let words = posterior_words(&specimen(), &MotionPosterior::Given(given), &writer).join("\n");
+        for part in ["prior: uniform", "likelihood: normal", "as by 8.6 equally probable values, 1725 runs"] {
+            assert!(words.contains(part), "{words}");
+        }
+    }
+
+    #[test]
+    fn each_refusal_says_why_and_names_the_unknown() {
+        let units = DisplayUnits::default();
+        let writer = NumberWriter::for_terminal(&units);
+        for (refusal, part) in [
+            (PosteriorRefusal::Misfit, "no tested value is consistent"),
+            (PosteriorRefusal::NothingScatters, "nothing scatters"),
+            (PosteriorRefusal::FewRuns { runs: 19, least: 30 }, "19 runs at each value, and so many features need 30"),
+            (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs that carry the weight failed"),
+            (PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 3.0 }, "along pin play"),
+        ] {
+            let words = posterior_words(&specimen(), &MotionPosterior::Refused(refusal), &writer).join("\n");
+            assert!(words.contains(part), "{words}");
+        }
+    }
+}
