@@ -6,7 +6,7 @@ more, and takes the largest magnitude and the rms of the acceleration of the sli
 1 mm (`worn_joint`), and friction of 0.3 in the worn pin, whose play is anywhere in its interval (`friction`) or between 0.3 and 0.5 mm, for
 a study that knows this (`friction_known_play`).
 
-    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative (half an hour each)
+    python motion_readings.py > motion_repetitions.csv     100 seeds, and 100 of each alternative
     python motion_readings.py 20 5 joint                   seeds 5 to 19 of one alternative
 
 Needs cases/oracle/requirements.txt.
