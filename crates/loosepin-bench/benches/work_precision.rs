@@ -108,7 +108,7 @@ fn tolerance_m(half_decade: i32) -> f64 {
 }
 
 fn settings(tolerance_m: f64, method: &'static Tableau) -> Settings {
-    Settings { tolerance_m, method, largest_evaluations: LARGEST_EVALUATIONS }
+    Settings { tolerance_m, method, largest_evaluations: LARGEST_EVALUATIONS, ..Settings::for_study() }
 }
 
 /// All methods in one case.
