@@ -79,7 +79,7 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
             "nothing scatters, so that no value is more probable than another within the set; give the instrument its scatter".to_owned()
         }
         PosteriorRefusal::FewRuns { runs, least } => {
-            format!("{runs} runs at each value, and so many features need {least}; a higher --confidence makes more")
+            format!("{runs} runs ended at one of the values, and so many features need {least}; a higher --confidence makes more")
         }
         PosteriorRefusal::Failed { share, most } => format!(
             "{} of the runs that carry the weight failed; at most {} may",
@@ -183,7 +183,10 @@ mod tests {
         for (refusal, part) in [
             (PosteriorRefusal::Misfit, "no tested value is consistent"),
             (PosteriorRefusal::NothingScatters, "nothing scatters"),
-            (PosteriorRefusal::FewRuns { runs: 19, least: 30 }, "19 runs at each value, and so many features need 30"),
+            (
+                PosteriorRefusal::FewRuns { runs: 19, least: 30 },
+                "19 runs ended at one of the values, and so many features need 30",
+            ),
             (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs that carry the weight failed"),
             (PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0 }, "along pin play"),
         ] {

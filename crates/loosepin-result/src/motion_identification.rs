@@ -91,7 +91,7 @@ pub enum PosteriorRefusal {
     NothingScatters,
     /// Too few runs at each value for the covariance of so many features.
     FewRuns {
-        /// Runs at each value.
+        /// Runs that ended, at the value with the fewest.
         runs: usize,
         /// Runs that so many features need, at least.
         least: usize,

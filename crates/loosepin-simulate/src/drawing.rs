@@ -77,10 +77,13 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
 /// Flexible bodies, still without the coordinates of their shapes.
 fn beams(mechanism: &Mechanism, values: &Values) -> Vec<DrawnBeam> {
     let Ok(sample) = Sample::<f64>::new(mechanism, values) else { return Vec::new() };
-    let drawn = |(place, numbers): (&TreeBeam, &BeamGeometry<f64>)| {
+    let drawn = |(index, (place, numbers)): (usize, (&TreeBeam, &BeamGeometry<f64>))| {
         let mut deflections_m = place.lateral_shapes(BEAM_PLACES);
         deflections_m.iter_mut().flatten().for_each(|deflection| *deflection *= numbers.beam.length_m);
-        let [axial_hz, lateral_hz] = numbers.beam.frequencies_hz(&place.shapes);
+        let [axial_hz, lateral_hz] = match place.has_lumps {
+            true => sample.real.held_beam(&mechanism.real, index).frequencies_hz(),
+            false => numbers.beam.frequencies_hz(&place.shapes),
+        };
         let turns_rad = vec![Vec::new(); place.shapes.lateral()];
         DrawnBeam {
             body: place.body.0,
@@ -103,7 +106,7 @@ fn beams(mechanism: &Mechanism, values: &Values) -> Vec<DrawnBeam> {
         axis_x_m: vec![Vec::new(); BEAM_PLACES],
         axis_y_m: vec![Vec::new(); BEAM_PLACES],
     };
-    let floating = mechanism.real.beams.iter().zip(&sample.real.beams).map(drawn);
+    let floating = mechanism.real.beams.iter().zip(&sample.real.beams).enumerate().map(drawn);
     floating.chain(mechanism.real.nodal_beams.iter().map(nodal)).collect()
 }
 

@@ -13,8 +13,6 @@ use loosepin_math::integrate::{Radau, System};
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 
-/// Share of a step before an awaited instant that is left out.
-const CRUMB: f64 = 1e-6;
 /// Change of coordinates over which slopes are taken, rad, and m for each metre of the mechanism.
 const DIFFERENCE: f64 = 1e-7;
 
@@ -108,13 +106,8 @@ impl<'a> Plain<'a> {
         pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
     }
 
-    /// Tries an implicit step. It ends where somebody awaits a state: between its ends stiff directions are not in balance.
+    /// Tries an implicit step.
     fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) {
-        let left_s = named.lane[LaneLayout::AWAITED] - named.rows.start[pass.layout.time()];
-        let step_s = named.lane[LaneLayout::STEP];
-        if step_s > left_s && left_s > CRUMB * step_s {
-            named.lane[LaneLayout::STEP] = left_s;
-        }
         let (end_row, weights) = (pass.stepper.end_row(), named.lane[pass.lane.weights()].to_vec());
         let step_s = named.lane[LaneLayout::STEP];
         let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));

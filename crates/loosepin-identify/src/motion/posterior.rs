@@ -79,6 +79,12 @@ fn given(
         return Err(PosteriorRefusal::FewRuns { runs: count, least });
     }
     let has_failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
+    // The set keeps a value whose runs failed. Runs that did not end say nothing of how probable it is.
+    let ended = |test: usize| runs[test].iter().filter(|run| !has_failed(run)).count();
+    let fewest = grid.consistent().map(|cell| ended(grid.tests[cell])).min();
+    if let Some(runs) = fewest.filter(|ended| *ended < least) {
+        return Err(PosteriorRefusal::FewRuns { runs, least });
+    }
     let weighed = |(cell, runs)| {
         let runs: &Runs = runs;
         Weighed {

@@ -444,10 +444,10 @@ fn pinned_counts_of_reference_cases() {
         found.push((name, [evaluations, steps, rejections, events]));
     }
     let expected = [
-        ("slider_crank_5000", [14546, 933, 206, 49]),
-        ("slider_crank_two_clearances", [10195, 716, 95, 30]),
-        ("slider_crank_friction", [18036, 1018, 321, 35]),
-        ("six_bar", [9689, 635, 77, 29]),
+        ("slider_crank_5000", [13238, 819, 206, 49]),
+        ("slider_crank_two_clearances", [9583, 660, 101, 30]),
+        ("slider_crank_friction", [17496, 948, 342, 35]),
+        ("six_bar", [8932, 574, 77, 29]),
     ];
     assert_eq!(found, expected, "evaluations, steps, rejections, events");
 }

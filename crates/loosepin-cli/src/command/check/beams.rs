@@ -80,7 +80,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
                 if hz.is_empty() { String::new() } else { format!(" at {} with the frame held", listed(&hz, "and")) };
             let _ = writeln!(text, "{indent}{}{at}", counted(frequencies_hz.len(), one, many));
         }
-        if let Some(Condensed { above_hz, were_hz }) = condensed {
+        if let Some(Condensed { above_hz, were_hz }) = condensed.filter(|condensed| !condensed.were_hz.is_empty()) {
             let _ = writeln!(
                 text,
                 "{indent}{} above {} Hz condensed: static flexibility is kept, faster waves are not",

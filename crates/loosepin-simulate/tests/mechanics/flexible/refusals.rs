@@ -73,6 +73,14 @@ fn messages_of_what_a_flexible_body_cannot_have() {
             "joint 'second_guide': body 'rod' is flexible and cannot be held by a prismatic joint",
         ),
         (
+            with("lateral_shapes = 2\naxial_shapes = 2", "formulation = \"absolute-nodal\"")
+                .replacen("joint = \"main\"", "joint = \"crank_pin\"", 1)
+                .replacen("from = \"big_end\"", "from = \"small_end\"", 1)
+                .replacen("to = \"small_end\"", "to = \"big_end\"", 1)
+                + "\n[output.stress]\nstress_in = \"rod\"\n",
+            "output 'stress': the section of body 'rod' is held at the end called to",
+        ),
+        (
             with("axial_shapes = 2", "axial_shapes = 2\nframe = \"tangent\""),
             "joint 'crank_pin': body 'rod' has a tangent frame and turns freely at from",
         ),
