@@ -78,7 +78,7 @@ fn messages_of_what_a_flexible_body_cannot_have() {
                 .replacen("from = \"big_end\"", "from = \"small_end\"", 1)
                 .replacen("to = \"small_end\"", "to = \"big_end\"", 1)
                 + "\n[output.stress]\nstress_in = \"rod\"\n",
-            "output 'stress': the section of body 'rod' is held at the end called to",
+            "output 'stress': stress in: the section of body 'rod' is held at the end called to",
         ),
         (
             with("axial_shapes = 2", "axial_shapes = 2\nframe = \"tangent\""),
