@@ -1,6 +1,8 @@
 //! Likelihood of what was measured at one value of the unknowns, from its runs.
 //!
-//!     p(y | u) = 2^-m ∫ N(x(y, s); mean, covariance) |dx/dy| ds    over s in [-1, 1]^m
+//! ```text
+//! p(y | u) = 2^-m ∫ N(x(y, s); mean, covariance) |dx/dy| ds    over s in [-1, 1]^m
+//! ```
 //!
 //! x are the features without their common errors s, in logarithms where these are taken; mean and covariance are those of the runs, which
 //! hold the scatter of random inputs and the independent errors (synthetic likelihood: S. N. Wood, "Statistical inference for noisy
