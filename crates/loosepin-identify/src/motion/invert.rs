@@ -8,7 +8,7 @@ use super::scatter::Observation;
 use super::unknowns::{axis, bounds, value};
 use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{
-    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
+    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionPosterior, MotionSpecimen, TestedPoint,
 };
 use loosepin_study::{EpistemicInput, MeasuredMotion, Study, StudyError};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
@@ -134,7 +134,8 @@ impl<'s> MotionRig<'s> {
         let mut found = self.specimen(name, &seen, &grid, &tested, is_coarse);
         if with_posterior {
             let runs: Vec<Runs> = tested.iter().map(|(_, _, runs)| Runs::clone(runs)).collect();
-            found.posterior = Some(posterior(self.bank.study, &seen, &grid, &cells, &runs, self.alpha));
+            let given = posterior(self.bank.study, &seen, &grid, &cells, &runs, self.alpha);
+            found.posterior = Some(given.map_or_else(MotionPosterior::Refused, MotionPosterior::Given));
         }
         Ok(found)
     }

@@ -107,12 +107,10 @@ impl Stepper {
         let n = self.stride;
         let (stages, dense) = rows.stages.split_at_mut(self.dense_row() * n);
         for i in 0..n {
-            let difference = rows.end[i] - rows.start[i];
-            let first = step * stages[i];
-            let second = step * stages[self.end_row() * n + i];
-            dense[i] = difference;
-            dense[n + i] = first - difference;
-            dense[2 * n + i] = difference + difference - (second + first);
+            let slopes = [stages[i], stages[self.end_row() * n + i]];
+            for (term, value) in cubic_terms([rows.start[i], rows.end[i]], slopes, step).into_iter().enumerate() {
+                dense[term * n + i] = value;
+            }
             for (extra, row) in self.tableau.dense.iter().enumerate() {
                 dense[(3 + extra) * n + i] = step * self.combine(stages, row, i);
             }
@@ -124,12 +122,10 @@ impl Stepper {
         let n = self.stride;
         let (stages, dense) = rows.stages.split_at_mut(self.dense_row() * n);
         for i in 0..n {
-            let difference = rows.end[i] - rows.start[i];
-            let first = step * stages[i];
-            let second = step * stages[self.end_row() * n + i];
-            dense[i] = difference;
-            dense[n + i] = first - difference;
-            dense[2 * n + i] = difference + difference - (second + first);
+            let slopes = [stages[i], stages[self.end_row() * n + i]];
+            for (term, value) in cubic_terms([rows.start[i], rows.end[i]], slopes, step).into_iter().enumerate() {
+                dense[term * n + i] = value;
+            }
             for extra in 0..self.tableau.dense.len() {
                 dense[(3 + extra) * n + i] = T::zero();
             }
@@ -207,6 +203,14 @@ impl Stepper {
         }
         sums
     }
+}
+
+/// Terms of the cubic through the ends of a step, with the slopes there, in Hairer's nested form.
+#[inline]
+fn cubic_terms<T: Real>([start, end]: [T; 2], slopes: [T; 2], step: T) -> [T; 3] {
+    let difference = end - start;
+    let [first, second] = slopes.map(|slope| step * slope);
+    [difference, first - difference, difference + difference - (second + first)]
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ impl<T: Real> Dynamics<'_, T> {
             beam.add_stiffness(&place.shapes, q, &mut room.forces[3..]);
             let rows = numbers.damping.chunks_exact(rates.len());
             for ((row, force), rate) in rows.zip(&mut room.forces[3..]).zip(rates) {
-                let drag = row.iter().zip(rates).fold(T::zero(), |sum, (entry, rate)| entry.mul_add(*rate, sum));
+                let drag = product(row, rates);
                 *force -= drag;
                 self.beam_loss_w = drag.mul_add(*rate, self.beam_loss_w);
             }
@@ -133,11 +133,16 @@ impl<T: Real> Dynamics<'_, T> {
         let velocity = twist.at(root_arm).rotated(-axis.y, axis.x);
         let mut kinetic_j = numbers.beam.kinetic_j(&place.shapes, q, rates, velocity, twist.angular);
         for (row, rate) in numbers.added_mass.chunks_exact(rates.len()).zip(rates) {
-            let momentum = row.iter().zip(rates).fold(T::zero(), |sum, (entry, rate)| entry.mul_add(*rate, sum));
+            let momentum = product(row, rates);
             kinetic_j = (momentum * *rate).mul_add(T::from_f64(0.5), kinetic_j);
         }
         let centre = numbers.beam.centre_of_mass_m(&place.shapes, q).rotated(axis.y, axis.x);
         let height = self.sample.real.gravity_m_s2.dot(pose.position_m + root_arm + centre);
         [kinetic_j, -(numbers.beam.mass_kg * height), numbers.beam.strain_j(&place.shapes, q)]
     }
+}
+
+/// Product of a row of a matrix with a vector.
+fn product<T: Real>(row: &[T], vector: &[T]) -> T {
+    row.iter().zip(vector).fold(T::zero(), |sum, (entry, number)| entry.mul_add(*number, sum))
 }

@@ -29,6 +29,8 @@ struct PointLoad<T> {
 
 /// Motion of the link in the axes of its frame, at the last evaluation.
 struct LinkMotion<T> {
+    /// Slot of the frame, at the root.
+    slot: usize,
     /// Direction of the x axis of the frame, in the ground's frame: that of the ground in absolute nodal coordinates.
     axis: Vec2<T>,
     /// Acceleration of the root minus that of gravity, m/s².
@@ -123,32 +125,31 @@ impl<T: Real> Dynamics<'_, T> {
 
     fn link_motion(&self, stressed: &StressedBody, index: usize) -> LinkMotion<T> {
         let tree = &self.mechanism.real;
-        let slot = self.slot_of_root(stressed);
+        let shapes = tree.beams.iter().position(|beam| beam.body == stressed.body);
+        let nodal = tree.nodal_beams.iter().position(|beam| beam.body == stressed.body);
+        let (slot, carrier) = match (shapes, nodal) {
+            (Some(beam), _) => (tree.beams[beam].slot, Carrier::Shapes(beam)),
+            (None, Some(beam)) => (tree.nodal_beams[beam].slot, Carrier::Nodes(beam, self.nodal_accelerations(beam))),
+            (None, None) => (tree.slot_of_body[stressed.body.0], Carrier::Rigid),
+        };
         let [root_m, tip_m] =
             self.sample.sections[index].ends_m.map(|end| Vec2::new(T::from_f64(end.x), T::from_f64(end.y)));
         let (pose, twist, change) =
             (&self.kinematics.poses[slot], &self.kinematics.twists[slot], self.acceleration(slot));
-        let nodal = tree.nodal_beams.iter().position(|beam| beam.body == stressed.body);
-        let axis = match nodal {
-            Some(_) => Vec2::new(T::one(), T::zero()),
-            None => pose.turn((tip_m - root_m) * T::from_f64(1.0 / self.sample.sections[index].length_m)),
-        };
-        let shapes = tree.beams.iter().position(|beam| beam.body == stressed.body);
-        let carrier = match (shapes, nodal) {
-            (Some(beam), _) => Carrier::Shapes(beam),
-            (None, Some(beam)) => Carrier::Nodes(beam, self.nodal_accelerations(beam)),
-            (None, None) => Carrier::Rigid,
+        let axis = match carrier {
+            Carrier::Nodes(..) => Vec2::new(T::one(), T::zero()),
+            Carrier::Shapes(_) | Carrier::Rigid => {
+                pose.turn((tip_m - root_m) * T::from_f64(1.0 / self.sample.sections[index].length_m))
+            }
         };
         let fall = acceleration_at(&change, twist, pose.turn(root_m)) - self.sample.real.gravity_m_s2;
-        LinkMotion { axis, fall_m_s2: fall.rotated(-axis.y, axis.x), turning: [twist.angular, change.angular], carrier }
-    }
-
-    /// Slot of the frame of a link, at its root.
-    fn slot_of_root(&self, stressed: &StressedBody) -> usize {
-        let tree = &self.mechanism.real;
-        let shapes = tree.beams.iter().find(|beam| beam.body == stressed.body).map(|beam| beam.slot);
-        let nodes = || tree.nodal_beams.iter().find(|beam| beam.body == stressed.body).map(|beam| beam.slot);
-        shapes.or_else(nodes).unwrap_or(tree.slot_of_body[stressed.body.0])
+        LinkMotion {
+            slot,
+            axis,
+            fall_m_s2: fall.rotated(-axis.y, axis.x),
+            turning: [twist.angular, change.angular],
+            carrier,
+        }
     }
 
     /// Coordinates of the shapes of a flexible body, with their rates or accelerations `of`.
@@ -210,10 +211,9 @@ impl<T: Real> Dynamics<'_, T> {
     /// What joints, springs, loads and the inertia of lumps do at the points of a link beyond its root.
     fn point_loads(&self, stressed: &StressedBody, index: usize, motion: &LinkMotion<T>) -> Vec<PointLoad<T>> {
         let tree = &self.mechanism.real;
-        let slot = self.slot_of_root(stressed);
         let numbers = &self.sample.sections[index];
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
-        let root_m = place_m(slot, numbers.ends_m[0]);
+        let root_m = place_m(motion.slot, numbers.ends_m[0]);
         let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);
         let load = |index: usize| {
             let ((point, share), arm_m, lump) = (stressed.points[index], numbers.arms_m[index], numbers.lumps[index]);

@@ -1,6 +1,6 @@
 //! Momenta, energy and power.
 
-use super::case_text;
+use super::{POWER_OUTPUTS, assert_power_of_the_drive, case_text};
 use crate::elements::{build, file};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
@@ -95,22 +95,11 @@ pub(super) fn watched_momenta(text: &str, free: usize) {
 /// rod beyond it needs.
 #[test]
 fn identity_the_force_that_a_flexible_rod_needs_has_the_power_of_the_drive() {
-    let outputs = "\n[output.pin_x]\nforce_in = \"joint.crank_pin\"\ncomponent = \"x\"\n\
-                   [output.pin_y]\nforce_in = \"joint.crank_pin\"\ncomponent = \"y\"\n[output.torque]\ntorque_of = \"drive.crank\"\n";
-    let built = build(&(case_text("flexible_slider_crank") + outputs));
+    let built = build(&(case_text("flexible_slider_crank") + POWER_OUTPUTS));
     let record = simulate(&built.mechanism, &built.values, &Plan::of_model(&built.mechanism.model))
         .unwrap_or_else(|failure| panic!("{failure}"))
         .record;
-    let of = |name: &str| &record.outputs.iter().find(|history| history.name == name).expect("an output").value_si;
-    let mut largest = 0.0_f64;
-    for (row, time_s) in record.time_s.iter().enumerate() {
-        let (sine, cosine) = (150.0 * time_s).sin_cos();
-        let due = 0.15 * (cosine * of("pin_y")[row] - sine * of("pin_x")[row]);
-        let torque = of("torque")[row];
-        largest = largest.max(torque.abs());
-        assert!((torque - due).abs() < 1e-9 * largest.max(1.0), "at {time_s} s: {torque} N m for {due}");
-    }
-    assert!(largest > 50.0, "{largest}");
+    assert_power_of_the_drive(&record);
 }
 
 /// Beside the loss of its damping a rod keeps its account.

@@ -81,3 +81,20 @@ fn case_text(name: &str) -> String {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name).join("model.toml");
     std::fs::read_to_string(path).expect("the case is there")
 }
+
+/// Outputs that [`assert_power_of_the_drive`] reads.
+const POWER_OUTPUTS: &str = "\n[output.pin_x]\nforce_in = \"joint.crank_pin\"\ncomponent = \"x\"\n\
+                             [output.pin_y]\nforce_in = \"joint.crank_pin\"\ncomponent = \"y\"\n[output.torque]\ntorque_of = \"drive.crank\"\n";
+
+/// The crank of 0.15 m turns evenly about its centre of mass at 150 rad/s: the power of its drive is that of the force in the crank pin.
+fn assert_power_of_the_drive(record: &SimulationRecord) {
+    let mut largest = 0.0_f64;
+    for (row, time_s) in record.time_s.iter().enumerate() {
+        let (sine, cosine) = (150.0 * time_s).sin_cos();
+        let due = 0.15 * (cosine * values(record, "pin_y")[row] - sine * values(record, "pin_x")[row]);
+        let torque = values(record, "torque")[row];
+        largest = largest.max(torque.abs());
+        assert!((torque - due).abs() < 1e-9 * largest.max(1.0), "at {time_s} s: {torque} N m for {due}");
+    }
+    assert!(largest > 50.0, "{largest}");
+}

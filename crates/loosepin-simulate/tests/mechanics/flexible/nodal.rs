@@ -1,6 +1,6 @@
 //! Links in absolute nodal coordinates in mechanisms: against another program, against the floating frame, and against what must not matter.
 
-use super::{apart, case_text, record_of, record_within, reordered, values};
+use super::{POWER_OUTPUTS, apart, assert_power_of_the_drive, case_text, record_of, record_within, reordered, values};
 use crate::elements::{build, file};
 use loosepin_simulate::{Integrator, Observer, Plan, Settings, Step, Window, run, simulate};
 
@@ -197,16 +197,6 @@ fn identity_momenta_and_energy_of_two_floating_links_with_friction() {
 /// it needs.
 #[test]
 fn identity_the_force_that_a_rod_needs_has_the_power_of_the_drive() {
-    let outputs = "\n[output.pin_x]\nforce_in = \"joint.crank_pin\"\ncomponent = \"x\"\n\
-                   [output.pin_y]\nforce_in = \"joint.crank_pin\"\ncomponent = \"y\"\n[output.torque]\ntorque_of = \"drive.crank\"\n";
-    let record = record_within(&(slider_crank(2, "1 ms") + outputs), 1e-9);
-    let mut largest = 0.0_f64;
-    for (row, time_s) in record.time_s.iter().enumerate() {
-        let (sine, cosine) = (150.0 * time_s).sin_cos();
-        let due = 0.15 * (cosine * values(&record, "pin_y")[row] - sine * values(&record, "pin_x")[row]);
-        let torque = values(&record, "torque")[row];
-        largest = largest.max(torque.abs());
-        assert!((torque - due).abs() < 1e-9 * largest.max(1.0), "at {time_s} s: {torque} N m for {due}");
-    }
-    assert!(largest > 50.0, "{largest}");
+    let record = record_within(&(slider_crank(2, "1 ms") + POWER_OUTPUTS), 1e-9);
+    assert_power_of_the_drive(&record);
 }
