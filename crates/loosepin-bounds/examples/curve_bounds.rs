@@ -1,4 +1,4 @@
-//! Bounds of curves that are drawn afresh from a seed, against the exact ones: `just campaign curve-bounds PROBLEMS SEED [SAMPLING_SEEDS]`.
+//! Bounds of curves that are drawn afresh from a seed, against the exact ones: `just campaign curve-bounds PROBLEMS SEED [SAMPLING_SEEDS [KIND]]`.
 //!
 //! Three curves of 180 poses, of which four statistics each are asked, 2,160 in all. With θ the pose, u in the unit square, X and N standard normal,
 //! N another number for each run and pose,
@@ -230,14 +230,17 @@ struct Tally {
 }
 
 fn main() {
-    let words: Vec<u64> = std::env::args().skip(1).map(|word| word.parse().expect("a number")).collect();
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let only = words.get(3).cloned();
+    let words: Vec<u64> = words.iter().take(3).map(|word| word.parse().expect("a number")).collect();
     let [problems, seed] = [0, 1].map(|place| *words.get(place).expect("PROBLEMS SEED [SAMPLING_SEEDS]"));
     let sampling_seeds = words.get(2).copied().unwrap_or(4);
     println!(
         "{:8} {:>8} {:>8} {:>9} {:>14} {:>10}",
         "curves", "studies", "ends", "missed", "furthest miss", "too wide"
     );
-    for kind in Kind::ALL {
+    let is_meant = |kind: &Kind| only.as_ref().is_none_or(|only| *only == format!("{kind:?}"));
+    for kind in Kind::ALL.into_iter().filter(is_meant) {
         let mut all = Tally::default();
         for problem in 0..problems {
             let seed = hash(hash(seed, problem), kind as u64);

@@ -184,6 +184,14 @@ impl<'a> LocalFits<'a> {
         self.fits.iter().map(Fit::misfit).sum::<f64>() / self.fits.len() as f64
     }
 
+    /// The fit of all points together; nothing where they are divided.
+    pub fn whole(&self) -> Option<&Fit<'a>> {
+        match &self.fits[..] {
+            [whole] => Some(whole),
+            _ => None,
+        }
+    }
+
     /// Whether all of [`Self::places`] lie in `region`, as far as that is known without a look at each.
     pub fn are_all_in(&self, region: &Region) -> bool {
         self.fits.iter().all(|fit| fit.are_all_in(region))

@@ -5,6 +5,7 @@ mod broken_reach;
 mod climb;
 pub(crate) mod design;
 mod extremes;
+mod furthest;
 mod gaussian_process;
 mod grid;
 mod index_model;

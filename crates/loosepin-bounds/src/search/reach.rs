@@ -2,6 +2,7 @@
 
 use super::broken_reach::reach_of_break;
 use super::climb::Climb;
+use super::furthest::Furthest;
 use super::models::{Branch, Search};
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
@@ -59,7 +60,20 @@ impl Search<'_> {
 
 /// How far the model lets its target go in `direction`, with an `allowance`, over all candidates and points in `region`.
 pub(super) fn reach(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Reach {
-    reach_where(model, direction, region, allowance, |_| true)
+    let all = all_places(model, direction, region, allowance);
+    all.unwrap_or_else(|| reach_where(model, direction, region, allowance, |_| true))
+}
+
+/// [`reach`] where no place has to be asked about: nearly all models are smooth ones of all points over the whole box.
+fn all_places(model: &TargetModel<'_>, direction: Direction, region: &Region, allowance: Allowance) -> Option<Reach> {
+    let TargetModel::Plain(fits) = model else { return None };
+    let fit = fits.whole().filter(|fit| fit.are_all_in(region))?;
+    if allowance.concedes_roughness() && fit.is_rough() {
+        return None;
+    }
+    let sign = direction.sign();
+    let [optimistic, expected] = fit.furthest(allowance, sign);
+    Some(Reach::of(model, direction, region, (optimistic, expected)))
 }
 
 /// [`reach`] over those of the candidates and points alone that are `meant`.
@@ -96,30 +110,44 @@ pub(super) fn reach_where(
             })
         }
     };
-    if optimistic.0 == f64::NEG_INFINITY {
-        // No place of the region is known: the model says nothing there.
-        let centre = region.at(&vec![0.5; region.lower.len()]);
-        let unlimited = sign * f64::INFINITY;
-        let (optimistic_at, expected_at) = (centre.clone(), centre);
-        return Reach { optimistic: unlimited, optimistic_at, expected: f64::NAN, expected_at };
-    }
-    Reach {
-        optimistic: sign * optimistic.0,
-        optimistic_at: model.places()[optimistic.1].clone(),
-        expected: sign * expected.0,
-        expected_at: model.places()[expected.1].clone(),
+    Reach::of(model, direction, region, (optimistic, expected))
+}
+
+impl Reach {
+    /// That of what is furthest in `direction`, each with its place.
+    fn of(
+        model: &TargetModel<'_>,
+        direction: Direction,
+        region: &Region,
+        (optimistic, expected): (Furthest, Furthest),
+    ) -> Self {
+        let sign = direction.sign();
+        if optimistic.0 == f64::NEG_INFINITY {
+            // No place of the region is known: the model says nothing there.
+            let centre = region.at(&vec![0.5; region.lower.len()]);
+            let unlimited = sign * f64::INFINITY;
+            let (optimistic_at, expected_at) = (centre.clone(), centre);
+            return Self { optimistic: unlimited, optimistic_at, expected: f64::NAN, expected_at };
+        }
+        Self {
+            optimistic: sign * optimistic.0,
+            optimistic_at: model.places()[optimistic.1].clone(),
+            expected: sign * expected.0,
+            expected_at: model.places()[expected.1].clone(),
+        }
     }
 }
 
 /// The most that is allowed, and the most that is expected, at all places that are `held`, each with its place.
-fn furthest(ends: impl Iterator<Item = (f64, f64)>, is_held: impl Fn(usize) -> bool) -> ((f64, usize), (f64, usize)) {
+fn furthest(ends: impl Iterator<Item = (f64, f64)>, is_held: impl Fn(usize) -> bool) -> (Furthest, Furthest) {
     let (mut optimistic, mut expected) = ((f64::NEG_INFINITY, 0), (f64::NEG_INFINITY, 0));
     for (place, (most, expectation)) in ends.enumerate() {
-        if !is_held(place) {
-            continue;
-        }
         // A model that overflows allows anything.
         let most = if most.is_nan() { f64::INFINITY } else { most };
+        // Few places go further than those before: no others are asked for.
+        if !(most > optimistic.0 || expectation > expected.0) || !is_held(place) {
+            continue;
+        }
         if most > optimistic.0 {
             optimistic = (most, place);
         }

@@ -22,6 +22,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::assessment::{Assessed, Assessment, Honest, cautious, least_honest};
+use super::furthest::{Ends, Furthest, furthest};
 use super::gaussian_process::{AtPlaces, Model, SeenPlaces, Smoothness};
 use super::grid::Grid;
 use super::noise::Noise;
@@ -363,15 +364,28 @@ impl Fit<'_> {
 
     /// The same without what is rough.
     pub fn smooth_at_places(&self) -> impl Iterator<Item = Prediction> {
-        let at = self.smoother.at_places(self.model);
-        let means = self.means.get_or_init(|| at.means((&self.whitened.0, &self.whitened.1)));
+        let (means, deviations) = self.at_all();
         let (centre, own) = (self.centre, self.deviation);
         let of = move |(mean, deviation): (&f64, &f64)| Prediction {
             mean: centre + mean,
             deviation: own * deviation,
             roughness: Roughness::default(),
         };
-        means.iter().zip(at.deviations()).map(of)
+        means.iter().zip(deviations).map(of)
+    }
+
+    /// The most that the smooth part is where its model errs by `allowance` towards `sign`, upwards in this direction, and the most that is
+    /// expected, over all places; each with the first place that has it.
+    pub fn furthest(&self, allowance: Allowance, sign: f64) -> [Furthest; 2] {
+        let (means, deviations) = self.at_all();
+        let ends = Ends { centre: self.centre, scale: self.deviation, many: allowance.deviations(), sign };
+        furthest(means, deviations, ends)
+    }
+
+    /// Means of the process, and its deviations for σ = 1, at every place.
+    fn at_all(&self) -> (&[f64], &[f64]) {
+        let at = self.smoother.at_places(self.model);
+        (self.means.get_or_init(|| at.means((&self.whitened.0, &self.whitened.1))), at.deviations())
     }
 
     /// Prediction of S at `place`, with what an allowance asks for.
