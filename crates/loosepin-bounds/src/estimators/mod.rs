@@ -7,6 +7,7 @@ pub(crate) mod in_order;
 pub(crate) mod index;
 pub(crate) mod inner_basis;
 pub(crate) mod known;
+mod known_fits;
 pub(crate) mod mean_error;
 pub(crate) mod moments;
 pub(crate) mod order_statistics;

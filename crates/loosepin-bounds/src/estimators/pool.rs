@@ -98,7 +98,16 @@ impl Pool {
 
     /// This pool with polynomials of `basis`, column by column, where the response is smooth in the random inputs. The runs at each
     /// point are those that the basis was made of.
-    pub fn with_polynomials(mut self, basis: Option<&InnerBasis>) -> Self {
+    pub fn with_polynomials(self, basis: Option<&InnerBasis>) -> Self {
+        self.smoothed(basis, false)
+    }
+
+    /// [`Self::with_polynomials`] in a round that others follow: they are kept with the samples, which takes a second copy of these.
+    pub fn with_kept_polynomials(self, basis: Option<&InnerBasis>) -> Self {
+        self.smoothed(basis, true)
+    }
+
+    fn smoothed(mut self, basis: Option<&InnerBasis>, keeps: bool) -> Self {
         let Some(basis) = basis else { return self };
         let mut columns: Vec<Vec<&mut Arc<Sample>>> = self.slots.keys().map(|_| Vec::new()).collect();
         for point in &mut self.points {
@@ -106,7 +115,7 @@ impl Pool {
                 column.push(sample);
             }
         }
-        columns.par_iter_mut().for_each(|samples| smooth(basis, samples));
+        columns.par_iter_mut().for_each(|samples| smooth(basis, samples, keeps));
         self
     }
 

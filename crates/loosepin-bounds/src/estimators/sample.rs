@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::estimate::PowerSums;
 use super::in_order::in_order;
 use super::known::Known;
+use super::known_fits::KnownFits;
 use super::smooth::Smooth;
 use crate::data::scratch::{Away, Numbers};
 
@@ -18,6 +19,7 @@ pub(crate) struct Sample {
     /// Beside the sample, since most have none.
     smooth: Option<Box<Smooth>>,
     known: Known,
+    fits: KnownFits,
     ends: OnceLock<Option<(f64, f64)>>,
     sums: OnceLock<PowerSums>,
 }
@@ -68,7 +70,16 @@ impl Sample {
 
     fn of(values: Numbers, replicate_ends: Arc<[usize]>, failed: usize) -> Self {
         let (ends, sums) = (OnceLock::new(), OnceLock::new());
-        Self { values, replicate_ends, failed, smooth: None, known: Known::default(), ends, sums }
+        Self {
+            values,
+            replicate_ends,
+            failed,
+            smooth: None,
+            known: Known::default(),
+            fits: KnownFits::default(),
+            ends,
+            sums,
+        }
     }
 
     /// A sample of these runs with another value each, a smooth function of the old one; finished ones stay finished where `change` is finite.
@@ -113,6 +124,11 @@ impl Sample {
     /// What has been worked out of it so far.
     pub fn known(&self) -> &Known {
         &self.known
+    }
+
+    /// Polynomials that have been fitted to it so far.
+    pub(super) fn fits(&self) -> &KnownFits {
+        &self.fits
     }
 
     /// Its polynomials where the response is smooth in the random inputs.

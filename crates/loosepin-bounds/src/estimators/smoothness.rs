@@ -18,8 +18,9 @@ const HOPELESS: f64 = 100.0;
 const TRIED_DEGREES: usize = 4;
 
 /// Gives every sample its polynomials where the response is smooth at all of them and no run failed; else none has any, so that
-/// all are estimated in the same way. What neighbours share is fitted once, and shared again.
-pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
+/// all are estimated in the same way. What neighbours share is fitted once, and shared again. Where it `keeps` them, samples with their
+/// polynomials, and all that is worked out of these, are there for the rounds that follow.
+pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>], keeps: bool) {
     if samples.is_empty() || samples.iter().any(|sample| sample.failed() > 0) {
         return;
     }
@@ -32,11 +33,17 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
         return;
     }
     let allowed = |point: usize| (LARGEST_RESIDUAL * deviations[point]).max(LARGEST_RESIDUAL_OF_ALL * largest);
-    // Largest residual of a fit, relative to what is allowed.
-    let residual_share = |fit: &CrossFit, point: usize| {
+    let largest_residual = |fit: &CrossFit| largest_magnitude(&fit.residuals);
+    // The same relative to what is allowed.
+    let share = |largest_residual: f64, point: usize| {
         // Of a response that does not scatter at all, round-off is left.
         let round_off = ROUND_OFF * largest_magnitude(samples[point].values());
-        (largest_magnitude(&fit.residuals) - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
+        (largest_residual - round_off).max(0.0) / allowed(point).max(f64::MIN_POSITIVE)
+    };
+    let residual_share = |design: &Arc<DesignMatrix>, point: usize| {
+        let sample = &samples[point];
+        let find = || largest_residual(&design.fit(sample.values()));
+        share(sample.fits().largest_residual(design, find), point)
     };
     let step = samples.len().div_ceil(TRIAL_POINTS).max(1);
     let mut chosen: Option<(&Arc<DesignMatrix>, f64)> = None;
@@ -47,7 +54,7 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
             if point >= step && Arc::ptr_eq(samples[point], samples[point - step]) {
                 continue;
             }
-            most = most.max(residual_share(&design.fit(samples[point].values()), point));
+            most = most.max(residual_share(design, point));
             if most > HOPELESS {
                 return;
             }
@@ -68,13 +75,22 @@ pub(crate) fn smooth(basis: &InnerBasis, samples: &mut [&mut Arc<Sample>]) {
         let as_before = fitted.last().cloned().filter(|_| is_as_before(point));
         let own = match as_before {
             Some(known) => known,
-            None => {
-                let fit = design.fit(sample.values());
-                if !(residual_share(&fit, point) <= 1.0) {
-                    return;
+            None => match sample.fits().sample(design) {
+                Some(known) if residual_share(design, point) <= 1.0 => known,
+                Some(_) => return,
+                None => {
+                    let fit = design.fit(sample.values());
+                    let largest = largest_residual(&fit);
+                    if !(share(largest, point) <= 1.0) {
+                        return;
+                    }
+                    let own = Arc::new(sample.with_polynomials(Smooth::new(design.clone(), fit)));
+                    if keeps {
+                        sample.fits().keep(design, largest, own.clone());
+                    }
+                    own
                 }
-                Arc::new(sample.with_polynomials(Smooth::new(design.clone(), fit)))
-            }
+            },
         };
         fitted.push(own);
     }

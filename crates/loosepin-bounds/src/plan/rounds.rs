@@ -107,7 +107,7 @@ impl DoubleLoop {
         let pool = Pool::gather(table, Purpose::DoubleLoop, self.setup.needed_columns());
         // Of curves only the bounds themselves are worth the time that polynomials take, the search is not.
         let is_curve = searched.len() > MOST_LOCATED_TARGETS;
-        let pool = &if is_curve { pool } else { pool.with_polynomials(self.setup.inner_basis()) };
+        let pool = &if is_curve { pool } else { pool.with_kept_polynomials(self.setup.inner_basis()) };
         let points = self.setup.outer_places(pool);
         // Quantiles of several elements together end where the probabilities of all of them add up. For curves, whose targets are
         // many, the quantiles of each element have to do.
