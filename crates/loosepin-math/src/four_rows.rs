@@ -48,16 +48,17 @@ impl FourRows {
 
     /// A x
     pub fn multiply(&self, vector: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; self.rows];
+        let mut product = Vec::with_capacity(self.rows.next_multiple_of(4));
         on_vectors(
             #[inline(always)]
             || {
-                for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(product.chunks_mut(4)) {
-                    let found = scalar_products(entries, &vector[..self.columns]);
-                    own.iter_mut().zip(found).for_each(|(own, found)| *own = found);
+                for entries in self.entries.chunks_exact(self.columns.max(1)) {
+                    product.extend_from_slice(&scalar_products(entries, &vector[..self.columns]));
                 }
             },
         );
+        // Without columns all are zero.
+        product.resize(self.rows, 0.0);
         product
     }
 
@@ -70,16 +71,18 @@ impl FourRows {
 
     /// A x of N vectors.
     pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
-        let mut products = vec![[0.0; N]; self.rows];
+        let mut products = Vec::with_capacity(self.rows.next_multiple_of(4));
         on_vectors(
             #[inline(always)]
             || {
                 let vectors = &vectors[..self.columns];
-                for (entries, own) in self.entries.chunks_exact(self.columns.max(1)).zip(products.chunks_mut(4)) {
-                    own.copy_from_slice(&products_of_rows(entries, vectors)[..own.len()]);
+                for entries in self.entries.chunks_exact(self.columns.max(1)) {
+                    products.extend_from_slice(&products_of_rows(entries, vectors));
                 }
             },
         );
+        // Without columns all are zero.
+        products.resize(self.rows, [0.0; N]);
         products
     }
 
@@ -195,21 +198,22 @@ impl FourTriangleRows {
 
     /// T x of N vectors.
     pub fn multiply_each<const N: usize>(&self, vectors: &[[f64; N]]) -> Vec<[f64; N]> {
-        let mut products = vec![[0.0; N]; self.order];
+        // The first row of the first group and the last ones of the last are missing.
+        let mut products = Vec::with_capacity((self.order + 4).next_multiple_of(4));
         on_vectors(
             #[inline(always)]
             || {
                 for (rows, own) in self.groups() {
                     let found = products_of_rows(own, &vectors[..own.len()]);
-                    for (row, found) in rows.into_iter().zip(found) {
-                        // A row that is missing has no entries.
-                        if let Some(row) = row {
-                            products[row] = found;
-                        }
+                    if rows[0].is_some() {
+                        products.extend_from_slice(&found);
+                    } else {
+                        products.extend_from_slice(&found[1..]);
                     }
                 }
             },
         );
+        products.truncate(self.order);
         products
     }
 
