@@ -60,6 +60,7 @@ impl<'m> Assessment<'m> {
 
 /// A model held against values. What it leaves of them is worked out again for the few that are asked for it: to keep it for all takes
 /// longer.
+#[derive(Clone, Copy)]
 pub(super) struct Assessed<'m> {
     pub model: &'m Model,
     /// σ²

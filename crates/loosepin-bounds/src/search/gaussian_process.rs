@@ -23,9 +23,10 @@ pub(super) const MOST_APPENDED_TO: usize = 128;
 /// Places that are predicted side by side: as many as there are numbers in two vectors.
 const PLACES_AT_ONCE: usize = 8;
 
-/// How often the process can be differentiated: Matérn 3/2, 5/2, 9/2.
+/// How often the process can be differentiated: Matérn 1/2, 3/2, 5/2, 9/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Smoothness {
+    Never,
     Once,
     Twice,
     FourTimes,
@@ -76,6 +77,7 @@ impl Kernel {
     /// s over r.
     fn factor(&self) -> f64 {
         match self.smoothness {
+            Smoothness::Never => 1.0,
             Smoothness::Once => 3.0_f64.sqrt(),
             Smoothness::Twice => 5.0_f64.sqrt(),
             Smoothness::FourTimes => 3.0,
@@ -85,8 +87,10 @@ impl Kernel {
     /// The slopes of the correlations of places at these distances, each divided by its distance:
     ///
     /// ```text
-    /// (dk/ds)/s · (s/d)²,   (dk/ds)/s = -exp(-s),  -(1 + s)/3 exp(-s),  -(1 + s + 2s²/5 + s³/15)/7 exp(-s)
+    /// (dk/ds)/s · (s/d)²,   (dk/ds)/s = -exp(-s)/s,  -exp(-s),  -(1 + s)/3 exp(-s),  -(1 + s + 2s²/5 + s³/15)/7 exp(-s)
     /// ```
+    ///
+    /// The first has a kink at distance 0, and is taken for level there.
     fn slopes_at_distances(&self, distances: &[f64]) -> Vec<f64> {
         let scale = self.factor() / self.length_scale;
         let negated: Vec<f64> = distances.iter().map(|distance| -(scale * distance)).collect();
@@ -97,6 +101,8 @@ impl Kernel {
             *slope *= -scale
                 * scale
                 * match self.smoothness {
+                    Smoothness::Never if s == 0.0 => 0.0,
+                    Smoothness::Never => 1.0 / s,
                     Smoothness::Once => 1.0,
                     Smoothness::Twice => (1.0 + s) / 3.0,
                     Smoothness::FourTimes => (1.0 + s * (1.0 + s * (0.4 + s / 15.0))) / 7.0,
@@ -117,6 +123,7 @@ impl Kernel {
             || {
                 let each = correlations.iter_mut().zip(&negated).map(|(decay, negated)| (-negated, decay));
                 match self.smoothness {
+                    Smoothness::Never => {}
                     Smoothness::Once => {
                         for (s, decay) in each {
                             *decay *= 1.0 + s;
@@ -451,7 +458,7 @@ mod tests {
         let points = first_points(3, 2, 24).unwrap();
         let (trend, terms, _) = Trend::for_points(&points, 0).unwrap();
         let values: Vec<f64> = points.iter().map(|u| (5.0 * u[0]).sin() + (4.0 * u[1] * u[0]).cos()).collect();
-        for smoothness in [Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes] {
+        for smoothness in [Smoothness::Never, Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes] {
             let kernel = Kernel { smoothness, length_scale: 0.45 };
             let covariance = kernel.covariance(&points);
             let model = Model::try_new(0, &points, covariance, (trend, &terms), kernel, 1e-4, None).unwrap();

@@ -19,6 +19,10 @@ const LENGTH_SCALES: [f64; 6] = [0.08, 0.16, 0.32, 0.64, 1.28, 2.56];
 /// Kernels of a noise ratio, at most: three smoothnesses of each length scale.
 const MOST_KERNELS: usize = 3 * LENGTH_SCALES.len();
 
+/// Length scale of the model with kinks, in units of the diagonal of the box. Likelihood takes the longest nearly always: a deviation then
+/// grows with the root of the distance from the points.
+const LENGTH_WITH_KINKS: f64 = 2.56;
+
 /// A model for each length scale, smoothness and noise ratio that is tried.
 pub(crate) struct Grid {
     /// Diagonal of the box.
@@ -37,6 +41,8 @@ pub(crate) struct Grid {
     /// Models of the same noise ratio together, from little to much noise. The first is there from the beginning and never empty, the
     /// others are prepared when they are asked for.
     levels: Vec<OnceLock<Vec<Model>>>,
+    /// That of a process with kinks everywhere, prepared when it is asked for.
+    with_kinks: OnceLock<Option<Model>>,
 }
 
 impl Grid {
@@ -53,7 +59,18 @@ impl Grid {
         let regressors = Regressors::new(&seen);
         let diagonal = (points[0].len() as f64).sqrt();
         let covariances = Default::default();
-        let grid = Self { diagonal, terms, normal_equations, seen, regressors, trend, covariances, known, levels };
+        let grid = Self {
+            diagonal,
+            terms,
+            normal_equations,
+            seen,
+            regressors,
+            trend,
+            covariances,
+            known,
+            levels,
+            with_kinks: OnceLock::new(),
+        };
         let kernels = grid.kernels(0).into_par_iter().enumerate();
         let without_noise: Vec<Model> = kernels.filter_map(|own| grid.model(own, 0)).collect();
         let is_empty = without_noise.is_empty();
@@ -68,7 +85,19 @@ impl Grid {
 
     /// Number of models, at most: [`Model::place`] is less.
     pub fn most_models(&self) -> usize {
-        self.levels.len() * MOST_KERNELS
+        self.levels.len() * MOST_KERNELS + 1
+    }
+
+    /// The model of a process with kinks everywhere, without noise; nothing where its matrix is singular to round-off. Likelihood does not choose it
+    /// (`smoother.rs`).
+    pub fn with_kinks(&self) -> Option<&Model> {
+        let prepare = || {
+            let kernel = Kernel { smoothness: Smoothness::Never, length_scale: LENGTH_WITH_KINKS * self.diagonal };
+            let (trend, covariance) = ((self.trend, &self.terms[..]), kernel.covariance(&self.seen));
+            let place = self.levels.len() * MOST_KERNELS;
+            Model::try_new(place, &self.seen, covariance, trend, kernel, NOISE_RATIOS[0], None)
+        };
+        self.with_kinks.get_or_init(prepare).as_ref()
     }
 
     /// The models of one noise ratio. One thread prepares them while others may wait: were it to share the work, it could come to wait

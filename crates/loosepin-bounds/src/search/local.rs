@@ -184,6 +184,11 @@ impl<'a> LocalFits<'a> {
         self.fits.iter().map(Fit::misfit).sum::<f64>() / self.fits.len() as f64
     }
 
+    /// The fits, one of each part.
+    pub fn parts(&self) -> &[Fit<'a>] {
+        &self.fits
+    }
+
     /// The fit of all points together; nothing where they are divided.
     pub fn whole(&self) -> Option<&Fit<'a>> {
         match &self.fits[..] {

@@ -26,6 +26,7 @@ pub(crate) mod shared_grids;
 pub(crate) mod smoother;
 mod summits;
 mod surroundings;
+mod suspected_kinks;
 pub(crate) mod target;
 pub(crate) mod target_model;
 mod trend;

@@ -3,9 +3,11 @@
 use super::broken_reach::reach_of_break;
 use super::climb::Climb;
 use super::furthest::Furthest;
+use super::local::LocalFits;
 use super::models::{Branch, Search};
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
+use super::smoother::Fit;
 use super::target::Target;
 use super::target_model::TargetModel;
 use crate::data::direction::Direction;
@@ -171,6 +173,9 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
         return direction.further(coarse.optimistic, climb.concession_above(&hoped.optimistic_at));
     }
     let mut furthest = direction.further(coarse.optimistic, climb.concession_above(&coarse.optimistic_at));
+    if let TargetModel::Plain(fits) = model {
+        furthest = with_kinks(fits, direction, region).fold(furthest, |most, own| direction.further(most, own));
+    }
     // Beside what is noisy or rough a summit that is a little higher than the best candidate says nothing.
     if model.is_beside() {
         return furthest;
@@ -195,19 +200,42 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
     furthest
 }
 
+/// How far the values let a target with kinks go, each part of them where it may have some: the points of curves are nowhere so dense that
+/// they show one.
+fn with_kinks(fits: &LocalFits<'_>, direction: Direction, region: &Region) -> impl Iterator<Item = f64> {
+    let kinked = fits.parts().iter().filter_map(Fit::with_kinks);
+    kinked.filter_map(move |fit| {
+        let sign = direction.sign();
+        if fit.are_all_in(region) {
+            return Some(sign * fit.furthest(Allowance::HOPED, sign)[0].0);
+        }
+        let held = fit.places().iter().zip(fit.smooth_at_places()).filter(|(place, _)| region.holds(place));
+        held.map(|(_, at)| at.moved(Allowance::HOPED, sign)).reduce(|most, own| direction.further(most, own))
+    })
+}
+
 /// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what
 /// is hoped for and from the best in what is conceded, for a model may be unsure far from the extreme that it expects. An index without
 /// roughness is located from the first alone: it has kinks, beside which its model is unsure however far the extreme is.
 fn located_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, region: &Region) -> f64 {
-    let from = |allowance: Allowance| {
-        let coarse = reach(model, direction, region, allowance);
-        let place = locate(axes, model, direction, Allowance::CONCESSION, coarse.optimistic_at, region);
-        let located = model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign());
-        direction.further(located, coarse.optimistic)
+    let from = |place: Vec<f64>| {
+        let place = locate(axes, model, direction, Allowance::CONCESSION, place, region);
+        model.at(&place, Allowance::CONCESSION).moved(Allowance::CONCESSION, direction.sign())
     };
-    let hoped = from(Allowance::HOPED);
+    let hoped = reach(model, direction, region, Allowance::HOPED);
+    let most = |place: &[f64]| direction.further(from(place.to_vec()), hoped.optimistic);
     let is_index = !matches!(model, TargetModel::Plain(_));
-    if is_index && !model.is_rough() { hoped } else { direction.further(hoped, from(Allowance::CONCESSION)) }
+    if is_index && !model.is_rough() {
+        return most(&hoped.optimistic_at);
+    }
+    let conceded = reach(model, direction, region, Allowance::CONCESSION);
+    let most = direction.further(most(&hoped.optimistic_at), conceded.optimistic);
+    // Mostly both begin at the same place, and end there.
+    if conceded.optimistic_at == hoped.optimistic_at {
+        most
+    } else {
+        direction.further(most, from(conceded.optimistic_at))
+    }
 }
 
 /// Moves `place` to the nearest local extreme of what an allowance lets it be: pattern search along the axes and the last

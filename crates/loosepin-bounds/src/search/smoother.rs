@@ -29,6 +29,7 @@ use super::noise::Noise;
 use super::prediction::{Allowance, Prediction, Roughness};
 use super::roughness::{GAIN_OF_A_PARAMETER, RoughPart, Scatter};
 use super::search_box::{Axes, Region};
+use super::suspected_kinks::{Likelihoods, SuspectedKinks};
 use loosepin_math::dense::dot;
 use loosepin_math::{beside_one_another, dots_of_each};
 
@@ -68,6 +69,8 @@ pub(crate) struct Fit<'a> {
     /// Variance of what is independent from point to point, 0 where the fit passes through the estimates.
     nugget: f64,
     roughness: Option<Rough>,
+    /// Of values that the fit passes through.
+    suspected_kinks: Option<SuspectedKinks<'a>>,
     /// -2 ln likelihood for each degree of freedom.
     misfit: f64,
 }
@@ -147,8 +150,9 @@ impl Smoother {
 
     /// The fit of the model that is taken.
     fn fitted<'m>(&'m self, own: Prepared<'_>, assessment: Assessment<'m>) -> Fit<'m> {
-        let Prepared { values, centre, residual, freedom, of_noise, noise, .. } = own;
+        let Prepared { values, centre, residual, is_constant, freedom, floor, of_noise, noise, .. } = own;
         let may_be_rough = !noise.replicates.is_empty();
+        let likelihoods = if is_constant { None } else { Likelihoods::of(&assessment.assessed) };
         let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessment.assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let honest = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
@@ -172,7 +176,7 @@ impl Smoother {
             let scatter = Scatter::even(&own.errors(&residual), freedom);
             (own, scatter)
         });
-        Fit {
+        let mut fit = Fit {
             smoother: self,
             model: own.model,
             whitened: own.model.whitened(&values),
@@ -182,14 +186,17 @@ impl Smoother {
             nugget: if own.is_noisy() { own.nugget() } else { 0.0 },
             // With the variance that is stated in the place of the likeliest one.
             misfit: (own.misfit + scatter.price) / freedom,
-            roughness: is_rough.then(|| Rough {
-                residual,
-                replicates: noise.replicates.clone(),
-                scatter,
-                part: OnceLock::new(),
-                at_places: OnceLock::new(),
-            }),
+            roughness: None,
+            suspected_kinks: None,
+        };
+        if is_rough {
+            let (part, at_places) = (OnceLock::new(), OnceLock::new());
+            fit.roughness = Some(Rough { residual, replicates: noise.replicates.clone(), scatter, part, at_places });
+        } else if !fit.is_beside() {
+            // Noise looks like kinks.
+            fit.suspected_kinks = likelihoods.map(|own| own.with(values, residual, freedom, floor));
         }
+        fit
     }
 
     /// All models that are worth it, held against the values of `own`.
@@ -306,6 +313,26 @@ impl Rough {
 
     fn at_places(&self, fit: &Fit<'_>) -> &[Roughness] {
         self.at_places.get_or_init(|| self.part(fit).at_places(&fit.smoother.seen_places.places))
+    }
+}
+
+impl<'a> Fit<'a> {
+    /// The fit of a process with kinks everywhere to the same values; nothing where they are known to be smooth, noisy or rough.
+    pub fn with_kinks(&self) -> Option<Self> {
+        let suspected = self.suspected_kinks.as_ref().filter(|suspected| suspected.are_confirmed())?;
+        let model = self.smoother.grid.with_kinks()?;
+        Some(Self {
+            smoother: self.smoother,
+            model,
+            whitened: model.whitened(suspected.values()),
+            means: OnceLock::new(),
+            centre: self.centre,
+            deviation: suspected.deviation(model),
+            nugget: 0.0,
+            misfit: f64::NAN,
+            roughness: None,
+            suspected_kinks: None,
+        })
     }
 }
 

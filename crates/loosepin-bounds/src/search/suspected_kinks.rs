@@ -1,0 +1,87 @@
+//! Values that may have kinks between the points.
+//!
+//! A smooth model that has met no kink expects none: its deviation falls with a high power of the distance from the points, an error beside
+//! a kink with the distance itself. Two signs tell that values may have kinks, both in -2 ln likelihood of the models without noise:
+//!
+//! ```text
+//! least of those with one derivative - least of all < 20, or
+//! the same < 60, and the likeliest model with four derivatives predicts some estimate from the others 2.75 of its deviations off
+//! ```
+//!
+//! Smooth curves of 32 points over a square have 70 to 145 and no such error, curves with kinks -0 to 130. What such values are allowed is that of a process
+//! with kinks everywhere, Matérn 1/2, whose deviation grows with the root of the distance.
+
+use super::assessment::Assessed;
+use super::gaussian_process::{Model, Smoothness};
+use super::roughness::Scatter;
+use loosepin_math::dense::dot;
+
+/// Below the first difference values may have kinks whatever their errors, from the second on they have none.
+const DOUBTFUL: f64 = 20.0;
+const SMOOTH: f64 = 60.0;
+
+/// The largest error of predicting an estimate from the others that is expected of smooth values, over the 2.5 deviations of [`Scatter`].
+const EXPECTED_DISTRUST: f64 = 1.1;
+
+/// Values that may have kinks by the likelihoods of their models.
+pub(super) struct SuspectedKinks<'m> {
+    /// Less their mean, and less the polynomial as well.
+    values: Vec<f64>,
+    residual: Vec<f64>,
+    freedom: f64,
+    /// Least variance that is no round-off.
+    floor: f64,
+    /// Whether they are suspected whatever their errors.
+    is_doubtful: bool,
+    /// The likeliest model with four derivatives.
+    smoothest: Assessed<'m>,
+}
+
+/// By how much the likeliest model with one derivative is less likely than the likeliest of those without noise.
+pub(super) struct Likelihoods<'m> {
+    excess: f64,
+    smoothest: Assessed<'m>,
+}
+
+impl<'m> Likelihoods<'m> {
+    /// Those of all that were `assessed`; nothing where the values are as smooth as they should be.
+    pub fn of(assessed: &[Assessed<'m>]) -> Option<Self> {
+        let least = |smoothness: Smoothness| {
+            let own = assessed.iter().filter(|own| !own.is_noisy() && own.model.smoothness() == smoothness);
+            own.min_by(|a, b| a.misfit.total_cmp(&b.misfit)).copied()
+        };
+        let (once, smoothest) = (least(Smoothness::Once)?.misfit, least(Smoothness::FourTimes)?);
+        let twice = least(Smoothness::Twice).map_or(f64::INFINITY, |own| own.misfit);
+        let excess = once - once.min(twice).min(smoothest.misfit);
+        (excess < SMOOTH).then_some(Self { excess, smoothest })
+    }
+
+    /// The `values` to which they belong, less their mean, and their `residual` of the polynomial with so many degrees of freedom; no variance
+    /// lies below `floor`.
+    pub fn with(self, values: Vec<f64>, residual: Vec<f64>, freedom: f64, floor: f64) -> SuspectedKinks<'m> {
+        let Self { excess, smoothest } = self;
+        SuspectedKinks { values, residual, freedom, floor, is_doubtful: excess < DOUBTFUL, smoothest }
+    }
+}
+
+impl SuspectedKinks<'_> {
+    /// Whether the errors of predicting each estimate from the others tell the same.
+    pub fn are_confirmed(&self) -> bool {
+        let distrust = || Scatter::even(&self.smoothest.errors(&self.residual), self.freedom).distrust;
+        self.is_doubtful || distrust() > EXPECTED_DISTRUST
+    }
+
+    /// The values, less their mean.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The standard deviation of the process of `model`, as it must be stated.
+    pub fn deviation(&self, model: &Model) -> f64 {
+        let rest = model.whitened_rest(&self.residual);
+        let variance = (dot(&rest, &rest) / self.freedom).max(self.floor);
+        // The misfit is that of a model that nobody compares.
+        let own = Assessed { model, variance, misfit: f64::NAN };
+        variance.sqrt() * Scatter::even(&own.errors(&self.residual), self.freedom).distrust
+    }
+}
