@@ -265,6 +265,13 @@ impl Model {
         projected.iter().zip(&self.projection_diagonal).map(of).collect()
     }
 
+    /// The largest error of predicting an estimate from all the others, in its own unit, from [`Self::whitened_rest`]: (P y)_i/P_ii.
+    pub fn largest_error(&self, rest: &[f64]) -> f64 {
+        let projected = self.whitened.whitening().multiply_transposed(rest);
+        let of = |(error, diagonal): (&f64, &f64)| if *diagonal > 0.0 { (error / diagonal).abs() } else { 0.0 };
+        projected.iter().zip(&self.projection_diagonal).map(of).fold(0.0, f64::max)
+    }
+
     /// The variance of what the values have beside the process, estimated from the residuals τ P y at the points and their degrees of
     /// freedom tr τP:
     ///

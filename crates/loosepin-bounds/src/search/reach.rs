@@ -7,7 +7,7 @@ use super::local::LocalFits;
 use super::models::{Branch, Search};
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
-use super::smoother::Fit;
+use super::smoother::{Fit, Kinked};
 use super::target::Target;
 use super::target_model::TargetModel;
 use crate::data::direction::Direction;
@@ -200,17 +200,19 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
     furthest
 }
 
-/// How far the values let a target with kinks go, each part of them where it may have some: the points of curves are nowhere so dense that
-/// they show one.
+/// How far values that may have kinks let a target go, part by part of the box: the points of curves are nowhere so dense that they show a
+/// kink.
 fn with_kinks(fits: &LocalFits<'_>, direction: Direction, region: &Region) -> impl Iterator<Item = f64> {
+    let sign = direction.sign();
     let kinked = fits.parts().iter().filter_map(Fit::with_kinks);
-    kinked.filter_map(move |fit| {
-        let sign = direction.sign();
-        if fit.are_all_in(region) {
-            return Some(sign * fit.furthest(Allowance::HOPED, sign)[0].0);
-        }
-        let held = fit.places().iter().zip(fit.smooth_at_places()).filter(|(place, _)| region.holds(place));
-        held.map(|(_, at)| at.moved(Allowance::HOPED, sign)).reduce(|most, own| direction.further(most, own))
+    kinked.filter_map(move |Kinked { fit, largest_miss }| {
+        let all_in = fit.are_all_in(region);
+        let held = fit.places().iter().zip(fit.smooth_at_places()).filter(|(place, _)| all_in || region.holds(place));
+        let most = |at: Prediction| {
+            let miss = Allowance::HOPED.deviations() * at.deviation;
+            at.mean + sign * miss.min(largest_miss)
+        };
+        held.map(|(_, at)| most(at)).reduce(|furthest, own| direction.further(furthest, own))
     })
 }
 

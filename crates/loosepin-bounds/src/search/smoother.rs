@@ -316,12 +316,19 @@ impl Rough {
     }
 }
 
+/// A fit of a process with kinks everywhere.
+pub(crate) struct Kinked<'a> {
+    pub fit: Fit<'a>,
+    /// The most that the values may lie beside it.
+    pub largest_miss: f64,
+}
+
 impl<'a> Fit<'a> {
-    /// The fit of a process with kinks everywhere to the same values; nothing where they are known to be smooth, noisy or rough.
-    pub fn with_kinks(&self) -> Option<Self> {
+    /// That of a process with kinks everywhere to the same values; nothing where they are known to be smooth, noisy or rough.
+    pub fn with_kinks(&self) -> Option<Kinked<'a>> {
         let suspected = self.suspected_kinks.as_ref().filter(|suspected| suspected.are_confirmed())?;
         let model = self.smoother.grid.with_kinks()?;
-        Some(Self {
+        let fit = Self {
             smoother: self.smoother,
             model,
             whitened: model.whitened(suspected.values()),
@@ -332,7 +339,8 @@ impl<'a> Fit<'a> {
             misfit: f64::NAN,
             roughness: None,
             suspected_kinks: None,
-        })
+        };
+        Some(Kinked { fit, largest_miss: suspected.largest_miss() })
     }
 }
 

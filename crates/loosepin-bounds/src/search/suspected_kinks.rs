@@ -8,8 +8,12 @@
 //! the same < 60, and the likeliest model with four derivatives predicts some estimate from the others 2.75 of its deviations off
 //! ```
 //!
-//! Smooth curves of 32 points over a square have 70 to 145 and no such error, curves with kinks -0 to 130. What such values are allowed is that of a process
-//! with kinks everywhere, Matérn 1/2, whose deviation grows with the root of the distance.
+//! Smooth curves of 32 points over a square have 70 to 145 and no such error, curves with kinks 0 to 130. What is conceded to them is that of a process
+//! with kinks everywhere, Matérn 1/2, whose deviation s(u) grows with the root of the distance:
+//!
+//! ```text
+//! mean(u) ± min(2.5 s(u), 2 max |e_i|),   e_i: errors of predicting each estimate from the others by the likeliest model with four derivatives
+//! ```
 
 use super::assessment::Assessed;
 use super::gaussian_process::{Model, Smoothness};
@@ -22,6 +26,10 @@ const SMOOTH: f64 = 60.0;
 
 /// The largest error of predicting an estimate from the others that is expected of smooth values, over the 2.5 deviations of [`Scatter`].
 const EXPECTED_DISTRUST: f64 = 1.1;
+
+/// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
+/// where an estimate is left out the gap is twice as wide.
+const MARGIN: f64 = 2.0;
 
 /// Values that may have kinks by the likelihoods of their models.
 pub(super) struct SuspectedKinks<'m> {
@@ -74,6 +82,12 @@ impl SuspectedKinks<'_> {
     /// The values, less their mean.
     pub fn values(&self) -> &[f64] {
         &self.values
+    }
+
+    /// The most that they may lie beside a model between the points.
+    pub fn largest_miss(&self) -> f64 {
+        let model = self.smoothest.model;
+        MARGIN * model.largest_error(&model.whitened_rest(&self.residual))
     }
 
     /// The standard deviation of the process of `model`, as it must be stated.
