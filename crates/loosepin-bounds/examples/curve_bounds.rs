@@ -84,8 +84,12 @@ impl Curve {
         Self {
             waves: [0, 1, 2].map(|k| wave(10 * k, 1.0 / (k + 1) as f64, (k + 1) as f64)),
             scatter: wave(100, 0.05, 1.0),
-            unforeseen: if kind == Kind::Impacts { 0.3 * (0.5 + uniform(200)) } else { 0.0 },
-            kink: (kind == Kind::Kinks).then(|| wave(110, 0.5, 1.0)),
+            unforeseen: if matches!(kind, Kind::Impacts | Kind::KinksAndImpacts) {
+                0.3 * (0.5 + uniform(200))
+            } else {
+                0.0
+            },
+            kink: matches!(kind, Kind::Kinks | Kind::KinksAndImpacts).then(|| wave(110, 0.5, 1.0)),
         }
     }
 
@@ -179,10 +183,11 @@ enum Kind {
     Kinks,
     Steep,
     Four,
+    KinksAndImpacts,
 }
 
 impl Kind {
-    const ALL: [Self; 5] = [Self::Smooth, Self::Impacts, Self::Kinks, Self::Steep, Self::Four];
+    const ALL: [Self; 6] = [Self::Smooth, Self::Impacts, Self::Kinks, Self::Steep, Self::Four, Self::KinksAndImpacts];
 
     /// Twice the furthest that the phase of a wave goes along one unknown number, rad.
     fn steepness(self) -> f64 {
@@ -236,7 +241,7 @@ fn main() {
     let [problems, seed] = [0, 1].map(|place| *words.get(place).expect("PROBLEMS SEED [SAMPLING_SEEDS]"));
     let sampling_seeds = words.get(2).copied().unwrap_or(4);
     println!(
-        "{:8} {:>8} {:>8} {:>9} {:>14} {:>10}",
+        "{:15} {:>8} {:>8} {:>9} {:>14} {:>10}",
         "curves", "studies", "ends", "missed", "furthest miss", "too wide"
     );
     let is_meant = |kind: &Kind| only.as_ref().is_none_or(|only| *only == format!("{kind:?}"));
@@ -255,7 +260,7 @@ fn main() {
             }
         }
         println!(
-            "{:8} {:8} {:8} {:8.3}% {:14.2e} {:9.3}%",
+            "{:15} {:8} {:8} {:8.3}% {:14.2e} {:9.3}%",
             format!("{kind:?}"),
             problems * sampling_seeds,
             all.ends,

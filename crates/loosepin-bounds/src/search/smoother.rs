@@ -152,7 +152,9 @@ impl Smoother {
     fn fitted<'m>(&'m self, own: Prepared<'_>, assessment: Assessment<'m>) -> Fit<'m> {
         let Prepared { values, centre, residual, is_constant, freedom, floor, of_noise, noise, .. } = own;
         let may_be_rough = !noise.replicates.is_empty();
-        let likelihoods = if is_constant { None } else { Likelihoods::of(&assessment.assessed) };
+        // Noise looks like kinks, and what is conceded for it holds beside kinks too.
+        let is_heard = may_be_rough || of_noise > 0.0;
+        let likelihoods = if is_constant || is_heard { None } else { Likelihoods::of(&assessment.assessed) };
         let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessment.assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let honest = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
@@ -192,8 +194,7 @@ impl Smoother {
         if is_rough {
             let (part, at_places) = (OnceLock::new(), OnceLock::new());
             fit.roughness = Some(Rough { residual, replicates: noise.replicates.clone(), scatter, part, at_places });
-        } else if !fit.is_beside() {
-            // Noise looks like kinks.
+        } else {
             fit.suspected_kinks = likelihoods.map(|own| own.with(values, residual, freedom, floor));
         }
         fit
