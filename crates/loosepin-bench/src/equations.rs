@@ -4,7 +4,7 @@
 use crate::batch::Case;
 use loosepin::contact::PlayState;
 use loosepin::dynamics::{ContactUnknowns, DepthRoot, Dynamics};
-use loosepin::math::{Numbers, Real, Vec2};
+use loosepin::math::{KnownAngle, Numbers, Real, Vec2};
 use loosepin::mechanism::{IdealMotion, Sample};
 use loosepin::native::{Hoisted, Program, Slot};
 use loosepin::simulate::{Arms, Block, Follow, LaneLayout, PassPrograms, Settings};
@@ -40,6 +40,12 @@ pub fn parts(case: &Case) -> Vec<Part> {
             index += 1;
         });
         let mut dynamics = Dynamics::new(mechanism, &traced);
+        // As in a batch: angles are near those at the start of the step.
+        for (turning, slot) in mechanism.real.turning_slots().enumerate() {
+            let [angle_rad, sine, cosine] = [0, 1, 2].map(|k| input(Block::StartReads, 3 * turning + k));
+            dynamics.kinematics.know(slot, KnownAngle { angle_rad, sine, cosine });
+        }
+        dynamics.kinematics.set_near(true);
         let n = mechanism.real.free;
         let state: Vec<Traced> = (0..dimension(case)).map(|k| input(Block::Point, k)).collect();
         let contacts = 0..mechanism.contacts.len();

@@ -51,11 +51,53 @@ pub fn sin_cos<T: Real>(angle_rad: T) -> (T, T) {
     (sine, cosine)
 }
 
+/// An angle with its sine and cosine.
+#[derive(Debug, Clone, Copy)]
+pub struct KnownAngle<T> {
+    /// The angle, rad.
+    pub angle_rad: T,
+    /// Its sine.
+    pub sine: T,
+    /// Its cosine.
+    pub cosine: T,
+}
+
+impl<T: Real> KnownAngle<T> {
+    /// Zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { angle_rad: T::zero(), sine: T::zero(), cosine: T::one() }
+    }
+}
+
+/// Distance from a known angle up to which [`sin_cos_near`] is as exact as [`sin_cos`], rad: a 48th of a turn. The error grows with its ninth
+/// power: 1e-13 at twice as much.
+pub const NEAR_RAD: f64 = std::f64::consts::TAU / 48.0;
+
+// Minimax coefficients on [-NEAR_RAD, NEAR_RAD], of (sin δ - δ)/δ³ and of (cos δ - 1)/δ² over δ², weighted so that the errors of sine and
+// cosine are least: 1.8e-16 and 2e-18.
+const NEAR_SINE: [f64; 3] = [-1.666_666_666_631_953_5e-1, 8.333_332_276_749_556e-3, -1.983_159_211_463_513e-4];
+const NEAR_COSINE: [f64; 4] = [-0.5, 4.166_666_666_623_778e-2, -1.388_888_770_408_049e-3, 2.479_143_070_379_531e-5];
+
+/// Sine and cosine of an angle that is [`NEAR_RAD`] or less from a known one, by the addition theorem: 13 multiplications in place of the 20
+/// of [`sin_cos`], and no choice.
+#[inline(always)]
+pub fn sin_cos_near<T: Real>(angle_rad: T, known: &KnownAngle<T>) -> (T, T) {
+    let turn = angle_rad - known.angle_rad;
+    let square = turn * turn;
+    let sine = (square * turn).mul_add(polynomial(square, &NEAR_SINE), turn);
+    let cosine_less_one = square * polynomial(square, &NEAR_COSINE);
+    // The small parts are added first.
+    let across = known.cosine.mul_add(sine, known.sine * cosine_less_one);
+    let along = known.cosine.mul_add(cosine_less_one, -(known.sine * sine));
+    (known.sine + across, known.cosine + along)
+}
+
 /// Σ c_k xᵏ by Horner's rule.
 #[inline(always)]
-fn polynomial<T: Real>(x: T, coefficients: &[f64; 6]) -> T {
-    let mut sum = T::from_f64(coefficients[5]);
-    for k in (0..5).rev() {
+fn polynomial<T: Real, const N: usize>(x: T, coefficients: &[f64; N]) -> T {
+    let mut sum = T::from_f64(coefficients[N - 1]);
+    for k in (0..N - 1).rev() {
         sum = sum.mul_add(x, T::from_f64(coefficients[k]));
     }
     sum
@@ -63,7 +105,7 @@ fn polynomial<T: Real>(x: T, coefficients: &[f64; 6]) -> T {
 
 #[cfg(test)]
 mod tests {
-    use super::sin_cos;
+    use super::{KnownAngle, NEAR_RAD, sin_cos, sin_cos_near};
 
     /// Two units in the last place of 1: what the kernel is allowed against a correctly rounded one.
     const SINE_TOLERANCE: f64 = 4.5e-16;
@@ -84,6 +126,25 @@ mod tests {
             assert!((cosine - libm::cos(angle_rad)).abs() < SINE_TOLERANCE, "cos {angle_rad}: {cosine}");
             angle_rad += 1.017e-4;
         }
+    }
+
+    #[test]
+    fn peer_sine_and_cosine_near_a_known_angle_agree_with_libm() {
+        for start in 0..2000 {
+            let angle_rad = 0.0137 * f64::from(start) - 13.0;
+            let (sine, cosine) = (libm::sin(angle_rad), libm::cos(angle_rad));
+            let known = KnownAngle { angle_rad, sine, cosine };
+            for share in -50..=50 {
+                let near_rad = angle_rad + NEAR_RAD * f64::from(share) / 50.0;
+                let (sine, cosine) = sin_cos_near(near_rad, &known);
+                assert!((sine - libm::sin(near_rad)).abs() < SINE_TOLERANCE, "sin {near_rad}: {sine}");
+                assert!((cosine - libm::cos(near_rad)).abs() < SINE_TOLERANCE, "cos {near_rad}: {cosine}");
+            }
+        }
+        // The error at twice the distance, as it is stated.
+        let (sine, cosine) = sin_cos_near(2.0 * NEAR_RAD, &KnownAngle::zero());
+        let errors = [sine - libm::sin(2.0 * NEAR_RAD), cosine - libm::cos(2.0 * NEAR_RAD)];
+        assert!(errors.iter().all(|error| error.abs() < 2e-13), "{errors:?}");
     }
 
     #[test]

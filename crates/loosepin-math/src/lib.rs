@@ -25,7 +25,7 @@ mod spline;
 mod vector;
 mod whole_range;
 
-pub use angle::sin_cos;
+pub use angle::{KnownAngle, NEAR_RAD, sin_cos, sin_cos_near};
 pub use arctangent::arctangent;
 pub use dual::Dual;
 pub use exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm, power};

@@ -8,7 +8,7 @@ use super::projection::Projection;
 use super::reads::ReadLayout;
 use super::settings::{STEP_SHARE, Settings};
 use loosepin_math::integrate::{StepRows, Stepper, System};
-use loosepin_math::{Quintic, Real};
+use loosepin_math::{NEAR_RAD, Quintic, Real};
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SliderBlock, is_front_corner};
@@ -75,7 +75,24 @@ impl Pass {
         self.set_root_weights(rows, lane);
         let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.weights()], system);
         lane[LaneLayout::ERROR] = error;
-        lane[LaneLayout::GROWTH] = self.stepper.growth(error);
+    }
+
+    /// Makes a step in which a body turns by more than [`NEAR_RAD`] one that errs too much, since sines and cosines within a step are computed
+    /// from those at its start; and says by the error how much longer the next step may be. (Quintic interpolation of a circle over so long a
+    /// step is 1e-10 of its radius off.)
+    pub fn limit_turns<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        let mut largest = T::zero();
+        for turning in 0..self.reads.turning() {
+            let place = self.reads.angle(turning);
+            let turn = blocks.end_reads[place] - blocks.start_reads[place];
+            largest = largest.max(turn * turn);
+        }
+        // The eighth power, as an error of order eight: a step that is shortened by it turns by NEAR_RAD.
+        let ratio = (largest * T::from_f64(1.0 / (NEAR_RAD * NEAR_RAD))).squared().squared();
+        let error = blocks.lane[LaneLayout::ERROR];
+        let error = T::select(error.less_than(ratio), ratio, error);
+        blocks.lane[LaneLayout::ERROR] = error;
+        blocks.lane[LaneLayout::GROWTH] = self.stepper.growth(error);
     }
 
     /// Makes what was evaluated last, slope and reads, those of the start of the step, where the lane is chosen.

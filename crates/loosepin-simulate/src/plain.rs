@@ -102,7 +102,10 @@ impl<'a> Plain<'a> {
             }
             None => {}
         }
-        pass.attempt(&mut named.rows, named.lane, &mut self.reading(named.end_reads));
+        self.motion.know_angles(&pass.reads, named.start_reads);
+        let system = &mut ReadingSystem { is_near: true, ..self.reading(named.end_reads) };
+        pass.attempt(&mut named.rows, named.lane, system);
+        pass.limit_turns(&mut named);
         pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
     }
 
@@ -130,7 +133,9 @@ impl<'a> Plain<'a> {
         if self.is_implicit {
             return pass.stepper.prepare_cubic(&mut rows, lane[LaneLayout::STEP]);
         }
+        self.motion.set_near(true);
         pass.prepare_dense(&mut rows, lane, &mut self.motion);
+        self.motion.set_near(false);
     }
 
     /// Takes in the values inside the step at hand, whose dense output is known.
@@ -160,7 +165,7 @@ impl<'a> Plain<'a> {
     }
 
     fn reading<'s>(&'s mut self, reads: &'s mut [f64]) -> ReadingSystem<'s, 'a> {
-        ReadingSystem { plain: self, reads }
+        ReadingSystem { plain: self, reads, is_near: false }
     }
 }
 
@@ -168,11 +173,15 @@ impl<'a> Plain<'a> {
 struct ReadingSystem<'s, 'a> {
     plain: &'s mut Plain<'a>,
     reads: &'s mut [f64],
+    /// Whether points within the step are near the known angles.
+    is_near: bool,
 }
 
 impl System for ReadingSystem<'_, '_> {
     fn derivative(&mut self, state: &[f64], slope: &mut [f64]) {
+        self.plain.motion.set_near(self.is_near);
         self.plain.motion.derivative(state, slope);
+        self.plain.motion.set_near(false);
     }
 
     fn derivative_at_end(&mut self, state: &[f64], slope: &mut [f64]) {

@@ -35,7 +35,8 @@ const JUDGED: [usize; 11] = [
 pub struct PassPrograms<P = Program> {
     /// What depends on the numbers of a run alone, put behind them in [`Block::Numbers`]: runs whenever these numbers change.
     pub prepare: P,
-    /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`].
+    /// The slope of the state in [`Block::Point`], written to the first row of [`Block::Stages`]. Angles are near those in
+    /// [`Block::StartReads`].
     pub slope: P,
     /// The same where the root of every closed contact is an unknown: no penetration is read off the positions. Nothing where no root ever
     /// is.
@@ -153,12 +154,12 @@ impl Tracing<'_> {
     /// Writes all programs down.
     pub fn programs(&self) -> PassPrograms {
         let hoisted = &mut Hoisted::new(Block::Numbers as u8, self.fixed.len());
-        let slope = self.equations(hoisted, Evaluated { reads: false, reads_depths: true });
-        let end = self.equations(hoisted, Evaluated { reads: true, reads_depths: true });
+        let slope = self.equations(hoisted, Evaluated { is_end: false, reads_depths: true });
+        let end = self.equations(hoisted, Evaluated { is_end: true, reads_depths: true });
         let has_roots = self.pass.layout.roots.iter().any(Option::is_some);
         let has_readings = self.pass.follow.readings() > 0;
         let slope_by_roots =
-            has_roots.then(|| self.equations(hoisted, Evaluated { reads: false, reads_depths: false }));
+            has_roots.then(|| self.equations(hoisted, Evaluated { is_end: false, reads_depths: false }));
         let (points, judgement) = self.attempt(hoisted);
         let (dense_points, dense) = self.dense(hoisted);
         let hold_loops = Projection::<Traced>::is_needed(self.mechanism).then(|| {
@@ -193,11 +194,13 @@ impl Tracing<'_> {
         let (graph, outputs) = record(|| {
             let (mut motion, arms) = self.motion(evaluated.reads_depths);
             let mut memory = self.inputs();
-            let [_, _, _, slope, point, _, _, reads] = &mut memory;
+            let [_, _, _, slope, point, _, start_reads, reads] = &mut memory;
             slope.fill(Traced::zero());
+            motion.know_angles(&self.pass.reads, start_reads);
+            motion.set_near(!evaluated.is_end);
             motion.derivative(point, slope);
             let mut outputs = outputs(Block::Stages, &slope[..self.pass.layout.length()]);
-            if evaluated.reads {
+            if evaluated.is_end {
                 motion.read(&self.follow.readings, &arms, reads);
                 outputs.extend(self::outputs(Block::EndReads, reads));
             }
@@ -214,6 +217,7 @@ impl Tracing<'_> {
             let mut blocks = Named::new(memory.each_mut().map(|block| &mut block[..]));
             let mut points = Points::default();
             self.pass.attempt(&mut blocks.rows, blocks.lane, &mut points);
+            self.pass.limit_turns(&mut blocks);
             self.pass.judge_attempt(&sample, &mut blocks);
             let places = JUDGED.map(|place| (slot(Block::Lane, place), blocks.lane[place].value()));
             (points.0, places)
@@ -324,8 +328,8 @@ impl Tracing<'_> {
 /// What an evaluation of the equations gives.
 #[derive(Debug, Clone, Copy)]
 struct Evaluated {
-    /// The numbers read at an end of a step, too.
-    reads: bool,
+    /// At an end of a step: the numbers read there, too, and angles without those at its start.
+    is_end: bool,
     /// Forces of contacts that may have a root and have none now, too.
     reads_depths: bool,
 }

@@ -2,7 +2,7 @@
 
 use super::column::{Arms, Reading};
 use super::motion::Motion;
-use loosepin_math::Real;
+use loosepin_math::{KnownAngle, Real};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{JointKind, PlayId};
 
@@ -19,6 +19,8 @@ pub struct ReadLayout {
     has_shares: bool,
     /// Whether the abscissas of corners are read as well, where some guide has ends.
     has_ends: bool,
+    /// Bodies whose angle has a sine and cosine of its own.
+    turning: usize,
 }
 
 impl ReadLayout {
@@ -40,11 +42,21 @@ impl ReadLayout {
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
             has_shares: is_worn || mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
             has_ends: mechanism.plays.iter().any(has_ends),
+            turning: mechanism.real.turning_slots().count(),
         }
     }
     /// Length of the row.
     pub fn length(&self) -> usize {
-        self.friction(self.frictions)
+        self.angle(self.turning)
+    }
+    /// The angle of a body, rad, its sine and its cosine; by number among [`loosepin_mechanics::mechanism::Tree::turning_slots`].
+    #[inline(always)]
+    pub fn angle(&self, turning: usize) -> usize {
+        self.friction(self.frictions) + 3 * turning
+    }
+    /// Bodies whose angle is read.
+    pub fn turning(&self) -> usize {
+        self.turning
     }
     /// The residual of an ideal joint with friction: see [`loosepin_mechanics::dynamics::Dynamics::joint_friction_residuals`].
     #[inline(always)]
@@ -136,5 +148,27 @@ impl<T: Real> Motion<'_, T> {
             let place = layout.output(k);
             row[place..place + 3].copy_from_slice(&over_s(reading.jet(arms, dynamics)));
         }
+        for (turning, slot) in dynamics.mechanism().real.turning_slots().enumerate() {
+            let (place, pose) = (layout.angle(turning), &dynamics.kinematics.poses[slot]);
+            row[place..place + 3].copy_from_slice(&[pose.angle_rad, pose.sine, pose.cosine]);
+        }
+    }
+
+    /// Takes the angles of all bodies, with sines and cosines, from a `row` that was read at the start of a step: evaluations
+    /// [near it](Self::set_near) begin there.
+    #[inline(always)]
+    pub fn know_angles(&mut self, reads: &ReadLayout, row: &[T]) {
+        for (turning, slot) in self.dynamics.mechanism().real.turning_slots().enumerate() {
+            let place = reads.angle(turning);
+            let known = KnownAngle { angle_rad: row[place], sine: row[place + 1], cosine: row[place + 2] };
+            self.dynamics.kinematics.know(slot, known);
+        }
+    }
+
+    /// Says whether states from now on lie within the step from whose start angles are known: no body turns by more than
+    /// [`loosepin_math::NEAR_RAD`] in a step.
+    #[inline(always)]
+    pub fn set_near(&mut self, is_near: bool) {
+        self.dynamics.kinematics.set_near(is_near);
     }
 }

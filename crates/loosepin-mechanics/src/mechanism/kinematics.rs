@@ -6,7 +6,7 @@
 use super::geometry::{Geometry, LinkGeometry};
 use super::tree::{Attachment, Tree};
 use super::tree_beam::BeamPlace;
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{KnownAngle, Real, Vec2, sin_cos_near};
 
 /// Where a body frame is, seen from the ground.
 #[derive(Debug, Clone, Copy)]
@@ -85,6 +85,10 @@ pub struct Kinematics<T> {
     partials: Vec<Vec2<T>>,
     /// Where the partials of each slot begin.
     offsets: Vec<usize>,
+    /// Angles by slot with their sines and cosines.
+    known: Vec<KnownAngle<T>>,
+    /// Whether the bodies are no further from these than [`loosepin_math::NEAR_RAD`].
+    is_near: bool,
 }
 
 impl<T: Real> Kinematics<T> {
@@ -104,7 +108,29 @@ impl<T: Real> Kinematics<T> {
             lines: vec![Vec2::zero(); slots],
             partials: vec![Vec2::zero(); next],
             offsets,
+            known: vec![KnownAngle::zero(); slots],
+            is_near: false,
         }
+    }
+
+    /// Says what is known of the angle of a slot.
+    #[inline(always)]
+    pub fn know(&mut self, slot: usize, known: KnownAngle<T>) {
+        self.known[slot] = known;
+    }
+
+    /// Says whether positions from now on are near the known angles.
+    #[inline(always)]
+    pub fn set_near(&mut self, is_near: bool) {
+        self.is_near = is_near;
+    }
+
+    /// A pose of `slot` at the origin with this angle.
+    #[inline(always)]
+    fn pose(&self, slot: usize, angle_rad: T) -> Pose<T> {
+        let (sine, cosine) =
+            if self.is_near { sin_cos_near(angle_rad, &self.known[slot]) } else { angle_rad.sin_cos() };
+        Pose { position_m: Vec2::zero(), angle_rad, sine, cosine }
     }
 
     /// Partial velocities of the frame origin of `slot`, in the order of the link's dependences.
@@ -141,14 +167,14 @@ impl<T: Real> Kinematics<T> {
             let parent_offset = self.offsets[link.parent_slot];
             match link.attachment {
                 Attachment::Free { first } => {
-                    self.poses[slot] = pose(coordinates[first + 2]);
+                    self.poses[slot] = self.pose(slot, coordinates[first + 2]);
                     self.poses[slot].position_m = Vec2::new(coordinates[first], coordinates[first + 1]);
                     self.partials[offset] = Vec2::new(T::one(), T::zero());
                     self.partials[offset + 1] = Vec2::new(T::zero(), T::one());
                     self.partials[offset + 2] = Vec2::zero();
                 }
                 Attachment::Revolute { coordinate, .. } => {
-                    let mut own = pose(coordinates[coordinate]);
+                    let mut own = self.pose(slot, coordinates[coordinate]);
                     let own_arm = own.turn(numbers.own_arm_m);
                     own.position_m = parent.position_m + parent_arm + numbers.eccentricity_m - own_arm;
                     self.poses[slot] = own;
@@ -161,7 +187,7 @@ impl<T: Real> Kinematics<T> {
                 }
                 Attachment::DrivenRevolute { coordinate, forward, .. } => {
                     let angle = coordinates[coordinate];
-                    let mut own = pose(parent.angle_rad + if forward { angle } else { -angle });
+                    let mut own = self.pose(slot, parent.angle_rad + if forward { angle } else { -angle });
                     let own_arm = own.turn(numbers.own_arm_m);
                     own.position_m = parent.position_m + parent_arm - own_arm;
                     self.poses[slot] = own;
@@ -184,7 +210,7 @@ impl<T: Real> Kinematics<T> {
                     self.set_section(tree, geometry, slot, (beam, place), coordinates)
                 }
                 Attachment::Node { beam, first } => {
-                    let mut own = pose(coordinates[first + 2]);
+                    let mut own = self.pose(slot, coordinates[first + 2]);
                     let arm = own.turn(geometry.nodal_beams[beam].tip_m);
                     own.position_m = Vec2::new(coordinates[first], coordinates[first + 1]) - arm;
                     self.poses[slot] = own;
@@ -296,7 +322,7 @@ impl<T: Real> Kinematics<T> {
         let (station, q) = (place.station(at), &coordinates[place.coordinates.clone()]);
         let frame = self.poses[place.slot];
         let axis = frame.turn(numbers.axis);
-        let mut own = pose(frame.angle_rad + numbers.beam.angle_rad(station, q));
+        let mut own = self.pose(slot, frame.angle_rad + numbers.beam.angle_rad(station, q));
         let from_root_m = numbers.beam.point_m(station, q).rotated(axis.y, axis.x);
         let arm = own.turn(numbers.axis_point_m(place, at));
         own.position_m = frame.position_m + frame.turn(numbers.root_m) + from_root_m - arm;
@@ -395,11 +421,4 @@ fn turned_with<T: Real>(parent: &Pose<T>, numbers: &LinkGeometry<T>) -> Pose<T> 
         sine: direction.y,
         cosine: direction.x,
     }
-}
-
-/// A pose at the origin with this angle.
-#[inline(always)]
-fn pose<T: Real>(angle_rad: T) -> Pose<T> {
-    let (sine, cosine) = angle_rad.sin_cos();
-    Pose { position_m: Vec2::zero(), angle_rad, sine, cosine }
 }

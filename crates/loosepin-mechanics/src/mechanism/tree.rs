@@ -81,6 +81,11 @@ impl Attachment {
         }
     }
 
+    /// Whether the body may turn against its parent, so that its angle has a sine and cosine of its own.
+    pub fn turns(&self) -> bool {
+        !matches!(self, Self::Prismatic { .. } | Self::Rigid { .. })
+    }
+
     /// Indices of the coordinates that this attachment adds.
     fn own_coordinates(&self) -> std::ops::Range<usize> {
         match *self {
@@ -229,6 +234,11 @@ pub struct DrivenLoop {
 }
 
 impl Tree {
+    /// Slots of the bodies whose angles have sines and cosines of their own: [`Attachment::turns`].
+    pub fn turning_slots(&self) -> impl Iterator<Item = usize> + '_ {
+        self.links.iter().enumerate().filter(|(_, link)| link.attachment.turns()).map(|(index, _)| index + 1)
+    }
+
     /// Builds the tree over the joints and couplings for which `is_ideal` holds; the others (with play) leave their loops
     /// open.
     ///

@@ -465,25 +465,25 @@ fn pinned_operations_of_the_slider_crank() {
     let PassPrograms { slope, slope_by_roots, end, hold_loops, .. } = programs;
     assert!(hold_loops.is_none(), "no loop of ideal joints is to be held");
     let expected = OperationCounts {
-        multiply_adds: 49,
-        additions: 21,
-        multiplications: 59,
+        multiply_adds: 33,
+        additions: 17,
+        multiplications: 61,
         divisions: 3,
         square_roots: 2,
-        choices: 21,
-        signs: 7,
-        inputs: 24,
-        constants: 23,
+        choices: 7,
+        signs: 1,
+        inputs: 30,
+        constants: 11,
         outputs: 9,
     };
     assert_eq!(slope.counts(), expected, "within a step");
     let by_roots = OperationCounts {
-        additions: 19,
-        multiplications: 58,
+        additions: 15,
+        multiplications: 60,
         divisions: 2,
         square_roots: 1,
-        choices: 19,
-        inputs: 21,
+        choices: 5,
+        inputs: 27,
         ..expected
     };
     assert_eq!(slope_by_roots.map(|program| program.counts()), Some(by_roots), "with no penetration off the positions");
@@ -493,9 +493,10 @@ fn pinned_operations_of_the_slider_crank() {
         multiplications: 90,
         divisions: 5,
         choices: 24,
+        signs: 7,
         inputs: 26,
         constants: 25,
-        outputs: 21,
+        outputs: 27,
         ..expected
     };
     assert_eq!(end.counts(), expected, "at the end of a step");
