@@ -176,6 +176,23 @@ impl<'a> Core<'a> {
         self.reading_depths &= !(1 << lane);
     }
 
+    /// Puts the run of a lane into an empty one before it.
+    pub fn move_lane(&mut self, lane: usize, to: usize) {
+        self.is_dense = false;
+        self.memory.move_lane(lane, to);
+        for flags in [&mut self.reading_depths, &mut self.over_root] {
+            *flags = *flags & !(1 << to | 1 << lane) | (*flags >> lane & 1) << to;
+        }
+        self.set_step(lane, 0.0);
+    }
+
+    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    pub fn use_lanes(&mut self, used: usize) {
+        if let Way::Recorded(recorded) = &mut self.way {
+            recorded.use_lanes(used);
+        }
+    }
+
     /// The state of a contact in a lane, and whether the root of its penetration is an unknown.
     #[inline]
     pub fn contact(&self, lane: usize, contact: usize) -> (PlayState<f64>, bool) {
@@ -266,6 +283,43 @@ impl<'a> Core<'a> {
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
+    /// Largest change of a slope over the step at hand of a lane, in allowed errors of its unknown.
+    pub fn change_of_slopes(&self, lane: usize) -> f64 {
+        let end = self.pass.stepper.end_row() * self.pass.layout.length();
+        let change = |(unknown, weight): (usize, usize)| {
+            let slope = |row: usize| self.memory.get(Block::Stages, row + unknown, lane);
+            (slope(end) - slope(0)).abs() * self.number(lane, weight)
+        };
+        self.pass.lane.weights().enumerate().map(change).fold(0.0, f64::max)
+    }
+
+    /// Moves the end of the step at hand of a lane by a small part of it: unknowns, integrals and energy by their slopes, and what is read with two
+    /// derivatives by these. The rest of what is read there stays until the lane is evaluated anew, as it must be before its next step.
+    pub fn move_end(&mut self, lane: usize, by: f64) {
+        self.is_dense = false;
+        let (layout, memory) = (&self.pass.layout, &mut self.memory);
+        let end = self.pass.stepper.end_row() * layout.length();
+        let slope = |memory: &Memory, index: usize| memory.get(Block::Stages, end + index, lane);
+        for index in 0..layout.length() {
+            let moved = memory.get(Block::End, index, lane) + by * slope(memory, index);
+            memory.set(Block::End, index, lane, moved);
+        }
+        let power = layout.account_by(|place| slope(memory, place));
+        let losses = power.contact_loss_j + power.friction_loss_j + power.damping_loss_j;
+        let energy_j = memory.get(Block::EndReads, ReadLayout::ENERGY, lane) + by * (power.supplied_j - losses);
+        memory.set(Block::EndReads, ReadLayout::ENERGY, lane, energy_j);
+        let jets = [ReadLayout::TIME].into_iter();
+        let jets = jets.chain((0..layout.roots.len()).map(|contact| self.pass.reads.gap(contact)));
+        let jets = jets.chain((0..self.pass.follow.readings()).map(|output| self.pass.reads.output(output)));
+        for place in jets {
+            let [value, first, second] = memory.three(Block::EndReads, place, lane);
+            memory.set(Block::EndReads, place, lane, value + by * (first + 0.5 * by * second));
+            memory.set(Block::EndReads, place + 1, lane, first + by * second);
+        }
+        let step = memory.get(Block::Lane, LaneLayout::STEP, lane);
+        memory.set(Block::Lane, LaneLayout::STEP, lane, step + by);
+    }
+
     /// Evaluates the derivative at the start again in the flagged lanes, which are chosen from now on, and reads there.
     pub fn restart(&mut self, lanes: u32) {
         self.is_dense = false;
@@ -283,7 +337,10 @@ impl<'a> Core<'a> {
                 plain.evaluate_start(pass, memory);
                 pass.take_evaluation(&mut Named::new(memory.blocks()));
             }
-            Way::Recorded(recorded) => recorded.restart(memory),
+            Way::Recorded(recorded) => {
+                let first = lanes.trailing_zeros().min(u32::BITS - 1) as usize;
+                recorded.restart(memory, first..(u32::BITS - lanes.leading_zeros()) as usize);
+            }
         }
     }
 
@@ -350,12 +407,12 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Reads at all instants that wait.
-    pub fn look(&mut self) {
+    /// Reads at the instants that wait, at so many `places`.
+    pub fn look(&mut self, places: usize) {
         let Self { pass, waiting, way, .. } = self;
         match way {
             Way::Plain(_) => pass.look(&mut Named::new(waiting.blocks())),
-            Way::Recorded(recorded) => recorded.look(waiting),
+            Way::Recorded(recorded) => recorded.look(waiting, places),
         }
     }
 

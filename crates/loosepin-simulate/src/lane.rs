@@ -6,7 +6,7 @@ use super::depth_limit::DepthLimit;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::lane_step::LaneStep;
 use super::report::{FrictionPath, PlaySummary};
-use super::settings::Window;
+use super::settings::{STEP_SHARE, Window};
 use loosepin_mechanics::mechanism::{GapMeasure, Sample};
 
 /// Event that ends a step before its error does.
@@ -107,6 +107,12 @@ pub struct LaneRun {
 /// Newton steps onto an event; from the polynomial's root two or three do.
 const MOST_TRIALS: u32 = 12;
 
+/// How far from the end of a good step an event may lie, so that the end is moved there by its slopes: states inside of the step are then
+/// off by this many local errors at most, a tenth of the tolerance.
+const MOST_MOVED: f64 = 0.1 / STEP_SHARE;
+/// The same as a share of the step.
+const LARGEST_MOVED_SHARE: f64 = 1e-3;
+
 /// Decision on an attempt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decision {
@@ -114,6 +120,8 @@ pub enum Decision {
     Retry(f64),
     /// The step is good; the event is at its end.
     Accept(Option<Event>),
+    /// The step is good, and the event is so far behind its end, or before it, that it can be moved there.
+    Move(Event, f64),
     /// The event is at the start of the step: nothing moves.
     SwitchAtStart(Event),
 }
@@ -200,6 +208,25 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
+    /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there. Not of a kink, of
+    /// whose velocity no derivative is known.
+    fn distance(&self, event: Event, step: &LaneStep<'_, '_>) -> Option<f64> {
+        let [value, rate, second] = match event {
+            Event::Contact { contact, .. } => step.gap(contact)[1].jet,
+            Event::Stop => {
+                let [time_s, pace, change] = step.time()[1].jet;
+                [time_s - self.stop_s, pace, change]
+            }
+            Event::Kink { .. } => return None,
+        };
+        let straight = -value / rate;
+        let bent = straight * (1.0 - 0.5 * second * straight / rate);
+        let [end_s, pace, _] = step.time()[1].jet;
+        let passes_stop = event != Event::Stop && end_s + bent * pace > self.stop_s;
+        // What is not small against the straight one, or no number, is no correction.
+        (!passes_stop && (bent - straight).abs() < 0.01 * straight.abs()).then_some(bent)
+    }
+
     fn go_on_searching(&mut self, mut search: Search, step: &LaneStep<'_, '_>, event_tolerance_m: f64) -> Decision {
         search.trials += 1;
         let trial = search.trial;
@@ -248,6 +275,12 @@ impl LaneRun {
             };
             if value.abs() <= tolerance {
                 return Decision::Accept(Some(search.event));
+            }
+            if let Some(by) = self.distance(search.event, step)
+                && by.abs() <= LARGEST_MOVED_SHARE * trial
+                && by.abs() * step.change_of_slopes() <= MOST_MOVED
+            {
+                return Decision::Move(search.event, by);
             }
             // Too far; or, where a gap turns before it reaches zero, on the way back.
             let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;

@@ -255,6 +255,15 @@ impl Memory {
         }
     }
 
+    /// Copies all numbers of a lane to another one.
+    pub fn move_lane(&mut self, lane: usize, to: usize) {
+        for block in &mut self.blocks {
+            for numbers in block.all().chunks_exact_mut(self.lanes) {
+                numbers[to] = numbers[lane];
+            }
+        }
+    }
+
     /// One number of a block in all lanes.
     #[inline]
     pub fn of_all_lanes(&self, block: Block, index: usize) -> &[f64] {

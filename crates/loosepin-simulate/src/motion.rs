@@ -138,12 +138,21 @@ impl Layout {
     /// The energy account in a state.
     #[inline(always)]
     pub fn account<T: Real>(&self, state: &[T]) -> Account<T> {
-        let integrals = &state[self.dimension..];
+        self.account_by(
+            #[inline(always)]
+            |place| state[place],
+        )
+    }
+
+    /// The same of a state, or of its slope, whose numbers `number` reads.
+    #[inline(always)]
+    pub fn account_by<T: Real>(&self, number: impl Fn(usize) -> T) -> Account<T> {
+        let first = self.dimension;
         Account {
-            supplied_j: integrals[0],
-            contact_loss_j: integrals[1],
-            friction_loss_j: integrals[2],
-            damping_loss_j: if self.has_dampers { integrals[ACCOUNT] } else { T::zero() },
+            supplied_j: number(first),
+            contact_loss_j: number(first + 1),
+            friction_loss_j: number(first + 2),
+            damping_loss_j: if self.has_dampers { number(first + ACCOUNT) } else { T::zero() },
         }
     }
 }

@@ -7,6 +7,7 @@ use super::pass::Pass;
 use super::programs::{PassPrograms, Tracing, fixed, numbers};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_tape::native::{Level, Place, Routine, Sequence};
+use std::ops::Range;
 
 /// What is done with all lanes.
 struct Sequences {
@@ -113,6 +114,8 @@ pub struct Recorded<'a> {
     follow: Follow,
     level: Option<Level>,
     lanes: usize,
+    /// So many of them are computed, the first ones.
+    used: usize,
     lengths: [usize; BLOCKS],
     /// By number: the value that is in the programs.
     fixed: Vec<Option<f64>>,
@@ -138,6 +141,7 @@ impl<'a> Recorded<'a> {
             follow: follow.clone(),
             level,
             lanes,
+            used: lanes,
             lengths,
             fixed,
             sequences: Sequences::new(programs, pass, level, lanes),
@@ -161,60 +165,65 @@ impl<'a> Recorded<'a> {
         for (index, value) in values.into_iter().enumerate() {
             memory.set(Block::Numbers, index, lane, value);
         }
-        // The other lanes are prepared again, to the same bits.
-        run(&self.sequences.prepare, memory, &mut self.scratch);
+        // Lanes beside it are prepared again, to the same bits.
+        run(&self.sequences.prepare, lane..lane + 1, memory, &mut self.scratch);
     }
 
-    /// Evaluates at the start of the step, in the chosen lanes.
-    pub fn restart(&mut self, memory: &mut Memory) {
-        run(&self.sequences.restart, memory, &mut self.scratch);
+    /// Computes from now on in so many lanes, the first ones; the others have no run.
+    pub fn use_lanes(&mut self, used: usize) {
+        self.used = used;
+    }
+
+    /// Evaluates at the start of the step, in the chosen lanes, which are some of `lanes`.
+    pub fn restart(&mut self, memory: &mut Memory, lanes: Range<usize>) {
+        run(&self.sequences.restart, lanes, memory, &mut self.scratch);
     }
 
     /// Tries the steps; `reads_depths` where some closed contact has no root that is an unknown.
     pub fn attempt(&mut self, memory: &mut Memory, reads_depths: bool) {
         let Sequences { attempt, attempt_by_roots, .. } = &self.sequences;
-        run(if reads_depths { attempt } else { attempt_by_roots }, memory, &mut self.scratch);
+        run(if reads_depths { attempt } else { attempt_by_roots }, 0..self.used, memory, &mut self.scratch);
     }
 
     /// Makes the end of the step the start of the next one and holds the loops of ideal joints, in the chosen lanes.
     pub fn accept(&mut self, memory: &mut Memory) {
-        run(&self.sequences.accept, memory, &mut self.scratch);
+        run(&self.sequences.accept, 0..self.used, memory, &mut self.scratch);
     }
 
     /// Takes the start of the step into the energy account, in the chosen lanes.
     pub fn close_account(&mut self, memory: &mut Memory) {
-        run(&self.sequences.close_account, memory, &mut self.scratch);
+        run(&self.sequences.close_account, 0..self.used, memory, &mut self.scratch);
     }
 
     /// Follows the step at hand, in the chosen lanes.
     pub fn follow(&mut self, memory: &mut Memory) {
-        run(&self.sequences.follow, memory, &mut self.scratch);
+        run(&self.sequences.follow, 0..self.used, memory, &mut self.scratch);
     }
 
     /// Makes the readings over the step at hand polynomials, in all lanes.
     pub fn spread(&mut self, memory: &mut Memory) {
-        run(&self.sequences.spread, memory, &mut self.scratch);
+        run(&self.sequences.spread, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Reads at the instants that wait in `memory`, one in each place, of whatever step and run.
-    pub fn look(&mut self, memory: &mut Memory) {
-        run(&self.sequences.look, memory, &mut self.scratch);
+    /// Reads at the instants that wait in the first `places` of `memory`, one in each, of whatever step and run.
+    pub fn look(&mut self, memory: &mut Memory, places: usize) {
+        run(&self.sequences.look, 0..places, memory, &mut self.scratch);
     }
 
     /// Takes in the values inside the step at hand, whose dense output is known, in the chosen lanes.
     pub fn look_inside(&mut self, memory: &mut Memory) {
-        run(&self.sequences.inside, memory, &mut self.scratch);
+        run(&self.sequences.inside, 0..self.used, memory, &mut self.scratch);
     }
 
     /// Computes what looks inside of the step at hand need.
     pub fn prepare_dense(&mut self, memory: &mut Memory) {
-        run(&self.sequences.prepare_dense, memory, &mut self.scratch);
+        run(&self.sequences.prepare_dense, 0..self.used, memory, &mut self.scratch);
     }
 }
 
-/// Runs on the blocks of `memory`, which have at least the lengths that the programs need.
-fn run(sequence: &Sequence, memory: &mut Memory, scratch: &mut Vec<f64>) {
-    if let Err(error) = sequence.run(&mut memory.blocks(), scratch) {
+/// Runs on these lanes of the blocks of `memory`, which have at least the lengths that the programs need.
+fn run(sequence: &Sequence, lanes: Range<usize>, memory: &mut Memory, scratch: &mut Vec<f64>) {
+    if let Err(error) = sequence.run_on(lanes, &mut memory.blocks(), scratch) {
         unreachable!("{error}");
     }
 }

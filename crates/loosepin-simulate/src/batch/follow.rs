@@ -152,7 +152,7 @@ fn look_at_all(
     if waiting.is_empty() {
         return;
     }
-    core.look();
+    core.look(waiting.len());
     for (place, (lane, index)) in waiting.drain(..).enumerate() {
         follows[lane].take_instant(index, (0..layout.readings()).map(|reading| core.looked(place, reading)));
     }

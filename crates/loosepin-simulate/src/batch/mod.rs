@@ -43,6 +43,8 @@ pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
 const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
+/// Lanes of the widest vectors, which are computed together.
+const LANES_OF_A_VECTOR: usize = 8;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
@@ -78,6 +80,8 @@ pub(super) struct Batch<'a> {
     ending: u32,
     /// Whether all runs have begun.
     is_exhausted: bool,
+    /// All runs are in so many lanes, the first ones.
+    used: usize,
     passes: u64,
 }
 
@@ -113,6 +117,7 @@ impl<'a> Batch<'a> {
             openings: 0,
             ending: 0,
             is_exhausted: false,
+            used: execution.lanes(),
             passes: 0,
         };
         batch.start(0, first, queue);
@@ -120,7 +125,33 @@ impl<'a> Batch<'a> {
         while batch.active != 0 {
             batch.pass(queue);
             batch.refill(queue);
+            if batch.is_exhausted {
+                batch.draw_together();
+            }
         }
+    }
+
+    /// Puts the last runs into the first lanes where that leaves vectors without any: these are computed no more.
+    fn draw_together(&mut self) {
+        let used = (self.active.count_ones() as usize).next_multiple_of(LANES_OF_A_VECTOR);
+        if used == 0 || used >= self.used {
+            return;
+        }
+        // They are said by their lanes.
+        self.look_at_waiting();
+        let free = !self.active & lanes_before(used);
+        let behind = self.active & !lanes_before(used);
+        // There are as many free lanes as runs behind them, or more.
+        for (lane, to) in lanes_of(behind).zip(lanes_of(free)) {
+            self.core.move_lane(lane, to);
+            self.runs.swap(lane, to);
+            self.follows.swap(lane, to);
+            for flags in [&mut self.active, &mut self.recorded, &mut self.restarts, &mut self.openings] {
+                *flags = *flags & !(1 << to | 1 << lane) | (*flags >> lane & 1) << to;
+            }
+        }
+        self.used = used;
+        self.core.use_lanes(used);
     }
 
     /// Puts waiting runs into the free lanes.
@@ -323,8 +354,11 @@ impl<'a> Batch<'a> {
         } else {
             self.decide(lane)
         };
-        match decision {
-            Decision::Retry(step) => self.core.set_step(lane, step),
+        let event = match decision {
+            Decision::Retry(step) => {
+                self.core.set_step(lane, step);
+                return None;
+            }
             Decision::SwitchAtStart(event) => {
                 if let Some(failure) = self.too_many_evaluations(lane) {
                     self.finish(lane, Err(failure), queue);
@@ -332,16 +366,24 @@ impl<'a> Batch<'a> {
                     self.count_event(lane, event);
                     self.act(lane, event, queue);
                 }
+                return None;
             }
-            Decision::Accept(event) => match self.show(lane, event, queue) {
-                Ok(()) => {
-                    self.core.set_number(lane, LaneLayout::CHOSEN, 1.0);
-                    return event;
-                }
-                Err(failure) => self.finish(lane, Err(failure), queue),
-            },
+            Decision::Move(event, by) => {
+                self.core.move_end(lane, by);
+                Some(event)
+            }
+            Decision::Accept(event) => event,
+        };
+        match self.show(lane, event, queue) {
+            Ok(()) => {
+                self.core.set_number(lane, LaneLayout::CHOSEN, 1.0);
+                event
+            }
+            Err(failure) => {
+                self.finish(lane, Err(failure), queue);
+                None
+            }
         }
-        None
     }
 
     /// Gives up the runs that are stopped.
@@ -552,6 +594,11 @@ fn recorded_paths(mut at_end: Vec<FrictionPath>, before: &[FrictionPath]) -> Vec
         path.path_j -= before.path_j;
     }
     at_end
+}
+
+/// The flags of so many lanes, 31 or fewer, the first ones.
+fn lanes_before(end: usize) -> u32 {
+    (1 << end) - 1
 }
 
 /// The lanes that are flagged.

@@ -13,13 +13,13 @@ pub(super) struct Layout {
     pub level: Level,
     /// How many blocks the caller gives the addresses of.
     pub blocks: usize,
-    /// How often the instructions run.
+    /// How often the instructions run at most.
     pub trips: usize,
     /// How much further in all blocks each time.
     pub step_bytes: usize,
 }
 
-/// Bytes of a function `extern "sysv64" fn(*const *mut f64)`; nothing but [`assemble`] makes them.
+/// Bytes of a function `extern "sysv64" fn(*const *mut f64, u32)`; nothing but [`assemble`] makes them.
 #[derive(Debug)]
 pub(super) struct Code {
     bytes: Vec<u8>,
@@ -33,22 +33,22 @@ impl Code {
 
 /// Machine code that runs the instructions of `allocated`, with the `constants` behind it.
 ///
-/// The code is called by the System V convention with the table of the addresses of the blocks. It keeps the registers
+/// The code is called by the System V convention with the table of the addresses of the blocks and how often the instructions are to run:
+/// once at least, and once where there is one trip alone. It keeps the registers
 /// that belong to the caller and leaves the upper halves of the vector registers empty.
 pub(super) fn assemble(allocated: &Allocated, constants: &[u64], layout: Layout) -> Code {
     let Layout { level, blocks, trips, step_bytes } = layout;
     let mut encoder = Encoder::new(level);
+    if trips > 1 {
+        // mov eax, esi, before the register is that of a block
+        encoder.raw(&[0x89, 0xF0]);
+    }
     let frame_bytes = allocated.frame_vectors as usize * level.vector_bytes();
     if frame_bytes > 0 {
         enter_frame(&mut encoder, frame_bytes, level.vector_bytes());
     }
     for (block, register) in BLOCK_REGISTERS.iter().copied().enumerate().take(blocks) {
         load_address(&mut encoder, register, block);
-    }
-    if trips > 1 {
-        // mov eax, trips
-        encoder.raw(&[0xB8]);
-        encoder.raw(&(trips as u32).to_le_bytes());
     }
     let start = encoder.bytes().len();
     for &instruction in &allocated.instructions {

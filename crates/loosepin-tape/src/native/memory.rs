@@ -6,6 +6,7 @@
 #![allow(unsafe_code, reason = "calling machine code written at run time cannot be checked by the compiler")]
 
 use memmap2::{Mmap, MmapMut};
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::assemble::Code;
@@ -108,30 +109,40 @@ impl Kernel {
         }
         // SAFETY: there is an address for each block of the program, and each points to as many numbers as its highest slot
         // needs (checked above); exclusive references do not overlap and live until the call has returned.
-        unsafe { self.call(&addresses) };
+        unsafe { self.call(&addresses, self.size.trips) };
         Ok(())
     }
 
-    /// Runs the kernel without checking the blocks.
+    /// The trips that some `lanes` need, and how many lanes lie before the first of them.
+    #[inline]
+    fn trips_of(&self, lanes: &Range<usize>) -> (Range<usize>, usize) {
+        let per_trip = self.lanes / self.size.trips;
+        let end = lanes.end.min(self.lanes).div_ceil(per_trip);
+        let first = (lanes.start / per_trip).min(end);
+        (first..end, first * per_trip)
+    }
+
+    /// Runs the kernel so many trips without checking the blocks.
     ///
     /// # Safety
     ///
-    /// Each of the first addresses, as many as [`Kernel::values_per_block`] has entries, points to at least
-    /// `values_per_block()[b] * lanes()` numbers that may be read and written during the call; blocks that the program
-    /// writes to overlap no other block. No alignment beyond that of `f64` is needed.
+    /// `trips` is at least one, and no more than [`KernelSize::trips`]. Each of the first addresses, as many as
+    /// [`Kernel::values_per_block`] has entries, points to the first of the numbers of these trips within
+    /// `values_per_block()[b] * lanes()` numbers that may be read and written during the call, with all lanes of the trips behind it; blocks
+    /// that the program writes to overlap no other block. No alignment beyond that of `f64` is needed.
     #[inline]
-    unsafe fn call(&self, blocks: &[*mut f64; LARGEST_BLOCKS]) {
+    unsafe fn call(&self, blocks: &[*mut f64; LARGEST_BLOCKS], trips: usize) {
         let start = self.memory[self.start..].as_ptr();
         // SAFETY: there the memory holds what `assemble` wrote for exactly this signature and is executable while `self` lives;
         // `executable` has checked that the processor has the instructions; the caller answers for the blocks.
         #[cfg(target_arch = "x86_64")]
         unsafe {
-            type Entry = unsafe extern "sysv64" fn(*const *mut f64);
+            type Entry = unsafe extern "sysv64" fn(*const *mut f64, u32);
             let entry = std::mem::transmute::<*const u8, Entry>(start);
-            entry(blocks.as_ptr());
+            entry(blocks.as_ptr(), trips as u32);
         }
         #[cfg(not(target_arch = "x86_64"))]
-        unreachable!("no kernel can be made for {start:?} here")
+        unreachable!("no kernel of {trips} trips can be made for {start:?} here")
     }
 }
 
@@ -198,12 +209,12 @@ impl PlacedKernels {
         self.kernels.push(kernel);
     }
 
-    /// Runs all on `blocks`.
+    /// Runs all on the vectors of `blocks` that hold these `lanes`.
     ///
     /// # Errors
     ///
     /// [`NativeError::BlockTooShort`]; nothing has run then.
-    pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS]) -> Result<(), NativeError> {
+    pub fn run(&self, lanes: &Range<usize>, blocks: &mut [&mut [f64]; LARGEST_BLOCKS]) -> Result<(), NativeError> {
         let mut starts = [std::ptr::null_mut::<f64>(); LARGEST_BLOCKS];
         for (block, (numbers, &needed)) in blocks.iter_mut().zip(&self.needed).enumerate() {
             if numbers.len() < needed {
@@ -212,17 +223,22 @@ impl PlacedKernels {
             starts[block] = numbers.as_mut_ptr();
         }
         for PlacedKernel { kernel, parts, is_in_place } in &self.kernels {
+            let (trips, before) = kernel.trips_of(lanes);
+            if trips.is_empty() {
+                continue;
+            }
             let mut addresses = starts;
-            if !is_in_place {
+            if !is_in_place || before > 0 {
                 for (address, part) in addresses.iter_mut().zip(parts) {
                     // The remainder is the number itself, and tells that it is in range.
-                    *address = starts[part.block % LARGEST_BLOCKS].wrapping_add(part.first);
+                    *address = starts[part.block % LARGEST_BLOCKS].wrapping_add(part.first + before);
                 }
             }
-            // SAFETY: each address that the kernel uses points to as many numbers as its highest slot needs (checked above: no part of
-            // any kernel ends behind what is needed), within a block that is borrowed for itself until all have returned; parts of one
-            // block have no number in common (checked by `PlacedKernel::new`).
-            unsafe { kernel.call(&addresses) };
+            // SAFETY: each address that the kernel uses points, moved by the lanes of the trips before, to as many numbers as its highest
+            // slot needs (checked above: no part of any kernel ends behind what is needed), within a block that is borrowed for itself
+            // until all have returned; parts of one block have no number in common (checked by `PlacedKernel::new`). There are one trip
+            // or more, and no more than up to the last lane (`trips_of`).
+            unsafe { kernel.call(&addresses, trips.len()) };
         }
         Ok(())
     }

@@ -6,6 +6,7 @@ use super::memory::{Kernel, PlacedKernel, PlacedKernels, parts};
 use super::place::Place;
 use super::program::Program;
 use super::{LARGEST_BLOCKS, Level};
+use std::ops::Range;
 
 /// A program, and its machine code where that is wanted and can be had.
 #[derive(Debug, Clone)]
@@ -72,9 +73,23 @@ impl Sequence {
     ///
     /// [`NativeError::BlockTooShort`]; some of what comes before may have been done.
     pub fn run(&self, blocks: &mut [&mut [f64]; LARGEST_BLOCKS], scratch: &mut Vec<f64>) -> Result<(), NativeError> {
+        self.run_on(0..usize::MAX, blocks, scratch)
+    }
+
+    /// The same for these lanes; what happens with the others is left open: some are computed with them.
+    ///
+    /// # Errors
+    ///
+    /// [`NativeError::BlockTooShort`]; some of what comes before may have been done.
+    pub fn run_on(
+        &self,
+        lanes: Range<usize>,
+        blocks: &mut [&mut [f64]; LARGEST_BLOCKS],
+        scratch: &mut Vec<f64>,
+    ) -> Result<(), NativeError> {
         for call in &self.calls {
             match call {
-                Call::Machine(kernels) => kernels.run(blocks)?,
+                Call::Machine(kernels) => kernels.run(&lanes, blocks)?,
                 Call::Interpreted { program, lanes } => program.run(*lanes, blocks, scratch)?,
             }
         }
