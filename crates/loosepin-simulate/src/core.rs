@@ -176,6 +176,18 @@ impl<'a> Core<'a> {
         self.reading_depths &= !(1 << lane);
     }
 
+    /// Takes the one run of `other`, of this sample, into the first lane, with all its numbers.
+    pub fn take_over(&mut self, other: &Self, sample: &Sample<f64>, arms: &Arms) {
+        self.load_numbers(0, sample, arms);
+        self.memory.take_first_lane(&other.memory, Block::Numbers);
+        (self.reading_depths, self.over_root) = (other.reading_depths, other.over_root);
+    }
+
+    /// Whether attempts are machine code.
+    pub fn is_machine_code(&self) -> bool {
+        matches!(&self.way, Way::Recorded(recorded) if recorded.is_machine_code())
+    }
+
     /// Puts the run of a lane into an empty one before it.
     pub fn move_lane(&mut self, lane: usize, to: usize) {
         self.is_dense = false;

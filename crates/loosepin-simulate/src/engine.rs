@@ -59,7 +59,15 @@ pub(super) fn run_from(
         resume,
     };
     let mut queue = One { run: Some(run), outcome: None };
-    conduct(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
+    if mechanism.is_ideal() {
+        conduct(mechanism, &Follow::default(), settings, Execution::Scalar, &mut queue);
+    } else {
+        let later = match execution_of(mechanism, Execution::best()) {
+            execution @ Execution::MachineCode(_) if settings.integrator != Integrator::Implicit => Some(execution),
+            _ => None,
+        };
+        Batch::conduct_alone(mechanism, settings, later, &mut Seats::new(&mut queue));
+    }
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))
 }
 

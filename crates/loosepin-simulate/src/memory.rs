@@ -255,6 +255,20 @@ impl Memory {
         }
     }
 
+    /// Takes all numbers of the first lane from another memory, apart from those of a block.
+    pub fn take_first_lane(&mut self, other: &Self, apart_from: Block) {
+        let (lanes, lanes_of_other) = (self.lanes, other.lanes);
+        for (index, (own, other)) in self.blocks.iter_mut().zip(&other.blocks).enumerate() {
+            if index == apart_from as usize {
+                continue;
+            }
+            let numbers = other.numbers[other.first..other.first + other.length].iter().step_by(lanes_of_other);
+            for (own, number) in own.all().iter_mut().step_by(lanes).zip(numbers) {
+                *own = *number;
+            }
+        }
+    }
+
     /// Copies all numbers of a lane to another one.
     pub fn move_lane(&mut self, lane: usize, to: usize) {
         for block in &mut self.blocks {

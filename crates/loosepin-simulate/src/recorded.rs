@@ -169,6 +169,11 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.prepare, lane..lane + 1, memory, &mut self.scratch);
     }
 
+    /// Whether attempts are machine code.
+    pub fn is_machine_code(&self) -> bool {
+        self.sequences.attempt.is_machine_code()
+    }
+
     /// Computes from now on in so many lanes, the first ones; the others have no run.
     pub fn use_lanes(&mut self, used: usize) {
         self.used = used;

@@ -43,6 +43,9 @@ pub(super) const LARGEST_STEP_TURNS: f64 = 1.0 / 96.0;
 const LEAST_ENERGY_SHARE: f64 = 1e-3;
 /// Smallest step as a share of a turn of the fastest drive, apart from the steps onto events.
 const SMALLEST_STEP_TURNS: f64 = 1e-14;
+/// Evaluations after which a run alone goes on as machine code: about as many take as long as making it does (12,500 of `slider_crank_5000`,
+/// 11,200 of `six_bar`), so that no run takes more than twice as long as without.
+const EVALUATIONS_ALONE: u64 = 12_000;
 /// Lanes of the widest vectors, which are computed together.
 const LANES_OF_A_VECTOR: usize = 8;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
@@ -82,6 +85,8 @@ pub(super) struct Batch<'a> {
     is_exhausted: bool,
     /// All runs are in so many lanes, the first ones.
     used: usize,
+    /// How a run alone goes on where it is long.
+    later: Option<Execution>,
     passes: u64,
 }
 
@@ -92,6 +97,26 @@ impl<'a> Batch<'a> {
         follow: &Follow,
         settings: &Settings,
         execution: Execution,
+        queue: &mut dyn Seated,
+    ) {
+        Self::conduct_until_long(mechanism, follow, settings, (execution, None), queue);
+    }
+
+    /// The one run in `queue`, which follows nothing, by itself; and where it is long, from then on by the execution `later`.
+    pub fn conduct_alone(
+        mechanism: &'a Mechanism,
+        settings: &Settings,
+        later: Option<Execution>,
+        queue: &mut dyn Seated,
+    ) {
+        Self::conduct_until_long(mechanism, &Follow::default(), settings, (Execution::Scalar, later), queue);
+    }
+
+    fn conduct_until_long(
+        mechanism: &'a Mechanism,
+        follow: &Follow,
+        settings: &Settings,
+        (execution, later): (Execution, Option<Execution>),
         queue: &mut dyn Seated,
     ) {
         let Some(first) = queue.next() else { return };
@@ -118,6 +143,7 @@ impl<'a> Batch<'a> {
             ending: 0,
             is_exhausted: false,
             used: execution.lanes(),
+            later,
             passes: 0,
         };
         batch.start(0, first, queue);
@@ -125,10 +151,28 @@ impl<'a> Batch<'a> {
         while batch.active != 0 {
             batch.pass(queue);
             batch.refill(queue);
+            if batch.later.is_some() && batch.core.evaluations(0) > EVALUATIONS_ALONE {
+                batch.go_on_later();
+            }
             if batch.is_exhausted {
                 batch.draw_together();
             }
         }
+    }
+
+    /// Lets the run alone go on by the later execution, with the same bits, where that is machine code.
+    fn go_on_later(&mut self) {
+        let (Some(execution), Some(run)) = (self.later.take(), &self.runs[0]) else { return };
+        let LaneRun { sample, arms, .. } = run;
+        let mut core = Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
+        if !core.is_machine_code() {
+            return;
+        }
+        core.take_over(&self.core, sample, arms);
+        self.core = core;
+        self.used = execution.lanes();
+        self.runs.resize_with(self.used, || None);
+        self.follows.resize_with(self.used, LaneFollow::default);
     }
 
     /// Puts the last runs into the first lanes where that leaves vectors without any: these are computed no more.

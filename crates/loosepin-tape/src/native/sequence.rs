@@ -65,6 +65,11 @@ impl Sequence {
         Ok(Self { calls: own })
     }
 
+    /// Whether all of it is machine code.
+    pub fn is_machine_code(&self) -> bool {
+        self.calls.iter().all(|call| matches!(call, Call::Machine(_)))
+    }
+
     /// Runs on `blocks`: value `i` of block `b` in lane `l` is `blocks[b][i * lanes + l]`, with the lanes of the routines. The bits are the same as machine code and
     /// interpreted, except for which of the numbers "not a number" a result is. `scratch` is work space, which grows to what is
     /// needed and can be used again.
