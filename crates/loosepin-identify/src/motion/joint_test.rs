@@ -1,11 +1,15 @@
 //! The joint test of all features at one value of the unknowns.
 //!
-//! Under the true value the measurement is one further draw among `n` runs. The Mahalanobis distance of each of the n + 1 from their
-//! common mean, with their common covariance, treats all alike, so that the rank of the measurement is uniform: the share of draws at
-//! least as far off is below α with probability α at most, whatever the distribution of the features (full conformal inference; V. Vovk,
-//! A. Gammerman, G. Shafer, "Algorithmic Learning in a Random World", 2005).
+//! Under the true value the measurement is one further draw X_0 beside `n` runs X_1 … X_n, independent and of one distribution: any order of
+//! them is equally probable. The distance is d_i = f(X_i; {X_0 … X_n}), where f takes median, scatter on both sides, and covariance from all
+//! n + 1 draws, the measurement among them, and does not depend on their order. Another order of the draws therefore only changes the order
+//! of the distances: any order of d_0 … d_n is equally probable, and the share of distances at least as large as d_0 is α or less with
+//! probability α at most, whatever the distribution of the features (full conformal inference; V. Vovk, A. Gammerman, G. Shafer,
+//! "Algorithmic Learning in a Random World", 2005). Scales of the runs alone would not do: the measurement would be the only draw that
+//! does not widen them.
 
-use super::scatter::{Form, Observation, Scatter};
+use super::scatter::{Observation, Scatter};
+use super::sided::SidedForm;
 
 /// Standard deviations from the mean within which a measurement is kept whatever its rank: draws that do not scatter differ by round-off.
 const CENTRAL: f64 = 1e-3;
@@ -39,8 +43,10 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let Some(scatter) = Scatter::new(&chosen, &seen) else {
         return Verdict { is_consistent: true, distance: 0.0 };
     };
-    let nearest = scatter.scaled(&seen.without_error(&scatter.nearest_shares(&seen)));
-    let Scatter { rows, is_log, form, failed } = scatter;
+    let form = SidedForm::new(&scatter.rows, &scatter.is_log, &seen.errors);
+    let shares = scatter.nearest_shares(&seen, &|values| form.distance(values));
+    let nearest = scatter.scaled(&seen.without_error(&shares));
+    let Scatter { rows, is_log, failed, .. } = scatter;
     let own = form.distance(&nearest);
     // A single run has no rank. Of several, those that failed have one.
     if runs.len() < 2 {
@@ -54,7 +60,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let distance = own / kept;
     let mut all = rows;
     all.push(nearest);
-    let form = Form::new(&all, &is_log, &seen.errors);
+    let form = SidedForm::new(&all, &is_log, &seen.errors);
     let own = form.distance(&all[all.len() - 1]);
     let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
     let is_consistent = further + 1 > due || own <= CENTRAL;

@@ -87,7 +87,7 @@ struct NearestNormal {
 
 impl NearestNormal {
     fn new(scatter: &Scatter, seen: &Observation, movable: Vec<usize>) -> Self {
-        let shares = scatter.nearest_shares(seen);
+        let shares = scatter.nearest_shares(seen, &|values| scatter.form.distance(values));
         let found = seen.without_error(&shares);
         let off: Vec<f64> =
             scatter.scaled(&found).iter().zip(&scatter.form.mean).map(|(value, mean)| value - mean).collect();

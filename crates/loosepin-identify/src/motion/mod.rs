@@ -8,6 +8,7 @@ mod likelihood;
 mod plan;
 mod posterior;
 mod scatter;
+mod sided;
 mod unknowns;
 
 pub use bank::{Heard, UNHEARD};

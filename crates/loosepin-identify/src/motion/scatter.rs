@@ -6,6 +6,8 @@ use loosepin_study::MotionError;
 const LEAST_DEVIATION: f64 = 1e-6;
 /// Rounds in which the common errors are fitted one after the other.
 const ROUNDS: usize = 20;
+/// Equal parts of the interval of a common error at whose ends the distance is looked at, before the golden section.
+const LOOKS: usize = 16;
 /// Steps of a golden section.
 const SECTIONS: usize = 60;
 
@@ -95,9 +97,9 @@ impl Scatter {
         scaled(values, &self.is_log)
     }
 
-    /// Shares of the common errors, in [-1, 1], at which the measurement is nearest to the runs: one after the other, since the distance is
-    /// convex in each.
-    pub fn nearest_shares(&self, seen: &Observation) -> Vec<f64> {
+    /// Shares of the common errors, in [-1, 1], at which the measurement is nearest to the runs by `distance`: one after the other. The
+    /// distance may fall more than once along a share: it is looked at evenly first.
+    pub fn nearest_shares(&self, seen: &Observation, distance: &dyn Fn(&[f64]) -> f64) -> Vec<f64> {
         let mut shares = vec![0.0; seen.instrument_count()];
         let movable = seen.movable();
         for _ in 0..if movable.len() > 1 { ROUNDS } else { 1 } {
@@ -105,16 +107,25 @@ impl Scatter {
             for &instrument in &movable {
                 let mut at = |share: f64| {
                     shares[instrument] = share;
-                    self.form.distance(&self.scaled(&seen.without_error(&shares)))
+                    distance(&self.scaled(&seen.without_error(&shares)))
                 };
+                let even = |k: usize| -1.0 + 2.0 * k as f64 / LOOKS as f64;
+                let mut best = (f64::INFINITY, 0);
+                for look in 0..=LOOKS {
+                    let found = at(even(look));
+                    if found < best.0 {
+                        best = (found, look);
+                    }
+                }
                 let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-                let [mut low, mut high] = [-1.0, 1.0];
+                let [mut low, mut high] = [even(best.1.saturating_sub(1)), even((best.1 + 1).min(LOOKS))];
                 for _ in 0..SECTIONS {
                     let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
                     if at(left) <= at(right) { high = right } else { low = left }
                 }
-                let best = [-1.0, 0.5 * (low + high), 1.0].into_iter().min_by(|a, b| at(*a).total_cmp(&at(*b)));
-                shares[instrument] = best.unwrap_or(0.0);
+                let candidates = [even(best.1), 0.5 * (low + high)];
+                let nearest = candidates.into_iter().min_by(|a, b| at(*a).total_cmp(&at(*b)));
+                shares[instrument] = nearest.unwrap_or(0.0);
             }
             if shares == before {
                 break;
@@ -138,22 +149,12 @@ impl Form {
     pub fn new(rows: &[Vec<f64>], is_log: &[bool], errors: &[MotionError]) -> Self {
         let (count, features) = (rows.len() as f64, is_log.len());
         let mean: Vec<f64> = (0..features).map(|k| rows.iter().map(|row| row[k]).sum::<f64>() / count).collect();
-        let mut factor = vec![vec![0.0; features]; features];
-        for i in 0..features {
-            let error = if errors[i].is_share { 0.0 } else { errors[i].size };
-            let size = if is_log[i] { 1.0 } else { mean[i].abs().max(error) };
-            let least = LEAST_DEVIATION * size + f64::MIN_POSITIVE.sqrt();
-            for j in 0..=i {
-                let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
-                let covariance = sum / (count - 1.0).max(1.0) + if i == j { least * least } else { 0.0 };
-                let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
-                factor[i][j] = if i == j {
-                    (covariance - inner).max(least * least).sqrt()
-                } else {
-                    (covariance - inner) / factor[j][j]
-                };
-            }
-        }
+        let least: Vec<f64> = (0..features).map(|k| least_deviation(mean[k], is_log[k], errors[k])).collect();
+        let covariance = |i: usize, j: usize| {
+            let sum: f64 = rows.iter().map(|row| (row[i] - mean[i]) * (row[j] - mean[j])).sum();
+            sum / (count - 1.0).max(1.0) + if i == j { least[i] * least[i] } else { 0.0 }
+        };
+        let factor = cholesky(features, covariance, |i| least[i] * least[i]);
         Self { mean, factor }
     }
 
@@ -165,11 +166,40 @@ impl Form {
 
     /// L⁻¹ of a difference of values.
     pub fn solved(&self, off: &[f64]) -> Vec<f64> {
-        let mut solved: Vec<f64> = Vec::with_capacity(off.len());
-        for (i, row) in self.factor.iter().enumerate() {
-            let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();
-            solved.push((off[i] - inner) / row[i]);
-        }
-        solved
+        solved(&self.factor, off)
     }
+}
+
+/// Least standard deviation of a feature that counts.
+pub(crate) fn least_deviation(mean: f64, is_log: bool, error: MotionError) -> f64 {
+    let error = if error.is_share { 0.0 } else { error.size };
+    let size = if is_log { 1.0 } else { mean.abs().max(error) };
+    LEAST_DEVIATION * size + f64::MIN_POSITIVE.sqrt()
+}
+
+/// L of a symmetric matrix, L Lᵀ, the squares of its diagonal at least `least`.
+pub(crate) fn cholesky(
+    order: usize,
+    entry: impl Fn(usize, usize) -> f64,
+    least: impl Fn(usize) -> f64,
+) -> Vec<Vec<f64>> {
+    let mut factor = vec![vec![0.0; order]; order];
+    for i in 0..order {
+        for j in 0..=i {
+            let inner: f64 = (0..j).map(|k| factor[i][k] * factor[j][k]).sum();
+            let rest = entry(i, j) - inner;
+            factor[i][j] = if i == j { rest.max(least(i)).sqrt() } else { rest / factor[j][j] };
+        }
+    }
+    factor
+}
+
+/// L⁻¹ of values.
+pub(crate) fn solved(factor: &[Vec<f64>], values: &[f64]) -> Vec<f64> {
+    let mut solved: Vec<f64> = Vec::with_capacity(values.len());
+    for (i, row) in factor.iter().enumerate() {
+        let inner: f64 = row.iter().zip(&solved).map(|(factor, known)| factor * known).sum();
+        solved.push((values[i] - inner) / row[i]);
+    }
+    solved
 }

@@ -30,9 +30,13 @@ const ALTERNATIVES: [(&str, [f64; 2]); 4] = [
     ("friction_known_play", KNOWN_PLAY_MM),
 ];
 
+/// Readings of a forgotten play of 1 mm that the distance of the test was chosen by: seeds below this. They are told, and not counted.
+const CHOSEN_BY: (&str, usize) = ("worn_joint", 31);
+
 /// A reading with the truth behind it.
 struct Reading {
     alternative: String,
+    seed: usize,
     play_m: f64,
     /// What the sensor would have said without its error, and what it said.
     true_si: [f64; 2],
@@ -47,7 +51,8 @@ fn readings(folder: &Path) -> Vec<Reading> {
         let number = |place: usize| cells[place].parse::<f64>().expect("a number");
         let values_si = [number(7), number(8)];
         let true_si = values_si.map(|value| value / number(6));
-        Reading { alternative: cells[0].to_owned(), play_m: 1e-3 * number(2), true_si, values_si }
+        let seed = cells[1].parse().expect("a whole number");
+        Reading { alternative: cells[0].to_owned(), seed, play_m: 1e-3 * number(2), true_si, values_si }
     };
     text.lines().skip(1).map(read).collect()
 }
@@ -91,6 +96,7 @@ fn study(folder: &Path, [low_mm, high_mm]: [f64; 2]) -> Study {
 fn peer_worn_pin_from_ten_turns_of_the_oracle() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
     let of_file = study(&folder, FILE_PLAY_MM);
+    let of_alternatives = ALTERNATIVES.map(|(_, play_mm)| study(&folder, play_mm));
     let features: Vec<&MeasuredMotion> = of_file.motion.iter().collect();
     let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: false };
     let mut rig = MotionRig::new(&of_file, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
@@ -129,27 +135,48 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
         }
     }
     let mut told_all = Vec::new();
-    for (alternative, play_mm) in ALTERNATIVES {
-        let own = study(&folder, play_mm);
+    for ((alternative, play_mm), own) in ALTERNATIVES.into_iter().zip(&of_alternatives) {
         let features: Vec<&MeasuredMotion> = own.motion.iter().collect();
-        let mut rig = MotionRig::new(&own, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
+        // Runs of the study as it is written are made already.
+        let mut narrower = if play_mm == FILE_PLAY_MM {
+            None
+        } else {
+            Some(MotionRig::new(own, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}")))
+        };
         let ours = within(&runs, play_mm);
         // The independent program's own runs of mechanisms that the study allows.
         let is_allowed = |reading: &&Reading| {
             reading.alternative == "none" && (play_mm[0]..=play_mm[1]).contains(&(1e3 * reading.play_m))
         };
         let theirs: Vec<[f64; 2]> = readings.iter().filter(is_allowed).map(|reading| reading.true_si).collect();
-        // By outside: readings, and those that are told.
-        let mut counts = [[0; 2]; 2];
+        // By outside: readings, those that are told, and those that brute force keeps nowhere. Of the last ones only where runs are made.
+        let mut counts = [[0; 3]; 2];
+        let mut chosen_by = [0; 3];
         for reading in readings.iter().filter(|reading| reading.alternative == alternative) {
-            let found = rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
+            let asked_rig = narrower.as_mut().unwrap_or(&mut rig);
+            let found =
+                asked_rig.invert(None, &reading.values_si, false).unwrap_or_else(|complaints| panic!("{complaints}"));
             let outside = is_outside(&ours, reading.values_si) && is_outside(&theirs, reading.values_si);
-            counts[usize::from(outside)][0] += 1;
-            counts[usize::from(outside)][1] += usize::from(found.misfit.is_some());
+            let mut one = [1, usize::from(found.misfit.is_some()), 0];
+            if play_mm == FILE_PLAY_MM {
+                let kept = asked_rig
+                    .kept(&[BRUTE_FORCE], &reading.values_si)
+                    .unwrap_or_else(|complaints| panic!("{complaints}"));
+                one[2] = usize::from(kept.is_empty());
+            }
+            println!(
+                "{alternative} {}: outside {outside}, told {}, nowhere of {BRUTE_FORCE} {}",
+                reading.seed, one[1], one[2]
+            );
+            let is_counted = (alternative, true) != (CHOSEN_BY.0, reading.seed < CHOSEN_BY.1);
+            let list = if is_counted { &mut counts[usize::from(outside)] } else { &mut chosen_by };
+            list.iter_mut().zip(one).for_each(|(sum, one)| *sum += one);
         }
-        let [[within, told_within], [outside, told]] = counts;
+        let [[within, told_within, nowhere_within], [outside, told, nowhere]] = counts;
         println!(
-            "{alternative}: {outside} outside all predictions, {told} of them told; {within} within, {told_within} told"
+            "{alternative}: {outside} outside all predictions, {told} of them told, {nowhere} kept nowhere by brute force; {within} within, \
+             {told_within} told, {nowhere_within} kept nowhere; chosen by {}, {} told, {} kept nowhere",
+            chosen_by[0], chosen_by[1], chosen_by[2]
         );
         told_all.push((alternative, outside, told));
     }
