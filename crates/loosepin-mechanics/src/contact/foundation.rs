@@ -3,7 +3,7 @@
 //! Plain numbers alone: which sectors touch depends on the state, so that nothing of it can be written down for lanes.
 
 use super::friction::FrictionLaw;
-use super::worn_profile::{Weights, WornProfile};
+use super::worn_profile::{Weights, WornProfile, wrapped};
 use loosepin_math::Vec2;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
@@ -232,11 +232,16 @@ impl Foundation {
         let [spin_i, spin_j] = motion.spins_rad_s;
         let mut deepest_m = 0.0;
         for offset in 0..reach {
-            let sector = (first + offset) % self.sectors();
+            let sector = wrapped(first + offset, self.sectors());
             let normal = self.normals[sector];
             let along_m = motion.eccentricity_m.dot(normal);
+            let into_bearing_m = along_m - self.clearance_m - self.bearing_m[sector];
+            // Depths of the journal are never negative.
+            if !(into_bearing_m > 0.0) {
+                continue;
+            }
             let journal = self.journal_jet(sector, &weights);
-            let penetration_m = along_m - self.clearance_m - self.bearing_m[sector] - journal[0];
+            let penetration_m = into_bearing_m - journal[0];
             if !(penetration_m > 0.0) {
                 continue;
             }
@@ -279,19 +284,31 @@ impl Foundation {
         (motion.rate_m_s.dot(tangent) + arms_m[1] * spin_j - arms_m[0] * spin_i, arms_m)
     }
 
+    /// The largest δ_s of `reach` sectors from `first` on, m, and its sector: of equal ones the first from zero on.
+    fn deepest_of(&self, (first, reach): (usize, usize), eccentricity_m: Vec2<f64>, weights: &Weights) -> (f64, usize) {
+        let (mut penetration_m, mut deepest) = (f64::NEG_INFINITY, 0);
+        for offset in 0..reach {
+            let sector = wrapped(first + offset, self.sectors());
+            let into_bearing_m = eccentricity_m.dot(self.normals[sector]) - self.clearance_m - self.bearing_m[sector];
+            // Depths of the journal are never negative.
+            if into_bearing_m >= penetration_m {
+                let own_m = into_bearing_m - self.journal_jet(sector, weights)[0];
+                if own_m > penetration_m || (own_m == penetration_m && sector < deepest) {
+                    (penetration_m, deepest) = (own_m, sector);
+                }
+            }
+        }
+        (penetration_m, deepest)
+    }
+
     /// The sector with the largest δ_s, in contact or not.
     pub fn deepest(&self, motion: &FoundationMotion) -> DeepestSector {
         let weights = self.journal_weights(motion.turn_rad);
-        let (mut deepest, mut penetration_m) = (0, f64::NEG_INFINITY);
-        for (sector, normal) in self.normals.iter().enumerate() {
-            let along_m = motion.eccentricity_m.dot(*normal) - self.clearance_m - self.bearing_m[sector];
-            // Depths of the journal are never negative.
-            if along_m > penetration_m {
-                let own_m = along_m - self.journal_jet(sector, &weights)[0];
-                if own_m > penetration_m {
-                    (deepest, penetration_m) = (sector, own_m);
-                }
-            }
+        // All sectors that may be pressed are in the window.
+        let (mut penetration_m, mut deepest) =
+            self.deepest_of(self.window(motion.eccentricity_m), motion.eccentricity_m, &weights);
+        if !(penetration_m > 0.0) {
+            (penetration_m, deepest) = self.deepest_of((0, self.sectors()), motion.eccentricity_m, &weights);
         }
         let normal = self.normals[deepest];
         let tangent = normal.turned();

@@ -22,6 +22,12 @@ pub struct Weights {
     bend_1_rad2: [f64; 4],
 }
 
+/// `place` less `count` where it is past the last sector, below 2 `count`: a division would take longer than the rest of a sector.
+#[inline]
+pub(super) fn wrapped(place: usize, count: usize) -> usize {
+    if place < count { place } else { place - count }
+}
+
 impl Weights {
     /// At the middles of the sectors of another surface whose frame is turned by `turn_rad` from that of the profile.
     pub fn at(turn_rad: f64, sectors: usize) -> Self {
@@ -44,9 +50,10 @@ impl Weights {
         }
     }
 
-    /// The four sectors beside a sector of the other surface.
+    /// The four sectors beside a sector of the other surface, of `count` on each.
     pub fn sectors(&self, sector: usize, count: usize) -> [usize; 4] {
-        [0, 1, 2, 3].map(|k| (sector + self.shift + k) % count)
+        let first = wrapped(sector + self.shift, count);
+        [0, 1, 2, 3].map(|k| wrapped(first + k, count))
     }
 }
 

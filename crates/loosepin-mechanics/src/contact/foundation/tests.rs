@@ -153,6 +153,43 @@ fn identity_rates_of_the_deepest_sector_are_its_differences() {
 }
 
 #[test]
+fn identity_the_deepest_sector_and_the_load_are_those_of_all_sectors_one_by_one() {
+    for sectors in [4, 7, 72, 360] {
+        for foundation in [steel(sectors, 0.0), worn(&steel(sectors, 0.0))] {
+            for k in 0..300 {
+                // In flight and pressed, in all directions, turned by up to some turns to both sides.
+                let mut own = at_rest(CLEARANCE_M * (0.9 + 0.0007 * k as f64), 0.31 * k as f64);
+                own.turn_rad = 0.17 * (k as f64 - 150.0);
+                let normal = |sector: usize| {
+                    let (sine, cosine) = ((sector as f64 + 0.5) * TAU / sectors as f64).sin_cos();
+                    Vec2::new(cosine, sine)
+                };
+                let gaps_m = foundation.gaps_m(own.turn_rad);
+                let depth_m = |sector: usize| own.eccentricity_m.dot(normal(sector)) - gaps_m[sector];
+                let stiffness_n_m = foundation.stiffness_pa_m * RADIUS_M * TAU / sectors as f64 * LENGTH_M;
+                let (mut deepest_m, mut sum_n) = (f64::NEG_INFINITY, 0.0);
+                for sector in 0..sectors {
+                    deepest_m = deepest_m.max(depth_m(sector));
+                    sum_n += stiffness_n_m * depth_m(sector).max(0.0);
+                }
+                let deepest = foundation.deepest(&own);
+                assert!((deepest.penetration_m - deepest_m).abs() < 1e-18, "{sectors} {k}: {deepest:?} {deepest_m}");
+                let place = deepest.normal.y.atan2(deepest.normal.x).rem_euclid(TAU) * sectors as f64 / TAU;
+                assert!((depth_m(place as usize) - deepest_m).abs() < 1e-18, "{sectors} {k}: {deepest:?}");
+                let whole = (own.turn_rad * sectors as f64 / TAU).floor() as i64;
+                for sector in [0, sectors / 2, sectors - 1] {
+                    let beside = [-1, 0, 1, 2].map(|m| (sector as i64 + whole + m).rem_euclid(sectors as i64) as usize);
+                    assert_eq!(foundation.journal_weights(own.turn_rad).sectors(sector, sectors), beside);
+                }
+                let found_n = foundation.load(&own, 0.0, &mut |_| {}).sum_n;
+                let round_off_n = 1e-18 * sectors as f64 * stiffness_n_m + 1e-12 * sum_n;
+                assert!((found_n - sum_n).abs() < round_off_n, "{sectors} {k}: {found_n} {sum_n}");
+            }
+        }
+    }
+}
+
+#[test]
 fn identity_the_power_of_the_load_is_what_it_stores_and_loses() {
     let foundation = worn(&steel(360, 0.1425));
     let mut own = at_rest(CLEARANCE_M + 9e-6, 0.45);
