@@ -1,6 +1,6 @@
-"""Holds worn_cycles.cpp, with the radii of the given program, against that program's turn and its 4000 cycles by 32 jumps.
+"""Holds worn_cycles.cpp, with the radii of the given program, against its turn and its 4000 cycles by 32 jumps.
 
-    python3 check.py        # prints one line a check; exit status 1 if one fails; needs g++ or the compiler named in CXX
+    python3 check.py        # one line a check; exit status 1 if one fails; needs g++ or the compiler named in CXX
 """
 
 import csv
@@ -13,12 +13,16 @@ from pathlib import Path
 HERE = Path(__file__).parent
 GIVEN = HERE.parents[2] / "crates/loosepin-simulate/tests/files"
 GIVEN_STEP_S = 4e-6  # its volumes depend on the step from the eleventh digit on
-# Friction path of a settled turn on the unworn shape by sectors, J; after 4000 cycles by 32 jumps volumes, m³, and path, J.
+# Friction path of a settled turn on the unworn shape by sectors, J; volumes, m³, and path, J, after 4000 cycles.
 GIVEN_PATHS_J = {180: 8.80037407, 360: 8.80006663842, 720: 8.80007210}
-GIVEN_END = {"bearing_volume_m3": 7.11917115083e-10, "journal_volume_m3": 3.55958557541e-10, "path_work_j": 8.98318500365}
+GIVEN_END = {
+    "bearing_volume_m3": 7.11917115083e-10,
+    "journal_volume_m3": 3.55958557541e-10,
+    "path_work_j": 8.98318500365,
+}
 LAST_DIGIT = 1.2e-9  # one of the last of the nine given with 180 and 720 sectors, relative
 VOLUME_TOLERANCE = 1e-10  # relative; twelve digits are given
-POSITION_TOLERANCE = 4e-11  # m and rad; the given steps halved change them by 3.2e-11, ours in other coordinates err otherwise
+POSITION_TOLERANCE = 4e-11  # m and rad; the given steps halved change positions by 3.2e-11
 DEPTH_TOLERANCE_M = 1e-14  # twelve digits of 7 µm, and sums in another order over 64 turns
 ENERGY_TOLERANCE_J = 1e-11  # of some 8 J that are exchanged, with steps of 1 µs
 
