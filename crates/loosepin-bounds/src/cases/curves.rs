@@ -92,9 +92,9 @@ impl Response for Kinked {
 }
 
 #[test]
-fn analytic_ends_of_curves_with_kinks_are_seldom_missed() {
-    // Shares of all ends. Before kinks were conceded 18 of 1,080 were missed; each may be in 0.5 %.
-    const MOST_MISSED: usize = 10;
+fn analytic_ends_of_curves_with_kinks_are_missed_half_as_often() {
+    // A hard case: a kink along an axis, least values on faces and near corners. Of 1,080 ends 123 were missed before kinks were conceded, 51 are.
+    const MOST_MISSED: usize = 60;
     const ROUND_OFF: f64 = 1e-9;
     const MEDIAN: f64 = 0.0;
     let quantile = 1.959_963_984_540_054;

@@ -69,7 +69,6 @@ pub(crate) struct Fit<'a> {
     /// Variance of what is independent from point to point, 0 where the fit passes through the estimates.
     nugget: f64,
     roughness: Option<Rough>,
-    /// Of values that the fit passes through.
     suspected_kinks: Option<SuspectedKinks<'a>>,
     /// -2 ln likelihood for each degree of freedom.
     misfit: f64,
@@ -152,9 +151,7 @@ impl Smoother {
     fn fitted<'m>(&'m self, own: Prepared<'_>, assessment: Assessment<'m>) -> Fit<'m> {
         let Prepared { values, centre, residual, is_constant, freedom, floor, of_noise, noise, .. } = own;
         let may_be_rough = !noise.replicates.is_empty();
-        // Noise looks like kinks, and what is conceded for it holds beside kinks too.
-        let is_heard = may_be_rough || of_noise > 0.0;
-        let likelihoods = if is_constant || is_heard { None } else { Likelihoods::of(&assessment.assessed) };
+        let likelihoods = if is_constant { None } else { Likelihoods::of(&assessment.assessed) };
         let (smooth, mut rough): (Vec<Assessed<'_>>, Vec<Assessed<'_>>) =
             assessment.assessed.into_iter().partition(|own| !own.is_noisy() || own.nugget() <= of_noise);
         let honest = if may_be_rough { least_honest(&rough, &residual, freedom) } else { None };
@@ -191,11 +188,11 @@ impl Smoother {
             roughness: None,
             suspected_kinks: None,
         };
+        let of_noise = noise.variance.sqrt();
+        fit.suspected_kinks = likelihoods.map(|own| own.with(values, residual.clone(), (freedom, floor, of_noise)));
         if is_rough {
             let (part, at_places) = (OnceLock::new(), OnceLock::new());
             fit.roughness = Some(Rough { residual, replicates: noise.replicates.clone(), scatter, part, at_places });
-        } else {
-            fit.suspected_kinks = likelihoods.map(|own| own.with(values, residual, freedom, floor));
         }
         fit
     }
@@ -325,7 +322,7 @@ pub(crate) struct Kinked<'a> {
 }
 
 impl<'a> Fit<'a> {
-    /// That of a process with kinks everywhere to the same values; nothing where they are known to be smooth, noisy or rough.
+    /// That of a process with kinks everywhere to the same values; nothing where they are known to be smooth, or noisy.
     pub fn with_kinks(&self) -> Option<Kinked<'a>> {
         let suspected = self.suspected_kinks.as_ref().filter(|suspected| suspected.are_confirmed())?;
         let model = self.smoother.grid.with_kinks()?;

@@ -27,6 +27,10 @@ const SMOOTH: f64 = 60.0;
 /// The largest error of predicting an estimate from the others that is expected of smooth values, over the 2.5 deviations of [`Scatter`].
 const EXPECTED_DISTRUST: f64 = 1.1;
 
+/// Noise looks like kinks, and what is conceded for it holds beside kinks too. It does not where its deviation is below this share of the largest
+/// error of predicting an estimate from the others.
+const NEGLIGIBLE_NOISE: f64 = 0.01;
+
 /// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
 /// where an estimate is left out the gap is twice as wide.
 const MARGIN: f64 = 2.0;
@@ -39,6 +43,8 @@ pub(super) struct SuspectedKinks<'m> {
     freedom: f64,
     /// Least variance that is no round-off.
     floor: f64,
+    /// Standard deviation of their sampling noise.
+    of_noise: f64,
     /// Whether they are suspected whatever their errors.
     is_doubtful: bool,
     /// The likeliest model with four derivatives.
@@ -64,19 +70,24 @@ impl<'m> Likelihoods<'m> {
         (excess < SMOOTH).then_some(Self { excess, smoothest })
     }
 
-    /// The `values` to which they belong, less their mean, and their `residual` of the polynomial with so many degrees of freedom; no variance
-    /// lies below `floor`.
-    pub fn with(self, values: Vec<f64>, residual: Vec<f64>, freedom: f64, floor: f64) -> SuspectedKinks<'m> {
+    /// The `values` to which they belong, less their mean, and their `residual` of the polynomial with so many degrees of `freedom`; no variance
+    /// lies below `floor`, and `of_noise` is the standard deviation of their sampling noise.
+    pub fn with(
+        self,
+        values: Vec<f64>,
+        residual: Vec<f64>,
+        (freedom, floor, of_noise): (f64, f64, f64),
+    ) -> SuspectedKinks<'m> {
         let Self { excess, smoothest } = self;
-        SuspectedKinks { values, residual, freedom, floor, is_doubtful: excess < DOUBTFUL, smoothest }
+        SuspectedKinks { values, residual, freedom, floor, of_noise, is_doubtful: excess < DOUBTFUL, smoothest }
     }
 }
 
 impl SuspectedKinks<'_> {
-    /// Whether the errors of predicting each estimate from the others tell the same.
+    /// Whether the errors of predicting each estimate from the others tell the same, and are not those of noise.
     pub fn are_confirmed(&self) -> bool {
         let distrust = || Scatter::even(&self.smoothest.errors(&self.residual), self.freedom).distrust;
-        self.is_doubtful || distrust() > EXPECTED_DISTRUST
+        (self.is_doubtful || distrust() > EXPECTED_DISTRUST) && self.of_noise <= NEGLIGIBLE_NOISE * self.largest_error()
     }
 
     /// The values, less their mean.
@@ -86,8 +97,13 @@ impl SuspectedKinks<'_> {
 
     /// The most that they may lie beside a model between the points.
     pub fn largest_miss(&self) -> f64 {
+        MARGIN * self.largest_error()
+    }
+
+    /// The largest error of predicting an estimate from the others.
+    fn largest_error(&self) -> f64 {
         let model = self.smoothest.model;
-        MARGIN * model.largest_error(&model.whitened_rest(&self.residual))
+        model.largest_error(&model.whitened_rest(&self.residual))
     }
 
     /// The standard deviation of the process of `model`, as it must be stated.
