@@ -19,7 +19,7 @@ pub(crate) struct Sample {
     /// Beside the sample, since most have none.
     smooth: Option<Box<Smooth>>,
     known: Known,
-    fits: KnownFits,
+    fits: KnownFits<Self>,
     ends: OnceLock<Option<(f64, f64)>>,
     sums: OnceLock<PowerSums>,
 }
@@ -127,7 +127,7 @@ impl Sample {
     }
 
     /// Polynomials that have been fitted to it so far.
-    pub(super) fn fits(&self) -> &KnownFits {
+    pub(super) fn fits(&self) -> &KnownFits<Self> {
         &self.fits
     }
 
