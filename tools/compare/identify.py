@@ -1,6 +1,6 @@
 """Holds `loosepin identify` against approximate Bayesian computation, by the same runs and readings; identify/README.md says what and how.
 
-    python3 tools/compare/identify.py [--keep FOLDER]
+    python3 tools/compare/identify.py [--keep FOLDER] [--seeds N]
 
 Makes `.venv` in the folder identify. Prints coverage, width and seconds of each method over the readings of the worn pin that
 `cases/oracle` made, and what each says of mechanisms that the study does not allow.
@@ -59,13 +59,19 @@ def compare_identify() -> None:
     os.environ["RAYON_NUM_THREADS"] = "1"
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help="where the tables of runs and answers are kept")
-    keep = parser.parse_args().keep
+    parser.add_argument("--seeds", type=int, metavar="N", help="only the first N readings of each kind")
+    asked = parser.parse_args()
+    keep = asked.keep
     with tempfile.TemporaryDirectory() as temporary:
         folder = keep or Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         table = folder / "runs.csv"
+        lines = READINGS.read_text(encoding="utf-8").splitlines(keepends=True)
+        kept = [line for line in lines[1:] if asked.seeds is None or int(line.split(",")[1]) < asked.seeds]
+        readings = folder / "readings.csv"
+        readings.write_text("".join([lines[0], *kept]), encoding="utf-8")
         say("runs, and our answers")
-        printed = run([our_program(), str(table)], "call the example by hand to see more")
+        printed = run([our_program(), str(table), str(readings)], "call the example by hand to see more")
         (folder / "ours.csv").write_text(printed, encoding="utf-8")
         head, rest = printed.split("\n", 1)
         runs_s = float(head.rsplit(": ", 1)[1].split()[0])
@@ -73,7 +79,7 @@ def compare_identify() -> None:
         runs = len(table.read_text(encoding="utf-8").splitlines()) - 1
         prepare_venv(VENV, FOLDER / "requirements.txt")
         say("approximate Bayesian computation")
-        program = [str(VENV / "bin/python"), str(FOLDER / "abc_program.py"), str(table), str(READINGS), str(CONFIDENCE)]
+        program = [str(VENV / "bin/python"), str(FOLDER / "abc_program.py"), str(table), str(readings), str(CONFIDENCE)]
         peers = [json.loads(line) for line in run(program, "its last lines say why").splitlines()]
     own = [answer for answer in ours if answer["alternative"] == "none"]
     tested = statistics.median(int(answer["values"]) for answer in own)

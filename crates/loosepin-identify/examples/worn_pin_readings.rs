@@ -1,12 +1,12 @@
-//! The worn pin identified from all readings of `cases/slider_crank_worn_pin/motion_repetitions.csv`: `cargo run --release --package
-//! loosepin-identify --example worn_pin_readings RUNS.csv`. Writes play, peak and rms of every run at evenly spread plays to RUNS.csv, for
+//! The worn pin identified from all readings of `cases/slider_crank_worn_pin/motion_repetitions.csv`, or of another such table: `cargo run
+//! --release --package loosepin-identify --example worn_pin_readings RUNS.csv [READINGS.csv]`. Writes play, peak and rms of every run at evenly spread plays to RUNS.csv, for
 //! other programs, and prints a line for each reading. `tools/compare/identify.py` calls it.
 
 use loosepin_identify::motion_record::MotionPosterior;
 use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues};
 use loosepin_study::{MeasuredMotion, Study};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Plays whose runs are made once, evenly over the box: as many as brute force tests.
 const PLAYS: usize = 128;
@@ -41,7 +41,8 @@ fn main() {
     println!(
         "alternative,seed,play_mm,set_low_mm,set_high_mm,is_misfit,values,mean_mm,credible_low_mm,credible_high_mm,effective_values,seconds,refused"
     );
-    let readings = std::fs::read_to_string(folder.join("motion_repetitions.csv")).unwrap_or_else(|e| panic!("{e}"));
+    let table = std::env::args().nth(2).map_or_else(|| folder.join("motion_repetitions.csv"), PathBuf::from);
+    let readings = std::fs::read_to_string(&table).unwrap_or_else(|error| panic!("{}: {error}", table.display()));
     for line in readings.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
         let number = |place: usize| cells[place].parse::<f64>().unwrap_or_else(|error| panic!("{line}: {error}"));

@@ -89,8 +89,8 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
         PosteriorRefusal::FewValues { unknown, effective, least } => {
             let name = specimen.unknowns.get(*unknown).map_or("an unknown", |unknown| unknown.name.as_str());
             format!(
-                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; write the narrowed study \
-                 (--write) and identify it again",
+                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; give it a narrower interval, \
+                 about the tested values of least distance, and identify again",
                 writer.rounded(*effective, &SiUnit::NONE, 2, Rounding::Nearest)
             )
         }
