@@ -10,7 +10,7 @@
 //!
 //! so that mean a, deviation s = √(b² + c²) and quantiles a + z s are known at every u, and their extremes are sought on a fine grid, from
 //! the best place of which on by ever smaller steps. Steep waves turn twice as far over the square. Where four numbers are unknown each wave
-//! depends on one of them alone, so that its ends add up.
+//! depends on one of them alone, so that its ends add up. Kinks come alone and together with the scatter c N.
 
 use loosepin_bounds::{Failure, Problem, Request, Response, Sampling, Statistic, evaluate};
 use loosepin_uncertainty::{Distribution, Interval, RandomVariable, hash, normal, normal_quantile};
