@@ -164,20 +164,23 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
                     .unwrap_or_else(|complaints| panic!("{complaints}"));
                 one[2] = usize::from(kept.is_empty());
             }
-            println!(
-                "{alternative} {}: outside {outside}, told {}, nowhere of {BRUTE_FORCE} {}",
-                reading.seed, one[1], one[2]
-            );
             let is_counted = (alternative, true) != (CHOSEN_BY.0, reading.seed < CHOSEN_BY.1);
             let list = if is_counted { &mut counts[usize::from(outside)] } else { &mut chosen_by };
             list.iter_mut().zip(one).for_each(|(sum, one)| *sum += one);
         }
         let [[within, told_within, nowhere_within], [outside, told, nowhere]] = counts;
         println!(
-            "{alternative}: {outside} outside all predictions, {told} of them told, {nowhere} kept nowhere by brute force; {within} within, \
-             {told_within} told, {nowhere_within} kept nowhere; chosen by {}, {} told, {} kept nowhere",
-            chosen_by[0], chosen_by[1], chosen_by[2]
+            "{alternative}: {outside} outside all predictions, {told} of them told; {within} within, {told_within} told"
         );
+        if alternative == CHOSEN_BY.0 {
+            println!("not counted, since the distance was chosen by them: {}, {} told", chosen_by[0], chosen_by[1]);
+        }
+        if play_mm == FILE_PLAY_MM {
+            println!(
+                "kept at none of {BRUTE_FORCE} plays: {nowhere} outside, {nowhere_within} within, {} not counted",
+                chosen_by[2]
+            );
+        }
         told_all.push((alternative, outside, told));
     }
     for list in [&mut widths, &mut narrowed, &mut credible] {
