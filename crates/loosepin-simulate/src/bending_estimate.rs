@@ -7,10 +7,10 @@
 //! Inertia, weight, springs and loads at the speed of the drives; impacts and ringing come on top. Without the chord w(L)/L in a tangent frame.
 
 use super::failure::RunFailure;
+use super::supports::buckling_factor;
 use loosepin_mechanics::dynamics::{Dynamics, SectionForce};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
-use loosepin_mechanics::model::{Beam, BodyId, Values};
-use std::f64::consts::PI;
+use loosepin_mechanics::model::{Beam, BodyId, PointId, Values};
 
 /// Positions that are looked at: of a moment with three waves in a turn the largest is missed by 1 %.
 const POSITIONS: u32 = 72;
@@ -26,7 +26,7 @@ pub struct BendingEstimate {
     pub largest_tension_n: f64,
     /// Largest push in it, N, >= 0.
     pub largest_compression_n: f64,
-    /// Push under which the straight beam buckles as it is held, N: π² EI/L² between pins, a quarter of it in a tangent frame.
+    /// Push under which the straight beam buckles as its ends are held, N: π² EI/L² between pins, a quarter of it clamped and free.
     pub buckling_load_n: f64,
     /// Largest strain of its axis, |N|/(E A).
     pub largest_strain: f64,
@@ -78,6 +78,8 @@ struct Link<'m> {
     length_m: f64,
     /// EA, N, and EI, N m².
     stiffness: [f64; 2],
+    /// Push under which it buckles, N.
+    buckling_load_n: f64,
 }
 
 impl<'m> Link<'m> {
@@ -86,17 +88,18 @@ impl<'m> Link<'m> {
         let beam = mechanism.model.bodies[body.0].beam.as_ref()?;
         let length_m = values[beam.length_m];
         let stiffness = [beam.axial_stiffness_n_m, beam.bending_stiffness_n_m].map(|id| values[id] * length_m);
-        Some(Self { body, beam, length_m, stiffness })
+        let factor = buckling_factor(&mechanism.model, beam.ends.map(|point| PointId { body, point }));
+        let buckling_load_n = factor * factor * stiffness[1] / (length_m * length_m);
+        Some(Self { body, beam, length_m, stiffness, buckling_load_n })
     }
 
     fn unloaded(&self) -> BendingEstimate {
-        let between_pins_n = PI.powi(2) * self.stiffness[1] / self.length_m.powi(2);
         BendingEstimate {
             body: self.body,
             largest_angle_rad: 0.0,
             largest_tension_n: 0.0,
             largest_compression_n: 0.0,
-            buckling_load_n: if self.beam.has_tangent_frame() { 0.25 * between_pins_n } else { between_pins_n },
+            buckling_load_n: self.buckling_load_n,
             largest_strain: 0.0,
         }
     }

@@ -518,13 +518,17 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Takes in the values inside the accepted steps at hand that are recorded.
-    pub fn look_inside(&mut self) {
+    /// Takes in the values inside the accepted steps at hand that are recorded; gives the evaluations that this took in each lane beside
+    /// [`Self::evaluations_for_dense`].
+    pub fn look_inside(&mut self) -> u64 {
         self.prepare_dense();
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => plain.look_inside(pass, memory),
-            Way::Recorded(recorded) => recorded.look_inside(memory),
+            Way::Recorded(recorded) => {
+                recorded.look_inside(memory);
+                0
+            }
         }
     }
 
@@ -532,6 +536,14 @@ impl<'a> Core<'a> {
     pub fn inside(&self, lane: usize, point: usize, reading: usize) -> f64 {
         let place = self.pass.first_inside() + self.pass.follow.inside().value(point, reading);
         self.memory.get(Block::Stages, place, lane)
+    }
+
+    /// Evaluations of the equations that the first look inside the step at hand costs: [`Self::prepare_dense`].
+    pub fn evaluations_for_dense(&self) -> u64 {
+        match &self.way {
+            Way::Plain(plain) if plain.is_implicit() => 0,
+            _ => self.pass.stepper.evaluations_for_dense(),
+        }
     }
 
     /// The state of one lane at `share` in [0, 1] of the step. Inside of the step it needs [`Self::prepare_dense`].
@@ -548,6 +560,18 @@ impl<'a> Core<'a> {
             };
             // No negative zeros: see `Self::jets`.
             *value = found + 0.0;
+        }
+    }
+
+    /// Corrects the state at `share` of an implicit step, that of [`Self::interpolate`], where its forces and accelerations are looked at; gives the evaluations that
+    /// it took.
+    pub fn correct(&mut self, share: f64, state: &mut [f64]) -> u64 {
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(plain) if plain.is_implicit() && share > 0.0 && share < 1.0 => {
+                plain.correct(pass, memory, share, state)
+            }
+            _ => 0,
         }
     }
 }

@@ -169,6 +169,16 @@ problems! {
         NotSettled => Code::StartNotPossible,
             says("a flexible body with start = \"settled\" has no stable static shape under the forces at the start"),
             hint("it buckles or bends too far there: look at its section, or leave start out");
+        /// Flexible bodies that are to start settled leave loops of ideal joints open.
+        SettledOpen {
+            /// Path of the joint or coupling that stays open.
+            path: String,
+        } => Code::StartNotPossible,
+            says(
+                "a flexible body with start = \"settled\" bends or stretches there, and the links cannot close at {}",
+                describe_path(path)
+            ),
+            hint("nothing else gives way in that loop: leave start out, or give one of its joints play");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
             says("implicit steps are for mechanisms with a flexible body in absolute nodal coordinates, and this one has none"),
@@ -189,7 +199,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 30] = [
+const CODES: [&str; 31] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -220,6 +230,7 @@ const CODES: [&str; 30] = [
     "jumps_too_short",
     "point_off_section",
     "implicit_without_nodes",
+    "settled_open",
 ];
 
 impl RunFailure {
@@ -263,6 +274,7 @@ impl RunFailure {
             Self::JumpsTooShort { .. } => 27,
             Self::Sample(SampleError::PointOffSection { .. }) => 28,
             Self::ImplicitWithoutNodes => 29,
+            Self::SettledOpen { .. } => 30,
         }
     }
 
@@ -299,6 +311,7 @@ impl RunFailure {
             Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
                 Complaint::error(self, model.place("cycle"))
             }
+            Self::SettledOpen { path } => Complaint::error(self, model.place(path)),
             Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Complaint::error(self, model.place("wear")),
             Self::NothingIsFree | Self::NotSettled | Self::ImplicitWithoutNodes => Complaint::error(self, None),
         }

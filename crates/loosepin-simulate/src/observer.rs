@@ -103,8 +103,8 @@ pub(super) enum Source<'s, 'a> {
 
 /// The inside of an integrated step.
 pub(super) trait DenseOutput {
-    /// Writes the state at `share` in [0, 1] of the step.
-    fn interpolate(&mut self, share: f64, state: &mut [f64]);
+    /// Writes the state at `share` in [0, 1] of the step; `for_forces`: one whose forces and accelerations are those of the motion too.
+    fn interpolate(&mut self, share: f64, for_forces: bool, state: &mut [f64]);
     /// The state of a contact during the step.
     fn contact(&self, contact: usize) -> PlayState<f64>;
 }
@@ -163,7 +163,7 @@ impl<'a> Step<'_, 'a> {
     pub(super) fn last_state(&mut self) -> Option<MotionState> {
         self.look(self.end_s, false);
         let Source::Integrated { dense, view, projection, state, .. } = &mut self.source else { return None };
-        dense.interpolate(1.0, state);
+        dense.interpolate(1.0, true, state);
         if let Some(projection) = projection {
             projection.hold(view, self.end_s, state);
         }
@@ -236,7 +236,7 @@ impl<'a> Step<'_, 'a> {
                 for (contact, state) in view.states.iter_mut().enumerate() {
                     *state = dense.contact(contact);
                 }
-                dense.interpolate(place, state);
+                dense.interpolate(place, with_forces, state);
                 if let Some(projection) = projection {
                     projection.hold(view, time_s, state);
                 }

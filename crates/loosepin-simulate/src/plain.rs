@@ -2,6 +2,7 @@
 
 use super::column::{Arms, Reading};
 use super::follow::{Follow, LOBATTO};
+use super::implicit::{Implicit, TOO_LONG, hides_contact};
 use super::memory::LaneLayout;
 use super::memory::{Memory, Named};
 use super::motion::Motion;
@@ -26,9 +27,7 @@ pub struct Plain<'a> {
     state: Vec<f64>,
     arms: Arms,
     /// Implicit steps, where they are asked for.
-    implicit: Option<Radau>,
-    /// Whether the step at hand is one of it.
-    is_implicit: bool,
+    implicit: Option<Implicit>,
 }
 
 impl<'a> Plain<'a> {
@@ -41,17 +40,18 @@ impl<'a> Plain<'a> {
         settings: &Settings,
     ) -> Self {
         let motion = Motion::new(mechanism, sample);
-        let radau = || {
+        let implicit = || {
             let layout = &motion.layout;
             // Of lengths one, of angles one over the size of the mechanism.
             let units = tolerances(mechanism, layout, sample, 1.0, 1.0, 1.0);
             let differences =
                 units[..layout.freedoms].iter().map(|unit| DIFFERENCE * mechanism.size_m * unit).collect();
-            Radau::new(layout.freedoms, layout.dimension, layout.integrals(), differences, layout.has_dampers)
+            let [dimension, integrals] = [layout.dimension, layout.integrals()];
+            let radau = Radau::new(layout.freedoms, dimension, integrals, differences, layout.has_dampers);
+            Implicit::new(radau)
         };
         Self {
-            implicit: (settings.integrator == Integrator::Implicit).then(radau),
-            is_implicit: false,
+            implicit: (settings.integrator == Integrator::Implicit).then(implicit),
             state: vec![0.0; motion.layout.dimension],
             motion,
             projection: Projection::<f64>::is_needed(mechanism).then(|| Projection::new(mechanism)),
@@ -63,8 +63,8 @@ impl<'a> Plain<'a> {
 
     /// Takes the numbers of a run.
     pub fn load(&mut self, sample: &Sample<f64>, arms: &Arms) {
-        if let Some(radau) = &mut self.implicit {
-            radau.restart();
+        if let Some(implicit) = &mut self.implicit {
+            implicit.radau.restart();
         }
         self.motion.dynamics.sample_mut().clone_from(sample);
         self.arms.clone_from(arms);
@@ -89,18 +89,16 @@ impl<'a> Plain<'a> {
     pub fn attempt(&mut self, pass: &Pass, memory: &mut Memory) {
         let mut named = Named::new(memory.blocks());
         pass.choose_step(&mut named);
-        self.is_implicit = self.implicit.is_some() && self.motion.states.iter().all(|state| state.contact == 0.0);
-        match self.implicit.take() {
-            Some(mut radau) if self.is_implicit => {
-                self.attempt_implicitly(&mut radau, pass, &mut named);
-                self.implicit = Some(radau);
+        if let Some(mut implicit) = self.implicit.take() {
+            let is_implicit = self.motion.states.iter().all(|state| state.contact == 0.0);
+            implicit.begin(is_implicit);
+            if is_implicit {
+                self.attempt_implicitly(&mut implicit.radau, pass, &mut named);
+            }
+            self.implicit = Some(implicit);
+            if is_implicit {
                 return pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
             }
-            Some(mut radau) => {
-                radau.restart();
-                self.implicit = Some(radau);
-            }
-            None => {}
         }
         self.motion.know_angles(&pass.reads, named.start_reads);
         let system = &mut ReadingSystem { is_near: true, ..self.reading(named.end_reads) };
@@ -116,6 +114,9 @@ impl<'a> Plain<'a> {
         let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));
         named.lane[LaneLayout::ERROR] = found.error;
         named.lane[LaneLayout::GROWTH] = found.growth;
+        if found.error <= 1.0 && hides_contact(pass, &mut self.motion, named, &mut self.state) {
+            (named.lane[LaneLayout::ERROR], named.lane[LaneLayout::GROWTH]) = TOO_LONG;
+        }
         // Those of an explicit step are counted for every attempt.
         named.lane[LaneLayout::EVALUATIONS] += found.evaluations as f64 - pass.stepper.evaluations_per_attempt() as f64;
     }
@@ -130,7 +131,7 @@ impl<'a> Plain<'a> {
     /// Computes what looks inside of the step at hand need.
     pub fn prepare_dense(&mut self, pass: &Pass, memory: &mut Memory) {
         let Named { lane, mut rows, .. } = Named::new(memory.blocks());
-        if self.is_implicit {
+        if self.is_implicit() {
             return pass.stepper.prepare_cubic(&mut rows, lane[LaneLayout::STEP]);
         }
         self.motion.set_near(true);
@@ -138,18 +139,34 @@ impl<'a> Plain<'a> {
         self.motion.set_near(false);
     }
 
-    /// Takes in the values inside the step at hand, whose dense output is known.
-    pub fn look_inside(&mut self, pass: &Pass, memory: &mut Memory) {
-        let Self { motion, projection, inside, state, arms, .. } = self;
+    /// Whether the step at hand is an implicit one: its dense output is to be corrected.
+    pub fn is_implicit(&self) -> bool {
+        self.implicit.as_ref().is_some_and(|implicit| implicit.is_at_hand)
+    }
+
+    /// Corrects the state at `share` inside the implicit step at hand; gives the evaluations that it took.
+    pub fn correct(&mut self, pass: &Pass, memory: &mut Memory, share: f64, state: &mut [f64]) -> u64 {
+        let Some(implicit) = &mut self.implicit else { return 0 };
+        let equations = (pass, &mut self.motion, self.projection.as_mut());
+        implicit.correct(equations, &Named::new(memory.blocks()), share, state)
+    }
+
+    /// Takes in the values inside the step at hand, whose dense output is known; gives the evaluations that corrections took.
+    pub fn look_inside(&mut self, pass: &Pass, memory: &mut Memory) -> u64 {
+        let Self { motion, projection, inside, state, arms, implicit, .. } = self;
+        let mut implicit = implicit.as_mut().filter(|implicit| implicit.is_at_hand);
         let mut named = Named::new(memory.blocks());
-        let rows = &mut named.rows;
-        let dimension = state.len();
+        let (dimension, mut evaluations) = (state.len(), 0);
         for point in 0..LOBATTO.len() {
             match point {
-                0 => state.copy_from_slice(&rows.start[..dimension]),
-                last if last + 1 == LOBATTO.len() => state.copy_from_slice(&rows.end[..dimension]),
+                0 => state.copy_from_slice(&named.rows.start[..dimension]),
+                last if last + 1 == LOBATTO.len() => state.copy_from_slice(&named.rows.end[..dimension]),
                 _ => {
-                    pass.state_inside(rows, point, state);
+                    pass.state_inside(&named.rows, point, state);
+                    if let Some(implicit) = &mut implicit {
+                        let equations = (pass, &mut *motion, projection.as_mut());
+                        evaluations += implicit.correct(equations, &named, LOBATTO[point].0, state);
+                    }
                     if let Some(projection) = projection {
                         projection.hold(motion, state[pass.layout.time()], state);
                     }
@@ -158,10 +175,11 @@ impl<'a> Plain<'a> {
             motion.evaluate(state[pass.layout.time()], state);
             for (place, reading) in inside.iter().enumerate() {
                 let value = pass.first_inside() + pass.follow.inside().value(point, place);
-                rows.stages[value] = reading.value(arms, &motion.dynamics);
+                named.rows.stages[value] = reading.value(arms, &motion.dynamics);
             }
         }
         pass.take_inside(&mut named);
+        evaluations
     }
 
     fn reading<'s>(&'s mut self, reads: &'s mut [f64]) -> ReadingSystem<'s, 'a> {

@@ -18,6 +18,7 @@ use super::motion::Motion;
 use coordinates::Coordinates;
 use loosepin_math::{GramSystem, determinant_sign, factor_ldl, solve_square};
 use loosepin_mechanics::dynamics::PlayState;
+use loosepin_mechanics::mechanism::Opening;
 
 /// Half of the span over which rates of shapes are taken, s: 1e-6 of a period of 1 s, and large against round-off.
 const HALF_SPAN_S: f64 = 1e-6;
@@ -46,11 +47,14 @@ const LEAST_SHARE: f64 = 1e-4;
 /// Largest residual of a loop that counts as closed, m for each metre of the mechanism, or rad.
 const CLOSED: f64 = 1e-9;
 
+/// Share of the change of a shape that a loop stays open by where the other coordinates cannot follow; they follow to some 1e-7 of it.
+const FOLLOWED: f64 = 1e-3;
+
 /// Bends and stretches the flexible bodies that are to start settled, and closes the loops: `state` is that at time zero, with
 /// contacts open.
 ///
 /// # Errors
-/// There is no static shape, or none that is stable: the load is beyond what the beams bear.
+/// There is no static shape, or none that is stable: the load is beyond what the beams bear. Or it leaves loops open that nothing else can close.
 pub fn settle(motion: &mut Motion<'_, f64>, state: &mut [f64]) -> Result<(), RunFailure> {
     let coordinates = Coordinates::new(motion.dynamics.mechanism());
     if coordinates.shapes.is_empty() {
@@ -60,7 +64,8 @@ pub fn settle(motion: &mut Motion<'_, f64>, state: &mut [f64]) -> Result<(), Run
     let n = motion.freedoms();
     let mut at_zero = coordinates.undeformed(motion, state);
     let mut settling = Settling::new(motion, coordinates, state);
-    settling.load(&mut at_zero)?;
+    let unloaded = at_zero.clone();
+    settling.load(&mut at_zero).map_err(|failure| settling.reason(&unloaded, failure))?;
     settling.evaluate(0.0, &at_zero);
     let accelerations = settling.coordinates.accelerations(settling.motion, &at_zero);
     let [before, after] = [-HALF_SPAN_S, HALF_SPAN_S].map(|time_s| {
@@ -216,12 +221,32 @@ impl<'s, 'a> Settling<'s, 'a> {
 
     /// Refuses a start at which the other coordinates cannot close the loops.
     fn demand_closed(&mut self, relative: &[f64]) -> Result<(), RunFailure> {
+        let open = self.opening(relative);
+        let allowed = CLOSED * self.motion.dynamics.mechanism().size_m.max(1.0);
+        if open.gap <= allowed { Ok(()) } else { Err(RunFailure::SettledOpen { path: open.path }) }
+    }
+
+    /// The loop that is furthest from being closed.
+    fn opening(&mut self, relative: &[f64]) -> Opening {
         self.coordinates.place(self.motion, 0.0, relative, &mut self.state);
         self.motion.set_state(0.0, &self.state);
         self.motion.dynamics.constraint_residuals(&mut self.defects);
-        let largest = self.defects.iter().fold(0.0_f64, |largest, defect| largest.max(defect.abs()));
-        let allowed = CLOSED * self.motion.dynamics.mechanism().size_m.max(1.0);
-        if largest <= allowed { Ok(()) } else { Err(RunFailure::NotSettled) }
+        let mechanism = self.motion.dynamics.mechanism();
+        Opening::worst(&mechanism.model, &mechanism.real, &self.defects)
+    }
+
+    /// Why no static shape was found from `relative` on, where the loops are closed: a loop stays open when a shape changes a little, or the load is beyond what the beams bear.
+    fn reason(&mut self, relative: &[f64], failure: RunFailure) -> RunFailure {
+        for index in 0..self.coordinates.shapes.len() {
+            let mut moved = relative.to_vec();
+            moved[self.coordinates.shapes[index]] += self.differences[index];
+            self.close_loops(0.0, &mut moved);
+            let open = self.opening(&moved);
+            if open.gap > FOLLOWED * self.differences[index] {
+                return RunFailure::SettledOpen { path: open.path };
+            }
+        }
+        failure
     }
 
     /// Evaluates the equations of motion.

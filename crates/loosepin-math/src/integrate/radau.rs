@@ -182,6 +182,15 @@ impl Radau {
         RadauAttempt { error, growth, evaluations }
     }
 
+    /// x of (μ - J) x = (0, r) with the real factors of the last step, r/(μ² + ω²) of q in a direction of frequency ω: where ω² is far above μ² it takes a difference r between two
+    /// accelerations off, and there is next to nothing in the others.
+    pub fn stiff_share(&self, difference: &[f64]) -> Vec<f64> {
+        let mut right = vec![0.0; 2 * self.freedoms];
+        right[self.freedoms..].copy_from_slice(difference);
+        self.solve_real(&mut right, GAMMA / self.factored);
+        right
+    }
+
     /// J at the second stage as it is guessed.
     fn take_jacobian(&mut self, rows: &mut StepRows<'_, f64>, system: &mut impl System) {
         let n = self.freedoms;

@@ -47,8 +47,24 @@ enum Carrier<T> {
     Rigid,
     /// A floating frame with the shapes of this flexible body of the tree.
     Shapes(usize),
-    /// The nodes of this flexible body in absolute nodal coordinates of the tree, with their accelerations.
-    Nodes(usize, Vec<Nodal<T>>),
+    /// A flexible body in absolute nodal coordinates.
+    Nodes(Nodes<T>),
+}
+
+/// The nodes of a link.
+struct Nodes<T> {
+    /// The flexible body in absolute nodal coordinates of the tree.
+    beam: usize,
+    /// Whether the root of the link is the tip of its mesh.
+    is_turned: bool,
+    accelerations: Vec<Nodal<T>>,
+}
+
+impl<T> Nodes<T> {
+    /// Share of the length of the mesh.
+    fn share(&self, station: &Station) -> f64 {
+        if self.is_turned { 1.0 - station.share } else { station.share }
+    }
 }
 
 impl<T: Real> Dynamics<'_, T> {
@@ -129,7 +145,10 @@ impl<T: Real> Dynamics<'_, T> {
         let nodal = tree.nodal_beams.iter().position(|beam| beam.body == stressed.body);
         let (slot, carrier) = match (shapes, nodal) {
             (Some(beam), _) => (tree.beams[beam].slot, Carrier::Shapes(beam)),
-            (None, Some(beam)) => (tree.nodal_beams[beam].slot, Carrier::Nodes(beam, self.nodal_accelerations(beam))),
+            (None, Some(beam)) => {
+                let (is_turned, accelerations) = (stressed.is_turned, self.nodal_accelerations(beam));
+                (tree.nodal_beams[beam].slot, Carrier::Nodes(Nodes { beam, is_turned, accelerations }))
+            }
             (None, None) => (tree.slot_of_body[stressed.body.0], Carrier::Rigid),
         };
         let [root_m, tip_m] =
@@ -137,7 +156,7 @@ impl<T: Real> Dynamics<'_, T> {
         let (pose, twist, change) =
             (&self.kinematics.poses[slot], &self.kinematics.twists[slot], self.acceleration(slot));
         let axis = match carrier {
-            Carrier::Nodes(..) => Vec2::new(T::one(), T::zero()),
+            Carrier::Nodes(_) => Vec2::new(T::one(), T::zero()),
             Carrier::Shapes(_) | Carrier::Rigid => {
                 pose.turn((tip_m - root_m) * T::from_f64(1.0 / self.sample.sections[index].length_m))
             }
@@ -163,9 +182,11 @@ impl<T: Real> Dynamics<'_, T> {
             Carrier::Shapes(beam) => {
                 self.sample.real.beams[*beam].beam.point_m(station, self.shapes_of(*beam, &self.coordinates))
             }
-            Carrier::Nodes(beam, _) => {
-                let (mesh, nodes) = (&self.mechanism.real.nodal_beams[*beam].mesh, &self.nodal_rooms[*beam].nodes);
-                self.sample.real.nodal_beams[*beam].beam.point_m(mesh, nodes, station.share) - nodes[0].position
+            Carrier::Nodes(link) => {
+                let (mesh, nodes) =
+                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_rooms[link.beam].nodes);
+                let numbers = &self.sample.real.nodal_beams[link.beam].beam;
+                numbers.point_m(mesh, nodes, link.share(station)) - nodes[0].position
             }
             Carrier::Rigid => Vec2::new(T::from_f64(length_m * station.share), T::zero()),
         }
@@ -177,10 +198,10 @@ impl<T: Real> Dynamics<'_, T> {
         let carried = motion.fall_m_s2.plus(d.turned(), change).plus(d, -spin.squared());
         let index = match &motion.carrier {
             Carrier::Rigid => return carried,
-            Carrier::Nodes(beam, accelerations) => {
-                let mesh = &self.mechanism.real.nodal_beams[*beam].mesh;
-                let numbers = &self.sample.real.nodal_beams[*beam].beam;
-                return numbers.point_m(mesh, accelerations, station.share) - self.sample.real.gravity_m_s2;
+            Carrier::Nodes(link) => {
+                let mesh = &self.mechanism.real.nodal_beams[link.beam].mesh;
+                let numbers = &self.sample.real.nodal_beams[link.beam].beam;
+                return numbers.point_m(mesh, &link.accelerations, link.share(station)) - self.sample.real.gravity_m_s2;
             }
             Carrier::Shapes(beam) => *beam,
         };
@@ -199,10 +220,12 @@ impl<T: Real> Dynamics<'_, T> {
                 let (sine, cosine) = numbers.angle_rad(station, self.shapes_of(*beam, &self.coordinates)).sin_cos();
                 Vec2::new(cosine, sine)
             }
-            Carrier::Nodes(beam, _) => {
-                let (mesh, nodes) = (&self.mechanism.real.nodal_beams[*beam].mesh, &self.nodal_rooms[*beam].nodes);
-                let slope = self.sample.real.nodal_beams[*beam].beam.slope(mesh, nodes, station.share);
-                slope * (T::one() / slope.length())
+            Carrier::Nodes(link) => {
+                let (mesh, nodes) =
+                    (&self.mechanism.real.nodal_beams[link.beam].mesh, &self.nodal_rooms[link.beam].nodes);
+                let slope = self.sample.real.nodal_beams[link.beam].beam.slope(mesh, nodes, link.share(station));
+                let along = slope * (T::one() / slope.length());
+                if link.is_turned { -along } else { along }
             }
             Carrier::Rigid => Vec2::new(T::one(), T::zero()),
         }
@@ -213,7 +236,11 @@ impl<T: Real> Dynamics<'_, T> {
         let tree = &self.mechanism.real;
         let numbers = &self.sample.sections[index];
         let place_m = |slot: usize, arm_m: Vec2<f64>| self.kinematics.poses[slot].point_m(Vec2::from_f64(arm_m));
-        let root_m = place_m(motion.slot, numbers.ends_m[0]);
+        let root_m = match &motion.carrier {
+            // The places along it count from the root of the mesh.
+            Carrier::Nodes(link) => self.nodal_rooms[link.beam].nodes[0].position,
+            Carrier::Shapes(_) | Carrier::Rigid => place_m(motion.slot, numbers.ends_m[0]),
+        };
         let into_frame = |vector: Vec2<T>| vector.rotated(-motion.axis.y, motion.axis.x);
         let load = |index: usize| {
             let ((point, share), arm_m, lump) = (stressed.points[index], numbers.arms_m[index], numbers.lumps[index]);

@@ -17,8 +17,10 @@ const CUTS: usize = 65;
 pub struct StressedBody {
     /// The body, which has a beam.
     pub body: BodyId,
-    /// Indices of the points at root and tip of its beam.
+    /// Indices of the points at root and tip of its beam: forces are summed up from the tip.
     pub ends: [usize; 2],
+    /// Whether this root is the tip in the tree: where only the section there is held, the couple on it is not needed.
+    pub is_turned: bool,
     /// Points of the body beyond the root, with the share of the length at which they act.
     pub points: Vec<(usize, f64)>,
     /// Where it is cut.
@@ -41,11 +43,13 @@ impl StressedBody {
                 let points: Vec<(usize, f64)> = in_tree.places.iter().enumerate().filter_map(acting).collect();
                 let shares = cut_shares(in_tree.shapes.inside.iter().map(|station| station.share));
                 let cuts = Arc::new(Cuts::new(&in_tree.basis, &shares));
-                found.push(Self { body, ends: in_tree.points(), points, cuts });
+                found.push(Self { body, ends: in_tree.points(), is_turned: false, points, cuts });
             } else if let Some(in_tree) = real.nodal_beams.iter().find(|in_tree| in_tree.body == body) {
-                let [root, tip] = in_tree.points();
+                let own = in_tree.points();
+                let is_turned = model.holds_section(PointId { body, point: own[1] });
+                let [root, tip] = if is_turned { [own[1], own[0]] } else { own };
                 let cuts = Arc::new(Cuts::of_elements(in_tree.mesh.elements(), &cut_shares(std::iter::empty())));
-                found.push(Self { body, ends: [root, tip], points: vec![(tip, 1.0)], cuts });
+                found.push(Self { body, ends: [root, tip], is_turned, points: vec![(tip, 1.0)], cuts });
             }
         }
         found
@@ -64,7 +68,7 @@ impl StressedBody {
                 .collect();
             let shares = cut_shares(beyond.iter().map(|(_, share)| *share));
             let cuts = Arc::new(Cuts::new(&Basis::new(Frame::Secant, [0, 0], &[]), &shares));
-            Some(Self { body, ends: beam.ends, points: beyond, cuts })
+            Some(Self { body, ends: beam.ends, is_turned: false, points: beyond, cuts })
         };
         flexible.filter_map(cut).collect()
     }

@@ -42,9 +42,9 @@ problems! {
         NoHeight { entry: String, body: String } => Code::BeamNotPossible,
             says("{entry}: the section of body '{body}' is given by area and second moment, and the stress needs its height"),
             hint("give the section of [body.{body}.beam] by width and height, by diameter, or by outer and inner diameter");
-        StressHeldAtTo { entry: String, body: String } => Code::BeamNotPossible,
-            says("{entry}: the section of body '{body}' is held at the end called to, and the couple there is not in the stress yet"),
-            hint("exchange from and to in [body.{body}.beam]; with both ends held take formulation = \"floating-frame\" or leave the stress out");
+        StressHeldAtBothEnds { entry: String, body: String } => Code::BeamNotPossible,
+            says("{entry}: the section of body '{body}' is held at both ends, and the couples there are not in the stress yet"),
+            hint("let a revolute joint carry one of its ends, or leave the stress out");
         OfOtherFormulation { entry: String, key: &'static str, formulation: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' belongs to formulation = \"{formulation}\""),
             hint("leave '{key}' out, or write formulation = \"{formulation}\"");

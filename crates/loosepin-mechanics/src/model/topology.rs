@@ -19,6 +19,16 @@ use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDesc
 use loosepin_text::diagnostics::{Complaint, Place, Source, Span};
 use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
 
+/// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
+pub(crate) fn holds_section(joints: &[Joint], drives: &[Drive], point: PointId) -> bool {
+    let holds = |(index, joint): (usize, &Joint)| {
+        let is_driven = drives.iter().any(|drive| drive.joint.0 == index);
+        let is_rigid = matches!(joint.kind, JointKind::Rigid { .. });
+        (is_rigid || is_driven) && joint.kind.points().into_iter().any(|held| held == point)
+    };
+    joints.iter().enumerate().any(holds)
+}
+
 /// A planar mechanism with its nominal values, checked and in SI.
 #[derive(Debug, Clone)]
 pub struct Model {
@@ -65,6 +75,11 @@ pub struct Model {
 }
 
 impl Model {
+    /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
+    pub fn holds_section(&self, point: PointId) -> bool {
+        holds_section(&self.joints, &self.drives, point)
+    }
+
     /// Whether the worn shape of joints acts back.
     pub fn has_worn_geometry(&self) -> bool {
         self.wear.is_some_and(|life| life.geometry != WearGeometry::Fixed)

@@ -45,8 +45,7 @@ impl Batch<'_> {
 
     /// Takes in the values inside the accepted steps at hand that are `recorded`.
     fn look_inside(&mut self, recorded: u32) {
-        self.core.look_inside();
-        let evaluations = self.core.pass.stepper.evaluations_for_dense();
+        let evaluations = self.core.evaluations_for_dense() + self.core.look_inside();
         for lane in lanes_of(recorded) {
             self.core.add_evaluations(lane, evaluations);
         }
@@ -68,6 +67,7 @@ impl Batch<'_> {
         });
         let largest = self.follow.inside().reading(reading);
         let known = [core.followed(lane, largest), core.followed(lane, largest + 1)];
+        let mut evaluations = 0;
         let value = |share: f64| {
             if *viewed != run.number {
                 *viewed = run.number;
@@ -77,6 +77,7 @@ impl Batch<'_> {
                 *state = core.contact(lane, contact).0;
             }
             core.interpolate(lane, share, view_state);
+            evaluations += core.correct(share, view_state);
             let time_s = view_state[view.layout.time()];
             if let Some(projection) = view_projection {
                 projection.hold(view, time_s, view_state);
@@ -88,6 +89,7 @@ impl Batch<'_> {
         for (place, extreme) in found.into_iter().enumerate() {
             core.set_followed(lane, largest + place, extreme);
         }
+        core.add_evaluations(lane, evaluations);
     }
 
     /// Locates the extremes of the steps that may hold new ones.

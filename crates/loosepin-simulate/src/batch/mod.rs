@@ -511,7 +511,7 @@ impl<'a> Batch<'a> {
         }
         let time = self.times(lane);
         let Some(run) = &mut self.runs[lane] else { return Ok(()) };
-        let mut dense = LaneDense { core: &mut self.core, lane, evaluations: 0 };
+        let mut dense = LaneDense { core: &mut self.core, lane, is_prepared: false, evaluations: 0 };
         let source = Source::Integrated {
             dense: &mut dense,
             sample: &run.sample,
@@ -665,18 +665,24 @@ fn next_stop_s(sample: &Sample<f64>, time_s: f64, window: &Window) -> f64 {
 struct LaneDense<'s, 'a> {
     core: &'s mut Core<'a>,
     lane: usize,
+    /// Whether a look has been taken inside.
+    is_prepared: bool,
     /// Evaluations that this lane's looks have cost.
     evaluations: u64,
 }
 
 impl DenseOutput for LaneDense<'_, '_> {
-    fn interpolate(&mut self, share: f64, state: &mut [f64]) {
+    fn interpolate(&mut self, share: f64, for_forces: bool, state: &mut [f64]) {
         // Its ends are known.
-        if self.evaluations == 0 && share > 0.0 && share < 1.0 {
-            self.evaluations = self.core.pass.stepper.evaluations_for_dense();
+        if !self.is_prepared && share > 0.0 && share < 1.0 {
+            self.is_prepared = true;
+            self.evaluations += self.core.evaluations_for_dense();
             self.core.prepare_dense();
         }
         self.core.interpolate(self.lane, share, state);
+        if for_forces {
+            self.evaluations += self.core.correct(share, state);
+        }
     }
 
     fn contact(&self, contact: usize) -> PlayState<f64> {

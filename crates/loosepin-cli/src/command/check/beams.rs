@@ -42,8 +42,8 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
     let push_estimate = |text: &mut String, indent: &str, body: BodyId| match &estimates {
         Ok(estimates) => {
             let estimate = estimates.iter().find(|estimate| estimate.body == body);
-            if let Some((estimate, beam)) = estimate.zip(model.bodies[body.0].beam.as_ref()) {
-                push_bending(text, indent, beam, estimate, mechanism.is_driven());
+            if let Some(estimate) = estimate {
+                push_bending(text, indent, &model.bodies[body.0], estimate, mechanism.is_driven());
             }
         }
         Err(failure) => {
@@ -71,6 +71,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
         let condensed = numbers.condensed.as_ref();
         let limit_hz = condensed.map_or(f64::INFINITY, |condensed| condensed.above_hz);
         let fastest_hz = axial.iter().chain(&lateral).fold(0.0_f64, |fastest, hz| fastest.max(*hz)).min(limit_hz);
+        let lowest_hz = axial.iter().chain(&lateral).fold(f64::INFINITY, |lowest, hz| lowest.min(*hz));
         for (frequencies_hz, one, many) in
             [(lateral, "lateral shape", "lateral shapes"), (axial, "axial shape", "axial shapes")]
         {
@@ -87,6 +88,14 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
                 counted(were_hz.len(), "shape", "shapes"),
                 format_value(*above_hz, Dimension::NUMBER),
             );
+            if *above_hz <= lowest_hz {
+                let _ = writeln!(
+                    text,
+                    "{indent}warning: all its shapes are condensed: condense_above lies below the lowest of them, {} Hz\n\
+                     {indent}hint: take condense_above above 3 over the duration of a contact, or leave it out",
+                    format_value(lowest_hz, Dimension::NUMBER),
+                );
+            }
         }
         if !lumps.is_empty() {
             let _ = writeln!(text, "{indent}with {}", listed(&lumps, "and"));
@@ -195,5 +204,43 @@ fn push_contacts(
             "{indent}the contact in '{}' has {ratio:.2} times its axial stiffness EA/L at a penetration of 10 µm",
             model.joints[joint.0].name
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::push_beams;
+    use loosepin::mechanism::Mechanism;
+    use loosepin::model::Model;
+
+    fn words(keys: &str) -> String {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/flexible_slider_crank/model.toml");
+        let text = std::fs::read_to_string(path).expect("the case is there");
+        let shapes = "lateral_shapes = 2\naxial_shapes = 2";
+        assert!(text.contains(shapes));
+        let text = text.replace(shapes, &format!("{shapes}\n{keys}"));
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
+        let mut text = String::new();
+        push_beams(&mut text, &mechanism, &values, 0.04);
+        text
+    }
+
+    /// The lowest shape of the rod is π/2 √(EI/ρA)/L² = 203.2 Hz.
+    #[test]
+    fn warning_of_a_condensed_body_that_keeps_no_shape() {
+        let lowest_hz = std::f64::consts::FRAC_PI_2 * (200e9_f64 / 7870.0 / 12.0).sqrt() * 0.008 / 0.09;
+        let of = |above_hz: f64| words(&format!("condense_above = \"{above_hz} Hz\""));
+        let warned = of(lowest_hz - 0.1);
+        assert!(warned.contains("4 shapes above "), "{warned}");
+        assert!(
+            warned
+                .contains("warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.2")
+                && warned.contains("hint: take condense_above above 3 over the duration of a contact, or leave it out"),
+            "{warned}"
+        );
+        let kept = of(lowest_hz + 0.1);
+        assert!(kept.contains("3 shapes above ") && !kept.contains("all its shapes"), "{kept}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use loosepin::model::Beam;
+use loosepin::model::{Beam, Body};
 use loosepin::simulate::BendingEstimate;
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -23,7 +23,8 @@ const LARGEST_LEFT_OUT: f64 = 0.05;
 const ROUND_OFF: f64 = 1e-12;
 
 /// What is known of a body's bending before a run: numbers, then warnings with what to do.
-pub fn push_bending(text: &mut String, indent: &str, beam: &Beam, estimate: &BendingEstimate, is_driven: bool) {
+pub fn push_bending(text: &mut String, indent: &str, body: &Body, estimate: &BendingEstimate, is_driven: bool) {
+    let Some(beam) = &body.beam else { return };
     let force = |force_n: f64| {
         let is_round_off = force_n < ROUND_OFF * estimate.buckling_load_n;
         format_value(if is_round_off { 0.0 } else { two_digits(force_n) }, Dimension::FORCE)
@@ -36,13 +37,13 @@ pub fn push_bending(text: &mut String, indent: &str, beam: &Beam, estimate: &Ben
         force(estimate.largest_tension_n),
         force(estimate.largest_compression_n),
     );
-    for (warning, hint) in warnings(beam, estimate, is_driven) {
+    for (warning, hint) in warnings(body, beam, estimate, is_driven) {
         let _ = writeln!(text, "{indent}warning: {warning}\n{indent}hint: {hint}");
     }
 }
 
 /// Warnings, each with a hint.
-fn warnings(beam: &Beam, estimate: &BendingEstimate, is_driven: bool) -> Vec<(String, &'static str)> {
+fn warnings(body: &Body, beam: &Beam, estimate: &BendingEstimate, is_driven: bool) -> Vec<(String, &'static str)> {
     let angle = angle_in_words(estimate);
     let share = estimate.largest_compression_n / estimate.buckling_load_n;
     if beam.is_nodal() {
@@ -59,22 +60,22 @@ fn warnings(beam: &Beam, estimate: &BendingEstimate, is_driven: bool) -> Vec<(St
             Vec::new()
         };
     }
-    const TAKE_NODAL: &str = "write formulation = \"absolute-nodal\"";
+    let take_nodal = towards_nodal(body, beam);
     let mut found = Vec::new();
     if estimate.largest_angle_rad > LARGEST_ANGLE_RAD {
         found.push((
             format!("its loads turn sections by {angle} rad, and a floating frame does up to 0.1 rad"),
-            TAKE_NODAL,
+            take_nodal,
         ));
     }
     if estimate.largest_strain > LARGEST_STRAIN {
         let strain = format_number(two_digits(100.0 * estimate.largest_strain));
-        found.push((format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"), TAKE_NODAL));
+        found.push((format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"), take_nodal));
     }
     if share > LARGEST_PUSH {
         let load = format_value(two_digits(estimate.buckling_load_n), Dimension::FORCE);
         let share = format_number(two_digits(share));
-        found.push((format!("the push is {share} of the {load} under which it buckles"), TAKE_NODAL));
+        found.push((format!("the push is {share} of the {load} under which it buckles"), take_nodal));
     }
     let axial = estimate.largest_tension_n.max(estimate.largest_compression_n) / estimate.buckling_load_n;
     if !beam.foreshortening && axial > LARGEST_LEFT_OUT {
@@ -85,6 +86,21 @@ fn warnings(beam: &Beam, estimate: &BendingEstimate, is_driven: bool) -> Vec<(St
         found.push((warning, "leave foreshortening out"));
     }
     found
+}
+
+/// The way to absolute nodal coordinates, which take no lumps, no points between the ends and no damping ratio.
+fn towards_nodal(body: &Body, beam: &Beam) -> &'static str {
+    let has_points_inside = (0..body.points.len()).any(|point| !beam.ends.contains(&point));
+    match (beam.lumps.is_empty(), has_points_inside, beam.damping_ratio) {
+        (true, false, None) => "write formulation = \"absolute-nodal\"",
+        (true, false, Some(_)) => {
+            "write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"
+        }
+        _ => {
+            "absolute nodal coordinates would do, and take neither lumps nor points between the ends: leave these out with \
+             formulation = \"absolute-nodal\", or take a stiffer section"
+        }
+    }
 }
 
 fn angle_in_words(estimate: &BendingEstimate) -> String {
@@ -125,8 +141,12 @@ mod tests {
     }
 
     fn found(model: &Model, estimate: &BendingEstimate, is_driven: bool) -> Vec<String> {
-        let beam = model.bodies[2].beam.as_ref().expect("a beam");
-        warnings(beam, estimate, is_driven).into_iter().map(|(warning, hint)| format!("{warning}; {hint}")).collect()
+        let body = &model.bodies[2];
+        let beam = body.beam.as_ref().expect("a beam");
+        warnings(body, beam, estimate, is_driven)
+            .into_iter()
+            .map(|(warning, hint)| format!("{warning}; {hint}"))
+            .collect()
     }
 
     #[test]
@@ -148,6 +168,32 @@ mod tests {
             pushed[0]
         );
         assert!(pushed[1].starts_with("the push is 0.8 of the 1000 N under which it buckles;"), "{}", pushed[1]);
+    }
+
+    /// What is advised can be done: the file with the keys that the hint names is read, with all others of the floating frame left out.
+    #[test]
+    fn hints_towards_absolute_nodal_coordinates_can_be_followed() {
+        let shapes = "lateral_shapes = 2\naxial_shapes = 2";
+        let hint = |to: &str| found(&model(shapes, to), &estimate(0.2345, 0.1, 1e-4), true).swap_remove(0);
+        let damped = hint(&format!("{shapes}\ndamping_ratio = 0.01"));
+        assert!(
+            damped
+                .ends_with("; write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"),
+            "{damped}"
+        );
+        model(shapes, "formulation = \"absolute-nodal\"\nretardation_time = \"1 us\"");
+        let points = "small_end = [\"rod_length\", \"0 mm\"] }";
+        let with_point = model(points, &points.replace(" }", ", eye = [\"100 mm\", \"0 mm\"] }"));
+        let lumped = hint(&format!("{shapes}\nlumps.bush = {{ at = \"small_end\", mass = \"1 g\" }}"));
+        for hint in [lumped, found(&with_point, &estimate(0.2345, 0.1, 1e-4), true).swap_remove(0)] {
+            assert!(
+                hint.ends_with(
+                    "; absolute nodal coordinates would do, and take neither lumps nor points between the ends: leave these out with \
+                     formulation = \"absolute-nodal\", or take a stiffer section"
+                ),
+                "{hint}"
+            );
+        }
     }
 
     #[test]
@@ -181,8 +227,7 @@ mod tests {
         }
         assert_eq!(angle_in_words(&estimate(250.0, 0.0, 0.0)), "more than 1");
         let mut text = String::new();
-        let beam = model.bodies[2].beam.as_ref().expect("a beam");
-        push_bending(&mut text, "  ", beam, &estimate(0.02, 1e-15, 1e-4), true);
+        push_bending(&mut text, "  ", &model.bodies[2], &estimate(0.02, 1e-15, 1e-4), true);
         assert_eq!(
             text,
             "  as a rigid link over a turn: its loads turn sections by 0.02 rad, pull by 12 N, push by 0 N\n"

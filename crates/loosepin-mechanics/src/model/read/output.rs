@@ -3,11 +3,11 @@
 use super::reader::ModelReader;
 use crate::model::beam::Beam;
 use crate::model::beam_problem::BeamProblem;
-use crate::model::ids::{Actuator, Axis, BodyId, JointId, PointId};
+use crate::model::ids::{Actuator, Axis, BodyId, PointId};
 use crate::model::keys::{MEASURES, OUTPUT_KEYS};
 use crate::model::output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
 use crate::model::problem::ModelProblem;
-use crate::model::topology::{Body, Joint, JointKind};
+use crate::model::topology::{Body, holds_section};
 use crate::model::wear::WearMeasure;
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
@@ -91,9 +91,10 @@ impl ModelReader {
         let body = self.body_of(entry)?;
         let Body { name, beam, .. } = &self.bodies[body.0];
         let (entry_words, name) = (entry.path.describe(), name.clone());
+        let is_held = |point| holds_section(&self.joints, &self.drives, PointId { body, point });
         let problem = match beam {
-            Some(beam) if beam.is_nodal() && self.holds_section(PointId { body, point: beam.ends[1] }) => {
-                BeamProblem::StressHeldAtTo { entry: entry_words, body: name }
+            Some(beam) if beam.is_nodal() && beam.ends.into_iter().all(is_held) => {
+                BeamProblem::StressHeldAtBothEnds { entry: entry_words, body: name }
             }
             Some(Beam { height_m: Some(_), .. }) => return Some(OutputKind::Stress(body)),
             Some(_) => BeamProblem::NoHeight { entry: entry_words, body: name },
@@ -102,16 +103,6 @@ impl ModelReader {
             None => BeamProblem::IsRigid { entry: entry_words, body: name },
         };
         self.reader.refuse(&problem, entry.span)
-    }
-
-    /// Whether a rigid joint or a drive holds the section at a point, so that a couple acts there.
-    fn holds_section(&self, point: PointId) -> bool {
-        let holds = |(index, joint): (usize, &Joint)| {
-            let is_driven = self.drives.iter().any(|drive| drive.joint == JointId(index));
-            let is_rigid = matches!(joint.kind, JointKind::Rigid { .. });
-            (is_rigid || is_driven) && joint.kind.points().into_iter().any(|held| held == point)
-        };
-        self.joints.iter().enumerate().any(holds)
     }
 
     /// The point that `entry` names, and the one under `relative_to`.

@@ -100,3 +100,61 @@ fn analytic_whip_of_a_connecting_rod() {
     assert!(largest > 1e-3, "{largest}");
     near(found.largest_angle_rad, largest);
 }
+
+/// Euler's columns as their ends are held: clamped and free, clamped and pinned to the ground or to a slider, clamped at both ends, and between pins.
+#[test]
+fn analytic_buckling_loads_of_supported_columns() {
+    let own = BENDING_N_M2 / LENGTH_M.powi(2);
+    // tan β = β between π and 3π/2, by halving.
+    let (mut below, mut above) = (4.0_f64, 4.7_f64);
+    for _ in 0..60 {
+        let middle = 0.5 * (below + above);
+        if middle.tan() < middle { below = middle } else { above = middle }
+    }
+    let pinned = below * below * own;
+    // The bar is welded to the ground; the drive of the cycle turns a wheel beside it.
+    let welded_bar = |formulation: &str, more: &str| {
+        let text = bar("0 m/s^2", "speed = \"1 rad/s\"\nstart_angle = \"0 rad\"", formulation, more);
+        let main = "[joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"bar.root\"\n";
+        let weld = "[joint.weld]\nkind = \"rigid\"\nfirst = \"ground.o\"\nsecond = \"bar.root\"\nangle = \"0 deg\"\n\
+                    [body.wheel]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+                    points = { axle = [\"0 mm\", \"0 mm\"] }\n\
+                    [joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"wheel.axle\"\n";
+        assert!(text.contains(main));
+        text.replace(main, weld)
+            .replace("o = [\"0 mm\", \"0 mm\"]", "o = [\"0 mm\", \"0 mm\"], far = [\"400 mm\", \"0 mm\"]")
+    };
+    let to_ground = "[joint.far]\nkind = \"revolute\"\nbearing = \"ground.far\"\njournal = \"bar.tip\"\n";
+    let to_slider = "[body.foot]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+                     points = { pin = [\"0 mm\", \"0 mm\"] }\n\
+                     [joint.far]\nkind = \"KIND\"\nbearing = \"bar.tip\"\njournal = \"foot.pin\"\n\
+                     [joint.guide]\nkind = \"prismatic\"\nguide = { point = \"ground.o\", angle = \"0 deg\" }\nslider = \"foot.pin\"\n";
+    let to_slider = to_slider.replace("KIND", "revolute");
+    let welded = to_slider.replace(
+        "kind = \"revolute\"\nbearing = \"bar.tip\"\njournal",
+        "kind = \"rigid\"\nfirst = \"bar.tip\"\nangle = \"0 deg\"\nsecond",
+    );
+    // On a link that moves otherwise the pin holds nothing sideways.
+    let link = "[body.link]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+                points = { pin = [\"0 mm\", \"0 mm\"] }\n\
+                [joint.far]\nkind = \"revolute\"\nbearing = \"bar.tip\"\njournal = \"link.pin\"\n\
+                [initial.body.link]\nangle = \"0 deg\"\nangular_velocity = \"0 rad/s\"\n";
+    let load_of = |text: String| {
+        let built = build(&text);
+        estimate_bending(&built.mechanism, &built.values, 0.0).unwrap_or_else(|failure| panic!("{failure}"))[0]
+            .buckling_load_n
+    };
+    for formulation in ["formulation = \"absolute-nodal\"", "frame = \"tangent\""] {
+        let clamped = |more: &str| load_of(welded_bar(formulation, more));
+        near(clamped(""), 0.25 * PI.powi(2) * own);
+        near(clamped(link), 0.25 * PI.powi(2) * own);
+        near(clamped(to_ground), pinned);
+        near(clamped(&to_slider), pinned);
+        if formulation.starts_with("formulation") {
+            near(clamped(&welded), 4.0 * PI.powi(2) * own);
+        }
+    }
+    let rod = "formulation = \"absolute-nodal\"";
+    let text = case_text("flexible_slider_crank").replace("lateral_shapes = 2\naxial_shapes = 2", rod);
+    near(load_of(text), PI.powi(2) * 200e9 * 0.008_f64.powi(4) / 12.0 / 0.09);
+}

@@ -69,7 +69,7 @@ fn blade_tips_m(elements: usize, times: usize) -> Vec<f64> {
         ..Plan::of_model(&built.mechanism.model)
     };
     let record = simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record;
-    // Explicit steps, which follow axial waves, have the same places to 5e-8 m, with fourteen times the evaluations.
+    // Explicit steps, which follow axial waves, have the same places to 5e-8 m, with twelve times the evaluations.
     assert!(record.energy.relative_residual < 1e-6, "{:e}", record.energy.relative_residual);
     rows.iter().map(|row| values(&record, "across")[*row]).collect()
 }

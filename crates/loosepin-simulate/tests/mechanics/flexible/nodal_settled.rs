@@ -123,3 +123,30 @@ fn identity_a_rod_that_starts_settled_does_not_ring() {
     assert_eq!(own.len(), floating.len());
     assert!(largest(&apart) < 5e-5 * largest(&own), "{:e} of {:e}", largest(&apart), largest(&own));
 }
+
+/// Welded to the ground at one end and on a pivot at the other, a bar that its weight bends has nowhere to go: nothing else can close the loop.
+#[test]
+fn messages_of_a_settled_start_that_leaves_a_loop_open() {
+    let pivot = "[joint.far]\nkind = \"revolute\"\nbearing = \"ground.far\"\njournal = \"bar.tip\"\n";
+    let main = "[joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"bar.root\"\n";
+    let weld = "[joint.weld]\nkind = \"rigid\"\nfirst = \"ground.o\"\nsecond = \"bar.root\"\nangle = \"0 deg\"\n\
+                [body.wheel]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+                points = { axle = [\"0 mm\", \"0 mm\"] }\n\
+                [joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"wheel.axle\"\n";
+    let text = bar("9.81 m/s^2", "speed = \"1 rad/s\"\nstart_angle = \"0 rad\"", 8, pivot);
+    assert!(text.contains(main));
+    let text = text
+        .replace(main, weld)
+        .replace("o = [\"0 mm\", \"0 mm\"]", "o = [\"0 mm\", \"0 mm\"], far = [\"1000 mm\", \"0 mm\"]");
+    let refusal = outcome(&text).expect_err("it stays open");
+    assert_eq!(refusal.code(), "settled_open");
+    assert_eq!(
+        refusal.to_string(),
+        "a flexible body with start = \"settled\" bends or stretches there, and the links cannot close at joint 'far'"
+    );
+    // The same in a floating frame.
+    let nodal = "formulation = \"absolute-nodal\"\nelements = 8";
+    assert!(text.contains(nodal));
+    let floating = text.replace(nodal, "frame = \"tangent\"\nlateral_shapes = 2\naxial_shapes = 1");
+    assert_eq!(outcome(&floating).expect_err("it stays open"), refusal);
+}

@@ -156,6 +156,61 @@ fn identity_stress_in_absolute_nodal_coordinates_is_that_in_the_floating_frame()
     }
 }
 
+/// A bar in absolute nodal coordinates that is held at the end called `to`: the same closed forms.
+#[test]
+fn analytic_stress_of_a_bar_that_is_held_at_either_end() {
+    let load = |force_n: f64, direction: &str| {
+        format!(
+            "[load.push]\nkind = \"force\"\npoint = \"bar.tip\"\nforce = \"{force_n} N\"\ndirection = \"{direction}\"\n"
+        )
+    };
+    let weight_n = DENSITY_KG_M3 * AREA_M2 * LENGTH_M * 9.81;
+    let exchanged = |text: String| {
+        let with = text.replace("from = \"root\"\nto = \"tip\"", "from = \"tip\"\nto = \"root\"");
+        assert_ne!(text, with);
+        with
+    };
+    let cases = [
+        (nodal("9.81 m/s^2", &held(0.0), &load(2.0, "-90 deg")), (0.5 * weight_n + 2.0) * LENGTH_M / MODULUS_M3, 2e-5),
+        (nodal("0 m/s^2", &held(0.0), &load(700.0, "0 deg")), 700.0 / AREA_M2, 1e-6),
+    ];
+    for (text, due_pa, relative) in cases {
+        demand_of(&record_within(&exchanged(text), TOLERANCE_OF_NODES_M), due_pa, relative);
+    }
+}
+
+/// A pendulum with a heavy body welded to its far end, the one called `from`, whose couple bends it: in absolute nodal coordinates, and as a lump of a floating frame that hangs by
+/// its `from`.
+#[test]
+fn identity_stress_of_a_pendulum_with_a_body_welded_to_it() {
+    /// Of a hundredth that the couple makes.
+    const RELATIVE: f64 = 2e-4;
+    let pendulum = |beam: &str, more: &str| {
+        let drive = "[drive.bar]\njoint = \"main\"\n";
+        let text = bar("9.81 m/s^2", "", [1, 1], more);
+        assert!(text.contains(drive) && text.contains("frame = \"tangent\"\n"));
+        text.replace(drive, "[initial.body.bar]\nangle = \"0 deg\"\n")
+            .replace("frame = \"tangent\"\nstart = \"settled\"\nlateral_shapes = 1\naxial_shapes = 1\n", beam)
+            .replace("duration = \"2 ms\"", "duration = \"0.3 ms\"")
+    };
+    let head = "[body.head]\nmass = \"0.4 kg\"\ninertia = \"2e-2 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
+                points = { weld = [\"0 mm\", \"0 mm\"] }\n\
+                [joint.weld]\nkind = \"rigid\"\nfirst = \"bar.tip\"\nsecond = \"head.weld\"\nangle = \"0 deg\"\n";
+    let nodal = pendulum("formulation = \"absolute-nodal\"\nelements = 8\nstart = \"settled\"\n", head)
+        .replace("from = \"root\"\nto = \"tip\"", "from = \"tip\"\nto = \"root\"");
+    let lump = "start = \"settled\"\nlateral_shapes = 8\naxial_shapes = 2\n\
+                lumps.head = { at = \"tip\", mass = \"0.4 kg\", inertia = \"2e-2 kg m^2\" }\n";
+    let floating = pendulum(lump, "");
+    let built = build(&nodal);
+    assert!(built.mechanism.real.nodal_beams[0].is_reversed && built.mechanism.stressed[0].is_turned);
+    let [nodal, floating] = [&nodal, &floating].map(|text| record_within(text, TOLERANCE_OF_NODES_M));
+    let [nodal, floating] = [&nodal, &floating].map(|record| values(record, "stress"));
+    assert_eq!(nodal.len(), floating.len());
+    for (found, due) in nodal.iter().zip(floating) {
+        assert!((found / due - 1.0).abs() < RELATIVE, "{found:e} Pa for {due:e} Pa");
+    }
+}
+
 /// A bar on two pins, the second on a slider: q L²/8 in the middle, under the weight across it.
 #[test]
 fn analytic_stress_of_a_bar_on_two_supports() {
