@@ -236,7 +236,7 @@ mod tests {
         assert!(warned.contains("4 shapes above "), "{warned}");
         assert!(
             warned
-                .contains("warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.2")
+                .contains("warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.19")
                 && warned.contains("hint: take condense_above above 3 over the duration of a contact, or leave it out"),
             "{warned}"
         );
