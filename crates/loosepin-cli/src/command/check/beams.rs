@@ -235,9 +235,9 @@ mod tests {
         let warned = of(lowest_hz - 0.1);
         assert!(warned.contains("4 shapes above "), "{warned}");
         assert!(
-            warned
-                .contains("warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.19")
-                && warned.contains("hint: take condense_above above 3 over the duration of a contact, or leave it out"),
+            warned.contains(
+                "warning: all its shapes are condensed: condense_above lies below the lowest of them, 203.19"
+            ) && warned.contains("hint: take condense_above above 3 over the duration of a contact, or leave it out"),
             "{warned}"
         );
         let kept = of(lowest_hz + 0.1);
