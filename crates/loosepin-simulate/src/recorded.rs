@@ -153,7 +153,8 @@ impl<'a> Recorded<'a> {
     pub fn load(&mut self, pass: &Pass, memory: &mut Memory, lane: usize, sample: &Sample<f64>, arms: &Arms) {
         let values = numbers(sample, arms);
         let is_other = |(fixed, value): (&Option<f64>, &f64)| fixed.is_some_and(|fixed| fixed != *value);
-        if self.fixed.iter().zip(&values).any(is_other) {
+        let is_rewritten = self.fixed.iter().zip(&values).any(is_other);
+        if is_rewritten {
             for (fixed, value) in self.fixed.iter_mut().zip(&values) {
                 *fixed = fixed.filter(|fixed| fixed == value);
             }
@@ -165,8 +166,9 @@ impl<'a> Recorded<'a> {
         for (index, value) in values.into_iter().enumerate() {
             memory.set(Block::Numbers, index, lane, value);
         }
-        // Lanes beside it are prepared again, to the same bits.
-        run(&self.sequences.prepare, lane..lane + 1, memory, &mut self.scratch);
+        // Other programs put what they prepare elsewhere, for the runs at hand as well. Lanes that are prepared again have the same bits.
+        let lanes = if is_rewritten { 0..self.lanes } else { lane..lane + 1 };
+        run(&self.sequences.prepare, lanes, memory, &mut self.scratch);
     }
 
     /// Whether attempts are machine code.

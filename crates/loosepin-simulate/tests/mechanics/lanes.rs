@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::Model;
+use loosepin_mechanics::model::{Model, QuantityId};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{
     Arms, Counters, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue,
@@ -25,6 +25,8 @@ struct Case {
     /// What is looked at inside the steps: velocity and acceleration of each position, then forces and all else.
     inside: Vec<Reading>,
     turn_s: f64,
+    /// What the first so many runs have in place of the nominal value.
+    other: Option<(usize, QuantityId, f64)>,
 }
 
 fn case_text(name: &str) -> String {
@@ -53,7 +55,7 @@ fn compiled(name: &str, text: &str) -> Case {
     };
     let inside = readings.iter().flat_map(rates).chain(others).collect();
     let turn_s = model.cycle_input(&nominal).turn_s();
-    Case { mechanism, readings, inside, turn_s }
+    Case { mechanism, readings, inside, turn_s, other: None }
 }
 
 /// Everything that an observer can see of a run.
@@ -120,6 +122,7 @@ impl Queue for Waiting<'_> {
                 set.push((id, factor * model.quantities.nominal()[id]));
             }
         }
+        set.extend(self.case.other.filter(|(first, ..)| index < *first).map(|(_, id, value)| (id, value)));
         let values = model.quantities.evaluate(&set).expect("the clearances are possible");
         // Every third run is longer, so that lanes become free at different times.
         let turns = self.turns * if index.is_multiple_of(3) { 1.3 } else { 1.0 };
@@ -271,18 +274,31 @@ fn identity_links_with_lumps_and_condensed_shapes_have_the_same_bits_in_every_la
     assert_same_bits("flexible_lumps.toml", 0.05);
 }
 
+/// A number that is zero in the first runs and not in the others, or the other way round: programs are written again while many lanes run.
+#[test]
+fn identity_a_number_that_stops_being_zero_leaves_the_bits_of_runs_at_hand() {
+    let name = "slider_crank_5000";
+    let plain = case(name);
+    let path = "joint.guide.guide.angle";
+    let id = plain.mechanism.model.quantities.id(path).unwrap_or_else(|| panic!("{path} is a quantity"));
+    assert_same_bits_of(&Case { other: Some((20, id, 1e-4)), ..plain }, name, 0.1);
+}
+
 /// Runs of a case for some turns alone and together, in both orders, by every execution.
 fn assert_same_bits(name: &str, turns: f64) {
-    let case = case(name);
+    assert_same_bits_of(&case(name), name, turns);
+}
+
+fn assert_same_bits_of(case: &Case, name: &str, turns: f64) {
     let forward: Vec<usize> = (0..RUNS).collect();
     let backward: Vec<usize> = (0..RUNS).rev().collect();
     let settings = Settings::for_study();
-    let alone = conducted(&case, forward.clone(), turns, Execution::Scalar, &settings);
+    let alone = conducted(case, forward.clone(), turns, Execution::Scalar, &settings);
     assert!(alone.iter().all(|seen| seen.steps.len() > 3), "{name}: the runs are long enough to tell something");
     assert!(alone.iter().any(|seen| !seen.contacts.is_empty()), "{name}: there is contact");
     for execution in Execution::available() {
         for order in [&forward, &backward] {
-            let together = conducted(&case, order.clone(), turns, execution, &settings);
+            let together = conducted(case, order.clone(), turns, execution, &settings);
             for (index, (one, other)) in alone.iter().zip(&together).enumerate() {
                 assert_eq!(one, other, "{name}, run {index}, {}", execution.name());
             }
@@ -439,7 +455,8 @@ fn identity_a_run_is_not_changed_by_who_looks_at_it() {
     let case = case("six_bar");
     let mut reports: Vec<Vec<Option<RunReport>>> = Vec::new();
     for readings in [case.readings.clone(), Vec::new()] {
-        let case = Case { mechanism: case.mechanism.clone(), readings, inside: Vec::new(), turn_s: case.turn_s };
+        let case =
+            Case { mechanism: case.mechanism.clone(), readings, inside: Vec::new(), turn_s: case.turn_s, other: None };
         let seen = conducted(&case, (0..RUNS).collect(), 0.03, Execution::best(), &Settings::for_study());
         let without_findings = |report: RunReport| RunReport { findings: Findings::default(), ..report };
         reports.push(seen.into_iter().map(|seen| seen.report.map(without_findings)).collect());
