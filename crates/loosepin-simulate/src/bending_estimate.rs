@@ -88,7 +88,7 @@ impl<'m> Link<'m> {
         let beam = mechanism.model.bodies[body.0].beam.as_ref()?;
         let length_m = values[beam.length_m];
         let stiffness = [beam.axial_stiffness_n_m, beam.bending_stiffness_n_m].map(|id| values[id] * length_m);
-        let factor = buckling_factor(&mechanism.model, beam.ends.map(|point| PointId { body, point }));
+        let factor = buckling_factor(&mechanism.model, values, beam.ends.map(|point| PointId { body, point }));
         let buckling_load_n = factor * factor * stiffness[1] / (length_m * length_m);
         Some(Self { body, beam, length_m, stiffness, buckling_load_n })
     }

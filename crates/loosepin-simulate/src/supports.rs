@@ -1,17 +1,24 @@
 //! How the ends of a beam are held, and the push under which it buckles.
 //!
 //! ```text
-//! F = β² EI/L²,   β = π between pins, π/2 clamped and free, tan β = β clamped and pinned, 2π clamped at both ends
+//! F = β² EI/L²
+//!
+//! β   π           between pins; clamped, and at the other end kept from turning but not sideways
+//!     π/2         clamped and free
+//!     tan β = β   clamped and pinned
+//!     2π          clamped at both ends
 //! ```
 //!
 //! A section that a drive or a rigid joint holds is clamped. An end beside a clamped one counts as held sideways where its joint is to the body of the clamp, or to one that slides
-//! on that; on a link that moves otherwise it counts as free, which is the lower load.
+//! on that along the beam; on a link that moves otherwise it counts as free, which is the lower load.
 
-use loosepin_mechanics::model::{BodyId, JointKind, Model, PointId};
+use loosepin_mechanics::model::{BodyId, JointKind, Model, PointId, Values};
 use std::f64::consts::PI;
 
 /// Least positive solution of tan β = β.
 const CLAMPED_AND_PINNED: f64 = 4.493_409_457_909_064;
+/// Angle between a guide and a beam up to which the guide is one along the beam, rad.
+const ALONG_RAD: f64 = 0.1;
 
 /// A joint at an end.
 #[derive(Clone, Copy)]
@@ -20,41 +27,75 @@ struct Hold {
     is_clamp: bool,
     /// The body that it is to.
     to: BodyId,
+    /// Of a rigid joint: direction of the beam from the x axis of that body, rad.
+    beam_rad: Option<f64>,
 }
 
 /// β of a beam with these ends.
-pub(super) fn buckling_factor(model: &Model, ends: [PointId; 2]) -> f64 {
-    let holds = ends.map(|end| holds_at(model, end));
-    let clamps: Vec<usize> = (0..2).filter(|&end| holds[end].iter().any(|hold| hold.is_clamp)).collect();
-    let Some(&clamped) = clamps.first() else { return PI };
-    let bases = || holds[clamped].iter().filter(|hold| hold.is_clamp).map(|hold| hold.to);
-    let is_beside = |hold: &Hold| bases().any(|base| hold.to == base || slides_on(model, hold.to, base));
-    let beside: Vec<&Hold> = holds[1 - clamped].iter().filter(|hold| is_beside(hold)).collect();
-    if beside.iter().any(|hold| hold.is_clamp) {
-        2.0 * PI
-    } else if beside.is_empty() {
-        0.5 * PI
-    } else {
-        CLAMPED_AND_PINNED
+pub(super) fn buckling_factor(model: &Model, values: &Values, ends: [PointId; 2]) -> f64 {
+    let holds = ends.map(|end| holds_at(model, values, end, ends));
+    let clamps_of = |end: usize| holds[end].iter().filter(|hold| hold.is_clamp);
+    let Some(clamped) = (0..2).find(|&end| clamps_of(end).next().is_some()) else { return PI };
+    let held = |hold: &Hold| clamps_of(clamped).filter_map(|base| held_against(model, values, hold, base)).max();
+    let beside = &holds[1 - clamped];
+    match beside.iter().filter_map(|hold| Some((held(hold)?, hold.is_clamp))).max() {
+        Some((Held::Sideways, true)) => 2.0 * PI,
+        Some((Held::Sideways, false)) => CLAMPED_AND_PINNED,
+        Some((Held::Angle, true)) => PI,
+        Some((Held::Angle, false)) | None => 0.5 * PI,
     }
 }
 
-/// The joints at an end.
-fn holds_at(model: &Model, end: PointId) -> Vec<Hold> {
+/// What the other body of a joint does not do against the body of a clamp.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Held {
+    /// It does not turn.
+    Angle,
+    /// It does not turn, nor move across the beam.
+    Sideways,
+}
+
+/// What holds the other body of `hold` against that of the clamp `base`; nothing where neither is so.
+fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Option<Held> {
+    if hold.to == base.to {
+        return Some(Held::Sideways);
+    }
+    let guides = model.joints.iter().filter_map(|joint| match joint.kind {
+        JointKind::Prismatic { guide, slider, guide_angle_rad, .. }
+            if [guide, slider].map(|p| p.body) == [base.to, hold.to] =>
+        {
+            Some(values[guide_angle_rad])
+        }
+        JointKind::Prismatic { guide, slider, slider_angle_rad, .. }
+            if [slider, guide].map(|p| p.body) == [base.to, hold.to] =>
+        {
+            Some(values[slider_angle_rad])
+        }
+        _ => None,
+    });
+    let held = |guide_rad: f64| {
+        let is_along = base.beam_rad.is_some_and(|beam_rad| (guide_rad - beam_rad).sin().abs() <= ALONG_RAD.sin());
+        if is_along { Held::Sideways } else { Held::Angle }
+    };
+    guides.map(held).max()
+}
+
+/// The joints at an end of the beam between `ends`.
+fn holds_at(model: &Model, values: &Values, end: PointId, ends: [PointId; 2]) -> Vec<Hold> {
     let driven = |index: usize| model.drives.iter().any(|drive| drive.joint.0 == index);
+    let [root, tip] = ends.map(|id| model.bodies[id.body.0].points[id.point].position_m.map(|id| values[id]));
+    let axis_rad = (tip[1] - root[1]).atan2(tip[0] - root[0]);
     let hold = |(index, joint): (usize, &loosepin_mechanics::model::Joint)| {
         let points = joint.kind.points();
         let own = points.into_iter().position(|point| point == end)?;
-        let is_clamp = matches!(joint.kind, JointKind::Rigid { .. }) || driven(index);
-        Some(Hold { is_clamp, to: points[1 - own].body })
+        let beam_rad = match joint.kind {
+            // The second body is turned by this angle from the first.
+            JointKind::Rigid { angle_rad, .. } => {
+                Some(axis_rad + if own == 1 { values[angle_rad] } else { -values[angle_rad] })
+            }
+            _ => None,
+        };
+        Some(Hold { is_clamp: beam_rad.is_some() || driven(index), to: points[1 - own].body, beam_rad })
     };
     model.joints.iter().enumerate().filter_map(hold).collect()
-}
-
-/// Whether a body moves along a line of another one and does not turn against it.
-fn slides_on(model: &Model, body: BodyId, base: BodyId) -> bool {
-    model.joints.iter().any(|joint| {
-        let bodies = joint.kind.points().map(|point| point.body);
-        matches!(joint.kind, JointKind::Prismatic { .. }) && bodies.contains(&body) && bodies.contains(&base)
-    })
 }

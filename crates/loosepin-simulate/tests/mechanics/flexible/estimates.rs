@@ -101,7 +101,8 @@ fn analytic_whip_of_a_connecting_rod() {
     near(found.largest_angle_rad, largest);
 }
 
-/// Euler's columns as their ends are held: clamped and free, clamped and pinned to the ground or to a slider, clamped at both ends, and between pins.
+/// Euler's columns as their ends are held: clamped and free, clamped and pinned to the ground or to a slider along or across,
+/// clamped at both ends, or to a slider across, and between pins.
 #[test]
 fn analytic_buckling_loads_of_supported_columns() {
     let own = BENDING_N_M2 / LENGTH_M.powi(2);
@@ -134,6 +135,12 @@ fn analytic_buckling_loads_of_supported_columns() {
         "kind = \"revolute\"\nbearing = \"bar.tip\"\njournal",
         "kind = \"rigid\"\nfirst = \"bar.tip\"\nangle = \"0 deg\"\nsecond",
     );
+    // Through the tip of the bar.
+    let across = |text: &str| {
+        let along = "guide = { point = \"ground.o\", angle = \"0 deg\" }";
+        assert!(text.contains(along));
+        text.replace(along, "guide = { point = \"ground.far\", angle = \"90 deg\" }")
+    };
     // On a link that moves otherwise the pin holds nothing sideways.
     let link = "[body.link]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
                 points = { pin = [\"0 mm\", \"0 mm\"] }\n\
@@ -150,8 +157,11 @@ fn analytic_buckling_loads_of_supported_columns() {
         near(clamped(link), 0.25 * PI.powi(2) * own);
         near(clamped(to_ground), pinned);
         near(clamped(&to_slider), pinned);
+        // A guide across the beam lets the end go sideways.
+        near(clamped(&across(&to_slider)), 0.25 * PI.powi(2) * own);
         if formulation.starts_with("formulation") {
             near(clamped(&welded), 4.0 * PI.powi(2) * own);
+            near(clamped(&across(&welded)), PI.powi(2) * own);
         }
     }
     let rod = "formulation = \"absolute-nodal\"";
