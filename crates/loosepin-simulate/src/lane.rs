@@ -107,8 +107,8 @@ pub struct LaneRun {
 /// Newton steps onto an event; from the polynomial's root two or three do.
 const MOST_TRIALS: u32 = 12;
 
-/// How far from the end of a good step an event may lie, so that the end is moved there by its slopes: states inside of the step are then
-/// off by this many local errors at most, a tenth of the tolerance.
+/// How far from the end of a good step an event may lie, so that the end is moved there by its slopes: where slopes change evenly, states inside
+/// of the step are then off by this many local errors at most, a tenth of the tolerance. The state at the end is off by far less.
 const MOST_MOVED: f64 = 0.1 / STEP_SHARE;
 /// The same as a share of the step.
 const LARGEST_MOVED_SHARE: f64 = 1e-3;
@@ -276,14 +276,15 @@ impl LaneRun {
             if value.abs() <= tolerance {
                 return Decision::Accept(Some(search.event));
             }
-            if let Some(by) = self.distance(search.event, step)
+            // Too far; or, where a gap turns before it reaches zero, on the way back.
+            let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;
+            if !turns
+                && let Some(by) = self.distance(search.event, step)
                 && by.abs() <= LARGEST_MOVED_SHARE * trial
                 && by.abs() * step.change_of_slopes() <= MOST_MOVED
             {
                 return Decision::Move(search.event, by);
             }
-            // Too far; or, where a gap turns before it reaches zero, on the way back.
-            let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;
             if value > 0.0 || turns {
                 search.high = trial;
             } else {
