@@ -148,7 +148,7 @@ public:
         return at(high);
     }
 
-    /// Runs a turn; `file` receives 400 rows of it.
+    /// Runs a turn; `file` receives 401 rows of it.
     Turn turn(State &q, FILE *file) const {
         Turn turn;
         turn.growth = {std::vector<double>(foundation.count), std::vector<double>(foundation.count)};

@@ -245,6 +245,7 @@ fn main() {
         "curves", "studies", "ends", "missed", "furthest miss", "too wide"
     );
     let is_meant = |kind: &Kind| only.as_ref().is_none_or(|only| *only == format!("{kind:?}"));
+    assert!(Kind::ALL.iter().any(is_meant), "KIND is one of {:?}", Kind::ALL);
     for kind in Kind::ALL.into_iter().filter(is_meant) {
         let mut all = Tally::default();
         for problem in 0..problems {

@@ -295,7 +295,7 @@ impl<'a> Core<'a> {
         [jet(Block::StartReads), jet(Block::EndReads)]
     }
 
-    /// Largest change of a slope over the step at hand of a lane, in allowed errors of its unknown.
+    /// Largest change of a slope between the ends of the step at hand of a lane, in allowed errors of its unknown.
     pub fn change_of_slopes(&self, lane: usize) -> f64 {
         let end = self.pass.stepper.end_row() * self.pass.layout.length();
         let change = |(unknown, weight): (usize, usize)| {

@@ -23,7 +23,7 @@ impl<'s, 'a> LaneStep<'s, 'a> {
         self.core.step(self.lane)
     }
 
-    /// Largest change of a slope over the step, in allowed errors of the unknown: the change of the unknown itself, for each unit of the
+    /// Largest change of a slope between the ends of the step, in allowed errors of the unknown: the change of the unknown itself, for each unit of the
     /// variable of integration by which the end is moved.
     pub fn change_of_slopes(&self) -> f64 {
         self.core.change_of_slopes(self.lane)

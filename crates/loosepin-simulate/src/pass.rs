@@ -79,7 +79,7 @@ impl Pass {
 
     /// Makes a step in which a body turns by more than [`NEAR_RAD`] one that errs too much, since sines and cosines within a step are computed
     /// from those at its start; and says by the error how much longer the next step may be. (Quintic interpolation of a circle over so long a
-    /// step is 1e-10 of its radius off.)
+    /// step is 1e-10 of its radius off. Ends are looked at: a body that swings out and back within one step, whose error would tell so, is not told here.)
     pub fn limit_turns<T: Real>(&self, blocks: &mut Named<'_, T>) {
         let mut largest = T::zero();
         for turning in 0..self.reads.turning() {

@@ -1,4 +1,4 @@
-//! Polynomials that have been fitted to a sample. Its values never change, so that no degree is fitted twice in all rounds.
+//! Polynomials that have been fitted to a sample. Its values never change, so that a fit that is kept is not made again.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

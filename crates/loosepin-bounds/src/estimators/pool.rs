@@ -102,7 +102,7 @@ impl Pool {
         self.smoothed(basis, false)
     }
 
-    /// [`Self::with_polynomials`] in a round that others follow: they are kept with the samples, which takes a second copy of these.
+    /// [`Self::with_polynomials`] in a round that others follow: they are kept with the samples, which takes as much memory again for residuals.
     pub fn with_kept_polynomials(self, basis: Option<&InnerBasis>) -> Self {
         self.smoothed(basis, true)
     }

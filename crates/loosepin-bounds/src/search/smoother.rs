@@ -188,8 +188,9 @@ impl Smoother {
             roughness: None,
             suspected_kinks: None,
         };
-        let of_noise = noise.variance.sqrt();
-        fit.suspected_kinks = likelihoods.map(|own| own.with(values, residual.clone(), (freedom, floor, of_noise)));
+        let noise_deviation = noise.variance.sqrt();
+        fit.suspected_kinks =
+            likelihoods.map(|own| own.with(values, residual.clone(), (freedom, floor, noise_deviation)));
         if is_rough {
             let (part, at_places) = (OnceLock::new(), OnceLock::new());
             fit.roughness = Some(Rough { residual, replicates: noise.replicates.clone(), scatter, part, at_places });

@@ -20,7 +20,7 @@ use super::gaussian_process::{Model, Smoothness};
 use super::roughness::Scatter;
 use loosepin_math::dense::dot;
 
-/// Below the first difference values may have kinks whatever their errors, from the second on they have none.
+/// Below the first difference values may have kinks whatever their errors, from the second on they are taken for smooth.
 const DOUBTFUL: f64 = 20.0;
 const SMOOTH: f64 = 60.0;
 
@@ -29,7 +29,7 @@ const EXPECTED_DISTRUST: f64 = 1.1;
 
 /// Noise looks like kinks, and what is conceded for it holds beside kinks too. It does not where its deviation is below this share of the largest
 /// error of predicting an estimate from the others.
-const NEGLIGIBLE_NOISE: f64 = 0.01;
+const LARGEST_SHARE_OF_NOISE: f64 = 0.01;
 
 /// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
 /// where an estimate is left out the gap is twice as wide.
@@ -87,7 +87,8 @@ impl SuspectedKinks<'_> {
     /// Whether the errors of predicting each estimate from the others tell the same, and are not those of noise.
     pub fn are_confirmed(&self) -> bool {
         let distrust = || Scatter::even(&self.smoothest.errors(&self.residual), self.freedom).distrust;
-        (self.is_doubtful || distrust() > EXPECTED_DISTRUST) && self.of_noise <= NEGLIGIBLE_NOISE * self.largest_error()
+        (self.is_doubtful || distrust() > EXPECTED_DISTRUST)
+            && self.of_noise <= LARGEST_SHARE_OF_NOISE * self.largest_error()
     }
 
     /// The values, less their mean.

@@ -5,7 +5,8 @@
 //! n + 1 draws, the measurement among them, and does not depend on their order. Another order of the draws therefore only changes the order
 //! of the distances: any order of d_0 … d_n is equally probable, and the share of distances at least as large as d_0 is α or less with
 //! probability α at most, whatever the distribution of the features (full conformal inference; V. Vovk, A. Gammerman, G. Shafer,
-//! "Algorithmic Learning in a Random World", 2005). Scales of the runs alone would not do: the measurement would be the only draw that
+//! "Algorithmic Learning in a Random World", 2005). This is exact without common errors. With them X_0 is the measurement at the shares of its
+//! errors that the runs alone would choose: that other shares would be kept is looked for in the tests, not proven. Scales of the runs alone would not do: the measurement would be the only draw that
 //! does not widen them.
 
 use super::scatter::{Observation, Scatter};
@@ -64,7 +65,7 @@ pub(crate) fn joint_test(runs: &[Vec<f64>], places: &[usize], seen: &Observation
     let own = form.distance(&all[all.len() - 1]);
     let further = all[..all.len() - 1].iter().filter(|row| form.distance(row) >= own).count() + failed;
     let is_consistent = further + 1 > due || own <= CENTRAL;
-    // Both distances order alike but for ties of the rank.
+    // The form with the measurement differs from that of the runs alone: the verdict is that of the first.
     let distance = if is_consistent { distance.min(1.0) } else { distance.max(1.0 + f64::EPSILON) };
     Verdict { is_consistent, distance }
 }
