@@ -322,6 +322,7 @@ impl<'a> Core<'a> {
         memory.set(Block::EndReads, ReadLayout::ENERGY, lane, energy_j);
         let jets = [ReadLayout::TIME].into_iter();
         let jets = jets.chain((0..layout.roots.len()).map(|contact| self.pass.reads.gap(contact)));
+        let jets = jets.chain((0..layout.roots.len()).filter_map(|contact| self.pass.reads.along_slot(contact)));
         let jets = jets.chain((0..self.pass.follow.readings()).map(|output| self.pass.reads.output(output)));
         for place in jets {
             let [value, first, second] = memory.three(Block::EndReads, place, lane);

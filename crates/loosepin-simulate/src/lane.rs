@@ -7,7 +7,8 @@ use super::gap::{Crossing, GapJet, first_crossing};
 use super::lane_step::LaneStep;
 use super::report::{FrictionPath, PlaySummary};
 use super::settings::{STEP_SHARE, Window};
-use loosepin_mechanics::mechanism::{GapMeasure, Sample};
+use super::slot_end::ENDS;
+use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, Sample};
 
 /// Event that ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +26,15 @@ pub enum Event {
         contact: usize,
         /// Sliding velocity at the kink, m/s.
         level_m_s: f64,
+    },
+    /// The pin of a slot passes from the faces into a round end, or back: the gap has a kink there.
+    Passage {
+        /// Index in [`loosepin_mechanics::mechanism::Mechanism::contacts`].
+        contact: usize,
+        /// The end, one of [`ENDS`].
+        side: f64,
+        /// Into the end as a contact begins, out of it as one ends.
+        crossing: Crossing,
     },
     /// The time at which steps stop, while the time is no longer the variable of integration.
     Stop,
@@ -149,11 +159,20 @@ impl LaneRun {
     pub fn earliest_event(&self, step: &LaneStep<'_, '_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
         for contact in 0..step.contacts() {
-            let [start, end] = &step.gap(contact);
+            let [start, end] = &step.gap(contact, self.shape(contact));
             let crossing = if step.is_closed(contact) { Crossing::Separation } else { Crossing::Onset };
-            let Some(share) = first_crossing(start, end, step.length(), crossing) else { continue };
-            if earliest.as_ref().is_none_or(|(_, first)| share < *first) {
+            if let Some(share) = first_crossing(start, end, step.length(), crossing)
+                && earliest.as_ref().is_none_or(|(_, first)| share < *first)
+            {
                 earliest = Some((Event::Contact { contact, crossing }, share));
+            }
+            for side in ENDS {
+                if let Some((crossing, [start, end])) = step.passage(contact, self.shape(contact), side)
+                    && let Some(share) = first_crossing(&start, &end, step.length(), crossing)
+                    && earliest.as_ref().is_none_or(|(_, first)| share < *first)
+                {
+                    earliest = Some((Event::Passage { contact, side, crossing }, share));
+                }
             }
         }
         for contact in (0..step.contacts()).filter(|&contact| step.is_closed(contact)) {
@@ -208,11 +227,17 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
+    /// The shape of the joint of a contact.
+    fn shape(&self, contact: usize) -> &PlayShape<f64> {
+        &self.sample.play_of(contact).shape
+    }
+
     /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there. Not of a kink, of
     /// whose velocity no derivative is known.
     fn distance(&self, event: Event, step: &LaneStep<'_, '_>) -> Option<f64> {
         let [value, rate, second] = match event {
-            Event::Contact { contact, .. } => step.gap(contact)[1].jet,
+            Event::Contact { contact, .. } => step.gap(contact, self.shape(contact))[1].jet,
+            Event::Passage { contact, side, .. } => step.passage(contact, self.shape(contact), side)?.1[1].jet,
             Event::Stop => {
                 let [time_s, pace, change] = step.time()[1].jet;
                 [time_s - self.stop_s, pace, change]
@@ -220,7 +245,8 @@ impl LaneRun {
             Event::Kink { .. } => return None,
         };
         let straight = -value / rate;
-        let bent = straight * (1.0 - 0.5 * second * straight / rate);
+        // The nearer root of value + rate x + second x²/2.
+        let bent = 2.0 * straight / (1.0 + (1.0 + 2.0 * second * straight / rate).sqrt());
         let [end_s, pace, _] = step.time()[1].jet;
         let passes_stop = event != Event::Stop && end_s + bent * pace > self.stop_s;
         // What is not small against the straight one, or no number, is no correction.
@@ -234,6 +260,7 @@ impl LaneRun {
         let may_hide = step.contacts() > 1
             || self.sample.play_of(0).friction.acts()
             || self.sample.play_of(0).wears
+            || matches!(self.shape(0), PlayShape::Slot(_))
             || step.end_s() > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -251,9 +278,16 @@ impl LaneRun {
         } else {
             let (value, rate, tolerance) = match search.event {
                 Event::Contact { contact, crossing } => {
-                    let [value, rate, _] = step.gap(contact)[1].jet;
+                    let [value, rate, _] = step.gap(contact, self.shape(contact))[1].jet;
                     let tolerance = self.gap_tolerance(contact, self.root == Some(contact), event_tolerance_m);
                     (crossing.sign() * value, crossing.sign() * rate, tolerance)
+                }
+                Event::Passage { contact, side, crossing } => {
+                    let Some((_, [_, end])) = step.passage(contact, self.shape(contact), side) else {
+                        return Decision::Accept(None);
+                    };
+                    let [value, rate, _] = end.jet;
+                    (crossing.sign() * value, crossing.sign() * rate, step.passage_tolerance_m())
                 }
                 Event::Kink { contact, level_m_s } => {
                     let [start, end] = step.slidings_m_s(contact);
@@ -277,7 +311,7 @@ impl LaneRun {
                 return Decision::Accept(Some(search.event));
             }
             // Too far; or, where a gap turns before it reaches zero, on the way back.
-            let turns = matches!(search.event, Event::Contact { .. }) && rate <= 0.0;
+            let turns = matches!(search.event, Event::Contact { .. } | Event::Passage { .. }) && rate <= 0.0;
             if !turns
                 && let Some(by) = self.distance(search.event, step)
                 && by.abs() <= LARGEST_MOVED_SHARE * trial

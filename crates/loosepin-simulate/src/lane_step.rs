@@ -1,9 +1,11 @@
 //! The ends of an attempted step of one lane: what decides about it reads no more than it needs.
 
 use super::core::Core;
-use super::gap::GapJet;
+use super::gap::{Crossing, GapJet};
 use super::memory::LaneLayout;
 use super::reads::ReadLayout;
+use super::slot_end::{continued_gap, passage};
+use loosepin_mechanics::mechanism::PlayShape;
 
 /// An attempted step of one lane.
 #[derive(Clone, Copy)]
@@ -44,9 +46,37 @@ impl<'s, 'a> LaneStep<'s, 'a> {
         self.core.end_read(self.lane, ReadLayout::TIME)
     }
 
-    /// The gap of a contact, or the root of its penetration where that is an unknown, at both ends.
-    pub fn gap(&self, contact: usize) -> [GapJet; 2] {
-        self.core.jets(self.lane, self.core.pass.reads.gap(contact))
+    /// The gap of a contact of this shape, or the root of its penetration where that is an unknown, at both ends. In a slot it is that of the wall at
+    /// which the step begins.
+    pub fn gap(&self, contact: usize, shape: &PlayShape<f64>) -> [GapJet; 2] {
+        let [start, end] = self.core.jets(self.lane, self.core.pass.reads.gap(contact));
+        match self.along_slot(contact, shape) {
+            Some((along, half_length_m)) if !self.core.contact(self.lane, contact).1 => {
+                [start, GapJet { jet: continued_gap(end.jet, along, half_length_m) }]
+            }
+            _ => [start, end],
+        }
+    }
+
+    /// Which way the pin of a slot can pass the end on this side, and what goes through zero there, at both ends; none where there is no slot.
+    pub fn passage(&self, contact: usize, shape: &PlayShape<f64>, side: f64) -> Option<(Crossing, [GapJet; 2])> {
+        let (along, half_length_m) = self.along_slot(contact, shape)?;
+        let (is_past, jets) = passage(along, half_length_m, side, self.core.pass.local_m);
+        let crossing = if is_past { Crossing::Separation } else { Crossing::Onset };
+        Some((crossing, jets.map(|jet| GapJet { jet })))
+    }
+
+    /// Place along the slot and its derivatives at both ends, and the half-length of the slot.
+    fn along_slot(&self, contact: usize, shape: &PlayShape<f64>) -> Option<([[f64; 3]; 2], f64)> {
+        let (PlayShape::Slot(slot), Some(place)) = (shape, self.core.pass.reads.along_slot(contact)) else {
+            return None;
+        };
+        Some((self.core.jets(self.lane, place).map(|along| along.jet), slot.half_length_m))
+    }
+
+    /// How far from a passage a step may end, m.
+    pub fn passage_tolerance_m(&self) -> f64 {
+        0.5 * self.core.pass.local_m
     }
 
     /// Sliding velocities of a contact at both ends, m/s.

@@ -49,6 +49,7 @@ mod search;
 mod sections;
 mod settings;
 mod settle;
+mod slot_end;
 mod supports;
 mod swing;
 mod tables;

@@ -7,6 +7,7 @@ use super::motion::{Layout, Motion, tolerances};
 use super::projection::Projection;
 use super::reads::ReadLayout;
 use super::settings::{STEP_SHARE, Settings};
+use super::slot_end::{ENDS, continued_gap, passage};
 use loosepin_math::integrate::{StepRows, Stepper, System};
 use loosepin_math::{NEAR_RAD, Quintic, Real};
 use loosepin_mechanics::contact::NormalContact;
@@ -353,41 +354,55 @@ impl Pass {
     }
 
     /// Notes whether the gap of some contact may go through zero within the step in the direction of its next event (it lies
-    /// below the largest Bernstein coefficient of its polynomial) or friction passes a kink; whether a penetration or a contact force
-    /// may be a record; and whether a penetration may be beyond what is allowed.
+    /// below the largest Bernstein coefficient of its polynomial), a pin passes between faces and ends of its slot, or friction
+    /// passes a kink; whether a penetration or a contact force may be a record; and whether a penetration may be beyond what is
+    /// allowed.
     fn look_at_gaps<T: Real>(&self, sample: &Sample<T>, blocks: &mut Named<'_, T>) {
         let (zero, one) = (T::zero(), T::one());
         let h = blocks.lane[LaneLayout::STEP];
         let (fifth, twentieth) = (h * T::from_f64(0.2), h * h * T::from_f64(0.05));
-        let (mut eventful, mut notable, mut deep) = (zero, zero, zero);
-        let (starts, ends) = (&*blocks.start_reads, &*blocks.end_reads);
-        for contact in 0..sample.contacts.len() {
-            let of_lane = &blocks.lane[LaneLayout::contact(contact)..];
-            let state = play_state(of_lane);
-            let place = self.reads.gap(contact);
-            let [p0, v0, a0] = [starts[place], starts[place + 1], starts[place + 2]];
-            let [p1, v1, a1] = [ends[place], ends[place + 1], ends[place + 2]];
+        let bernstein = |[p0, v0, a0]: [T; 3], [p1, v1, a1]: [T; 3]| {
             let (first, last) = (fifth * v0, fifth * v1);
-            let coefficients = [
+            [
                 p0,
                 p0 + first,
                 twentieth.mul_add(a0, p0 + first + first),
                 twentieth.mul_add(a1, p1 - last - last),
                 p1 - last,
                 p1,
-            ];
+            ]
+        };
+        let (mut eventful, mut notable, mut deep) = (zero, zero, zero);
+        let (starts, ends) = (&*blocks.start_reads, &*blocks.end_reads);
+        for contact in 0..sample.contacts.len() {
+            let of_lane = &blocks.lane[LaneLayout::contact(contact)..];
+            let state = play_state(of_lane);
+            let numbers = sample.play_of(contact);
+            let has_root = if self.layout.roots[contact].is_some() { of_lane[LaneLayout::HAS_ROOT] } else { zero };
+            let is_root = is_set(has_root);
+            let jets = |place: usize| [starts, ends].map(|reads| [reads[place], reads[place + 1], reads[place + 2]]);
+            let [start, mut end] = jets(self.reads.gap(contact));
+            if let (PlayShape::Slot(slot), Some(place)) = (&numbers.shape, self.reads.along_slot(contact)) {
+                let along = jets(place);
+                let continued = continued_gap(end, along, slot.half_length_m);
+                end = [0, 1, 2].map(|k| T::select(is_root, end[k], continued[k]));
+                for side in ENDS {
+                    let (is_past, [start, end]) = passage(along, slot.half_length_m, side, T::from_f64(self.local_m));
+                    let highest = highest_control_value(bernstein(start, end), is_past);
+                    eventful = T::select(highest.less_than(zero), eventful, one);
+                }
+            }
+            let coefficients = bernstein(start, end);
+            let [v0, v1] = [start[1], end[1]];
             let is_closed = is_set(state.contact);
             let highest = highest_control_value(coefficients, is_closed);
             eventful = T::select(highest.less_than(zero), eventful, one);
 
-            let numbers = sample.play_of(contact);
             let mut limit = coefficients[0];
             for coefficient in &coefficients[1..] {
                 limit = limit.max(*coefficient);
             }
             // δ from the gap or from the root; δ̇ is below v0 or twice its values at the ends.
-            let has_root = if self.layout.roots[contact].is_some() { of_lane[LaneLayout::HAS_ROOT] } else { zero };
-            let is_root = is_set(has_root);
             let (depth_m, half_rate_share) = match &numbers.shape {
                 _ if numbers.foundation.is_some() => (limit, T::from_f64(0.5)),
                 PlayShape::Pin { .. } | PlayShape::Slot(_) => {

@@ -19,6 +19,8 @@ pub struct ReadLayout {
     has_shares: bool,
     /// Whether the abscissas of corners are read as well, where some guide has ends.
     has_ends: bool,
+    /// Whether the places of pins along their slots are read as well, with two derivatives.
+    has_slots: bool,
     /// Bodies whose angle has a sine and cosine of its own.
     turning: usize,
 }
@@ -42,6 +44,7 @@ impl ReadLayout {
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
             has_shares: is_worn || mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
             has_ends: mechanism.plays.iter().any(has_ends),
+            has_slots: mechanism.plays.iter().any(is_slot),
             turning: mechanism.real.turning_slots().count(),
         }
     }
@@ -77,7 +80,8 @@ impl ReadLayout {
     /// The gap function of a contact, or the root of its penetration where that is an unknown, √m.
     #[inline(always)]
     pub fn gap(&self, contact: usize) -> usize {
-        5 + (4 + usize::from(self.has_shares) + usize::from(self.has_ends)) * contact
+        let of_places = usize::from(self.has_shares) + usize::from(self.has_ends) + 3 * usize::from(self.has_slots);
+        5 + (4 + of_places) * contact
     }
     /// Sliding velocity of a contact, m/s; zero where there is no friction.
     #[inline(always)]
@@ -93,6 +97,12 @@ impl ReadLayout {
     #[inline(always)]
     pub fn along(&self, contact: usize) -> Option<usize> {
         self.has_ends.then_some(self.gap(contact) + 4 + usize::from(self.has_shares))
+    }
+    /// ξ of a pin along its slot's line with its first two derivatives, where some joint is a slot with play; zeros of other contacts.
+    #[inline(always)]
+    pub fn along_slot(&self, contact: usize) -> Option<usize> {
+        let before = usize::from(self.has_shares) + usize::from(self.has_ends);
+        self.has_slots.then_some(self.gap(contact) + 4 + before)
     }
     /// A followed output.
     #[inline(always)]
@@ -138,6 +148,9 @@ impl<T: Real> Motion<'_, T> {
             }
             if let Some(place) = layout.along(contact) {
                 row[place] = force.along_m;
+            }
+            if let Some(place) = layout.along_slot(contact) {
+                row[place..place + 3].copy_from_slice(&over_s(motion.along));
             }
         }
         dynamics.joint_friction_residuals(

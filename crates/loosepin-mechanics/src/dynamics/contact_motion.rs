@@ -101,4 +101,14 @@ pub struct GapMotion<T> {
     pub gap: [T; 3],
     /// δ̈, m/s².
     pub penetration_acceleration_m_s2: T,
+    /// ξ of a pin along its slot's line, m, and its first two derivatives over the time; zeros where there is no slot.
+    pub along: [T; 3],
+}
+
+impl<T: Real> GapMotion<T> {
+    /// That of a contact which is not in a slot.
+    #[inline(always)]
+    pub(super) fn without_slot(gap: [T; 3], penetration_acceleration_m_s2: T) -> Self {
+        Self { gap, penetration_acceleration_m_s2, along: [T::zero(); 3] }
+    }
 }

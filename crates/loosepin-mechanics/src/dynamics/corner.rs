@@ -178,5 +178,5 @@ pub(super) fn gap<T: Real>(
         .plus(reach_rate_m_s.turned(), -spin_i);
     let second = turning + push.dot(change_m_s2);
     let penetration_m = normal.dot(reach_m) - (block.half_height_m + play.clearance_m);
-    GapMotion { gap: [penetration_m, rate_m_s, second], penetration_acceleration_m_s2: second }
+    GapMotion::without_slot([penetration_m, rate_m_s, second], second)
 }

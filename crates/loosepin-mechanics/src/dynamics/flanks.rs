@@ -41,7 +41,7 @@ pub(super) fn gap<T: Real>(
 ) -> GapMotion<T> {
     let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = contact(motion, play, place);
     let bent_m_s2 = normal.x * acceleration_m_s2;
-    GapMotion { gap: [penetration_m, penetration_rate_m_s, bent_m_s2], penetration_acceleration_m_s2: bent_m_s2 }
+    GapMotion::without_slot([penetration_m, penetration_rate_m_s, bent_m_s2], bent_m_s2)
 }
 
 /// Torques or forces along the coordinates of both joints that a force of one newton along x is.

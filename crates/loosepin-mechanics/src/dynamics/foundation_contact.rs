@@ -98,8 +98,5 @@ pub(super) fn gap<T: Real>(
     let acceleration_m_s2 = plain(acceleration_m_s2).rotated(-sine, cosine);
     let changes = spin_rates_rad_s2.map(Real::to_f64);
     let bent = T::from_f64(foundation.penetration_acceleration_m_s2(&own, &deepest, acceleration_m_s2, changes));
-    GapMotion {
-        gap: [T::from_f64(deepest.penetration_m), T::from_f64(deepest.rate_m_s), bent],
-        penetration_acceleration_m_s2: bent,
-    }
+    GapMotion::without_slot([T::from_f64(deepest.penetration_m), T::from_f64(deepest.rate_m_s), bent], bent)
 }

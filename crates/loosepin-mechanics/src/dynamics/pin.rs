@@ -53,8 +53,6 @@ pub(super) fn gap<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, accel
     let along = rate.length_squared() + e.dot(acceleration_m_s2);
     let length_m = e.length().max(T::from_f64(f64::MIN_POSITIVE));
     let speed = rate.dot(e * (T::one() / length_m));
-    GapMotion {
-        gap: [motion.gap_m2(play.clearance_m), two * e.dot(rate), two * along],
-        penetration_acceleration_m_s2: (along - speed * speed) / length_m,
-    }
+    let gap = [motion.gap_m2(play.clearance_m), two * e.dot(rate), two * along];
+    GapMotion::without_slot(gap, (along - speed * speed) / length_m)
 }

@@ -125,7 +125,7 @@ pub(super) fn gap<T: Real>(
 ) -> GapMotion<T> {
     let two = T::from_f64(2.0);
     let Place { off_m, length_m, normal, velocity_m_s, off_rate_m_s } = place(motion, slot);
-    let (e, spin) = (motion.eccentricity_m, motion.spins_rad_s[0]);
+    let (e, line, spin) = (motion.eccentricity_m, motion.directions[0], motion.spins_rad_s[0]);
     let seen_m_s2 = acceleration_m_s2
         .plus(e.turned(), -spin_rate_rad_s2)
         .plus(e, spin.squared())
@@ -135,5 +135,6 @@ pub(super) fn gap<T: Real>(
     GapMotion {
         gap: [off_m.length_squared() - play.clearance_m.squared(), two * off_m.dot(velocity_m_s), two * along],
         penetration_acceleration_m_s2: (along - speed * speed) / length_m,
+        along: [line.dot(e), line.dot(velocity_m_s), line.dot(seen_m_s2)],
     }
 }

@@ -628,7 +628,11 @@ impl<'a> Batch<'a> {
     }
 
     fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
-        LaneStep::new(&self.core, lane).gap(contact)
+        let step = LaneStep::new(&self.core, lane);
+        match &self.runs[lane] {
+            Some(run) => step.gap(contact, &run.sample.play_of(contact).shape),
+            None => [GapJet::default(); 2],
+        }
     }
 }
 

@@ -88,6 +88,14 @@ impl Batch<'_> {
                 }
                 return self.core.set_turn(lane, Turn::Choose);
             }
+            Event::Passage { .. } => {
+                if let Some(run) = &mut self.runs[lane] {
+                    run.phase = Phase::Stepping;
+                }
+                // The end of the step may have been moved.
+                self.restarts |= 1 << lane;
+                return self.core.set_turn(lane, Turn::Choose);
+            }
         };
         let time_s = self.core.start_read(lane, ReadLayout::TIME);
         let speed_m_s = self.gap_rate_m_s(lane, contact);

@@ -225,9 +225,9 @@ fn identity_velocities_inside_the_steps_sum_up_to_positions_and_accelerations_to
 
 /// One clearance, two, friction, ideal loops, a drive that pushes, a law without machine code, bodies held by play alone,
 /// springs with dampers and loads of every kind, drives with pieces and expressions, no drive at all, a controlled joint, gears, a cam,
-/// friction in ideal joints, sliders with play in their guides, pins in slots, gears and racks with
+/// friction in ideal joints, sliders with play in their guides, gears and racks with
 /// backlash, a cam from which its follower lifts off, flexible links without and with damping and friction.
-const CASES: [(&str, f64); 27] = [
+const CASES: [(&str, f64); 25] = [
     ("slider_crank_5000", 0.3),
     ("slider_crank_two_clearances", 0.06),
     ("slider_crank_friction", 0.3),
@@ -247,8 +247,6 @@ const CASES: [(&str, f64); 27] = [
     ("slider_crank_guide", 0.05),
     ("slider_with_play_in_its_guide.toml", 0.1),
     ("block_over_the_end.toml", 0.6),
-    ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
-    ("disc_in_a_turning_slot.toml", 0.12),
     ("geared_four_bar_backlash", 0.5),
     ("planetary_backlash.toml", 0.3),
     ("cam_lift_off.toml", 0.6),
@@ -260,6 +258,18 @@ const CASES: [(&str, f64); 27] = [
 #[test]
 fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set() {
     for (name, turns) in CASES {
+        assert_same_bits(name, turns);
+    }
+}
+
+/// Pins at the faces and in the ends of their slots.
+#[test]
+fn identity_pins_in_slots_have_the_same_bits_in_every_lane_and_on_every_instruction_set() {
+    for (name, turns) in [
+        ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
+        ("disc_in_a_turning_slot.toml", 0.12),
+        ("disc_thrown_into_a_slot.toml", 0.02),
+    ] {
         assert_same_bits(name, turns);
     }
 }

@@ -12,6 +12,7 @@ mod guide_ends;
 mod guide_play;
 mod lanes;
 mod outputs;
+mod slot_ends;
 mod slot_play;
 mod spectra;
 mod wear;
