@@ -140,6 +140,7 @@ fn analytic_buckling_loads_of_supported_columns() {
         let along = "guide = { point = \"ground.o\", angle = \"0 deg\" }";
         assert!(text.contains(along));
         text.replace(along, "guide = { point = \"ground.far\", angle = \"90 deg\" }")
+            .replace("slider = \"foot.pin\"", "slider = { point = \"foot.pin\", angle = \"90 deg\" }")
     };
     // On a link that moves otherwise the pin holds nothing sideways.
     let link = "[body.link]\nmass = \"0.1 kg\"\ninertia = \"1e-5 kg m^2\"\ncentre_of_mass = [\"0 mm\", \"0 mm\"]\n\
