@@ -14,6 +14,7 @@ import model_file
 from integrate import END, ONSET, Settings, run
 from model_file import Clearance
 from reference import FINE
+from reporting import report, status
 
 CASES = Path(__file__).parent.parent
 STEP = 1e-6  # of the central differences; their error is about STEP² times third derivatives
@@ -29,15 +30,6 @@ RESTITUTION = {  # nominal 0.5, 0.7, 0.9
 }  # fmt: skip
 # Distances that the histories of the named cases state for themselves, m.
 PUBLISHED = {"slider_crank_5000": 1e-8, "four_bar_600": 1e-8}
-
-failures = 0
-
-
-def report(name, size, tolerance):
-    global failures
-    passed = size <= tolerance
-    failures += not passed
-    print(f"{'ok  ' if passed else 'FAIL'} {name}: {size:.2e} (limit {tolerance:.0e})")
 
 
 def constraint_derivatives():
@@ -138,4 +130,4 @@ if __name__ == "__main__":
     conservation()
     restitutions()
     published_histories()
-    sys.exit(1 if failures else 0)
+    sys.exit(status())

@@ -10,7 +10,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+from reporting import report, status  # noqa: E402  (it lies in the folder above)
+
 GIVEN = HERE.parents[2] / "crates/loosepin-simulate/tests/files"
 GIVEN_STEP_S = 4e-6  # its volumes depend on the step from the eleventh digit on
 # Friction path of a settled turn on the unworn shape by sectors, J; volumes, m³, and path, J, after 4000 cycles.
@@ -25,15 +28,6 @@ VOLUME_TOLERANCE = 1e-10  # relative; twelve digits are given
 POSITION_TOLERANCE = 4e-11  # m and rad; the given steps halved change positions by 3.2e-11
 DEPTH_TOLERANCE_M = 1e-14  # twelve digits of 7 µm, and sums in another order over 64 turns
 ENERGY_TOLERANCE_J = 1e-11  # of some 8 J that are exchanged, with steps of 1 µs
-
-failures = 0
-
-
-def report(name, size, tolerance):
-    global failures
-    passed = size <= tolerance
-    failures += not passed
-    print(f"{'ok  ' if passed else 'FAIL'} {name}: {size:.2e} (limit {tolerance:.0e})")
 
 
 def rows(text):
@@ -76,7 +70,7 @@ def main():
             report(f"{column} after 4000 cycles by 32 jumps", largest(shape, wanted, column), DEPTH_TOLERANCE_M)
         worn = run("--jumps", 0, "--step", 1e-6, "--shape", depths)[0]
         report("energy account of a turn on that shape", abs(worn["energy_residual_j"]), ENERGY_TOLERANCE_J)
-    return failures > 0
+    return status()
 
 
 if __name__ == "__main__":

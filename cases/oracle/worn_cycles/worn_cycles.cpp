@@ -150,6 +150,7 @@ public:
 
     /// Runs a turn; `file` receives 401 rows of it.
     Turn turn(State &q, FILE *file) const {
+        if (file && steps % 400 != 0) throw std::runtime_error("--turn needs steps that divide a turn into a multiple of 400");
         Turn turn;
         turn.growth = {std::vector<double>(foundation.count), std::vector<double>(foundation.count)};
         const double before = energy(q);
@@ -285,7 +286,7 @@ Options read(int count, char **words) {
         else if (name == "--jumps") options.jumps = std::stoi(text);
         else if (name == "--cycles") options.cycles = std::stoi(text);
         else if (name == "--transient") options.transient_turns = std::stoi(text);
-        else if (name == "--order") options.order = std::stoi(text);
+        else if (name == "--order" && (text == "1" || text == "2")) options.order = std::stoi(text);
         else if (name == "--step") options.step_s = std::stod(text);
         else if (name == "--radii" && (text == "midway" || text == "nominal")) options.midway = text == "midway";
         else if (name == "--shape") options.shape = text;

@@ -193,7 +193,7 @@ impl<'a> Core<'a> {
         self.is_dense = false;
         self.memory.move_lane(lane, to);
         for flags in [&mut self.reading_depths, &mut self.over_root] {
-            *flags = *flags & !(1 << to | 1 << lane) | (*flags >> lane & 1) << to;
+            move_flag(flags, lane, to);
         }
         self.set_step(lane, 0.0);
     }
@@ -575,4 +575,9 @@ impl<'a> Core<'a> {
             _ => 0,
         }
     }
+}
+
+/// Moves the flag of a lane to another one, whose own is lost.
+pub fn move_flag(flags: &mut u32, lane: usize, to: usize) {
+    *flags = *flags & !(1 << to | 1 << lane) | (*flags >> lane & 1) << to;
 }

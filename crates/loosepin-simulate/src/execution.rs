@@ -4,7 +4,9 @@ use loosepin_tape::native::Level;
 
 /// Lanes of a batch: four vectors of eight, so that what one waits for is hidden behind the others, and so that few calls of the
 /// programs are made.
-const LANES: usize = 32;
+const LANES: usize = 4 * LANES_OF_A_VECTOR;
+/// Lanes of the widest vectors, which are computed together.
+pub(super) const LANES_OF_A_VECTOR: usize = 8;
 
 /// How the runs of a batch are computed. A run has the same bits in all of these.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -82,7 +82,6 @@ fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Opt
 
 /// The joints at an end of the beam between `ends`.
 fn holds_at(model: &Model, values: &Values, end: PointId, ends: [PointId; 2]) -> Vec<Hold> {
-    let driven = |index: usize| model.drives.iter().any(|drive| drive.joint.0 == index);
     let [root, tip] = ends.map(|id| model.bodies[id.body.0].points[id.point].position_m.map(|id| values[id]));
     let axis_rad = (tip[1] - root[1]).atan2(tip[0] - root[0]);
     let hold = |(index, joint): (usize, &loosepin_mechanics::model::Joint)| {
@@ -95,7 +94,7 @@ fn holds_at(model: &Model, values: &Values, end: PointId, ends: [PointId; 2]) ->
             }
             _ => None,
         };
-        Some(Hold { is_clamp: beam_rad.is_some() || driven(index), to: points[1 - own].body, beam_rad })
+        Some(Hold { is_clamp: model.holds_sections(index), to: points[1 - own].body, beam_rad })
     };
     model.joints.iter().enumerate().filter_map(hold).collect()
 }

@@ -168,14 +168,12 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
         return coarse.optimistic;
     }
     let climb = Climb::new(axes, model, direction, region, range);
-    if !matches!(model, TargetModel::Plain(_)) {
+    let TargetModel::Plain(fits) = model else {
         let hoped = reach(model, direction, region, Allowance::HOPED);
         return direction.further(coarse.optimistic, climb.concession_above(&hoped.optimistic_at));
-    }
-    let mut furthest = direction.further(coarse.optimistic, climb.concession_above(&coarse.optimistic_at));
-    if let TargetModel::Plain(fits) = model {
-        furthest = with_kinks(fits, direction, region).fold(furthest, |most, own| direction.further(most, own));
-    }
+    };
+    let furthest = direction.further(coarse.optimistic, climb.concession_above(&coarse.optimistic_at));
+    let mut furthest = with_kinks(fits, direction, region).fold(furthest, |most, own| direction.further(most, own));
     // Beside what is noisy or rough a summit that is a little higher than the best candidate says nothing.
     if model.is_beside() {
         return furthest;

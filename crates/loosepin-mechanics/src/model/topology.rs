@@ -21,12 +21,13 @@ use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
 
 /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
 pub(crate) fn holds_section(joints: &[Joint], drives: &[Drive], point: PointId) -> bool {
-    let holds = |(index, joint): (usize, &Joint)| {
-        let is_driven = drives.iter().any(|drive| drive.joint.0 == index);
-        let is_rigid = matches!(joint.kind, JointKind::Rigid { .. });
-        (is_rigid || is_driven) && joint.kind.points().into_iter().any(|held| held == point)
-    };
-    joints.iter().enumerate().any(holds)
+    let is_at = |joint: &Joint| joint.kind.points().into_iter().any(|held| held == point);
+    (0..joints.len()).any(|index| is_at(&joints[index]) && holds_sections(joints, drives, index))
+}
+
+/// Whether the joint with this index is rigid or driven, and so holds the sections at its points.
+fn holds_sections(joints: &[Joint], drives: &[Drive], index: usize) -> bool {
+    matches!(joints[index].kind, JointKind::Rigid { .. }) || drives.iter().any(|drive| drive.joint.0 == index)
 }
 
 /// A planar mechanism with its nominal values, checked and in SI.
@@ -78,6 +79,11 @@ impl Model {
     /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
     pub fn holds_section(&self, point: PointId) -> bool {
         holds_section(&self.joints, &self.drives, point)
+    }
+
+    /// Whether the joint with this index does so at its points.
+    pub fn holds_sections(&self, index: usize) -> bool {
+        holds_sections(&self.joints, &self.drives, index)
     }
 
     /// Whether the worn shape of joints acts back.

@@ -14,9 +14,9 @@ pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
 use crate::column::Reading;
-use crate::core::Core;
+use crate::core::{Core, move_flag};
 use crate::depth_limit::DepthLimit;
-use crate::execution::Execution;
+use crate::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::failure::RunFailure;
 use crate::follow::{Follow, FollowLayout, LaneFollow};
 use crate::gap::{ContactStep, GapJet};
@@ -46,8 +46,6 @@ const SMALLEST_STEP_TURNS: f64 = 1e-14;
 /// Evaluations after which a run alone goes on as machine code: about as many take as long as making it does (12,500 of `slider_crank_5000`,
 /// 11,200 of `six_bar`), so that no run takes more than twice as long as without.
 const EVALUATIONS_ALONE: u64 = 12_000;
-/// Lanes of the widest vectors, which are computed together.
-const LANES_OF_A_VECTOR: usize = 8;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
@@ -191,7 +189,7 @@ impl<'a> Batch<'a> {
             self.runs.swap(lane, to);
             self.follows.swap(lane, to);
             for flags in [&mut self.active, &mut self.recorded, &mut self.restarts, &mut self.openings] {
-                *flags = *flags & !(1 << to | 1 << lane) | (*flags >> lane & 1) << to;
+                move_flag(flags, lane, to);
             }
         }
         self.used = used;
