@@ -30,11 +30,16 @@ RESTITUTION = {  # nominal 0.5, 0.7, 0.9
 }  # fmt: skip
 # Distances that the histories of the named cases state for themselves, m.
 PUBLISHED = {"slider_crank_5000": 1e-8, "four_bar_600": 1e-8}
+# Cases with what the reader of models does not know: links that bend, no drive, contacts alone, friction without a law.
+NOT_READ = {
+    "backlash_test", "double_four_bar", "flexible_four_bar", "flexible_slider_crank", "free_impacts", "slider_crank_guide",
+    "static_forces",
+}  # fmt: skip
 
 
 def constraint_derivatives():
-    """J against ∂C/∂q, and γ against -(d/dt)(J v) along constant v, on every case."""
-    for path in sorted(CASES.glob("*/model.toml")):
+    """J against ∂C/∂q, and γ against -(d/dt)(J v) along constant v, on every case that the reader knows."""
+    for path in sorted(path for path in CASES.glob("*/model.toml") if path.parent.name not in NOT_READ):
         mechanism = model_file.read(path)
         system = mechanics.tables(mechanism)
         start, _ = mechanics.assemble(mechanism, system)
