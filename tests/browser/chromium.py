@@ -90,17 +90,22 @@ class Chromium:
     def call(self, method, **parameters):
         """Sends one command and returns its answer; events that come meanwhile are kept in `events`."""
         number = self._send(method, parameters)
+        answer = self._next(lambda message: message.get("id") == number)
+        if "error" in answer:
+            raise BrowserError(f"{method}: {answer['error']['message']}")
+        return answer["result"]
+
+    def _next(self, is_wanted):
+        """The next message that is wanted; events that come before it are kept in `events`."""
         while True:
-            answer = self._message()
-            if answer.get("id") == number:
-                if "error" in answer:
-                    raise BrowserError(f"{method}: {answer['error']['message']}")
-                return answer["result"]
-            if answer.get("method") == "Page.javascriptDialogOpening":
+            message = self._message()
+            if is_wanted(message):
+                return message
+            if message.get("method") == "Page.javascriptDialogOpening":
                 # Nobody is there to say whether unsaved texts may go: without an answer the page would wait for ever.
                 self._send("Page.handleJavaScriptDialog", {"accept": True})
-            if "method" in answer:
-                self.events.append(answer)
+            if "method" in message:
+                self.events.append(message)
 
     def _send(self, method, parameters):
         message = {"id": self.next_id, "method": method, "params": parameters}
@@ -144,6 +149,11 @@ class Chromium:
         self._until(lambda: self.evaluate("document.readyState === 'complete' && location.protocol === 'file:'"))
         if self.are_scripts_run:
             self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
+
+    def reload(self):
+        """Loads the page anew and waits until it is there: an expression that the old page gets is lost with it."""
+        self._send("Page.reload", {})
+        self._next(lambda message: message.get("method") == "Page.loadEventFired")
 
     def run_scripts(self, are_run):
         """Whether pages that are opened from now on run their scripts; `evaluate` always does, but for promises."""

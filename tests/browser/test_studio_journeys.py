@@ -129,8 +129,8 @@ def test_the_first_minute_by_keyboard_alone(studio):
 
 
 def reload(studio):
-    studio.browser.call("Page.reload")
-    studio.wait("document.readyState === 'complete' && document.querySelector('.bar')")
+    studio.browser.reload()
+    studio.wait("document.querySelector('.bar')")
 
 
 def run_four_bar(studio):
