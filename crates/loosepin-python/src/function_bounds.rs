@@ -7,6 +7,7 @@ use loosepin::bounds::{
     self, BoundPair, DoubleLoop, EvaluateError, Problem, Reading, Request, SampleTable, Sampling, Statistic,
 };
 use loosepin::diagnostics::{self, Code};
+use loosepin::uncertainty::Copula;
 use loosepin::units::listed;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
@@ -69,7 +70,7 @@ pub fn evaluate<'py>(
     let copula = inputs.copula(&ranks)?;
     let problem = Problem {
         random: inputs.random.clone(),
-        copula,
+        copula: copula.map(Copula::Gaussian),
         epistemic: inputs.epistemic.clone(),
         parameters: inputs.parameters.clone(),
         reading: reading_of(reading)?,

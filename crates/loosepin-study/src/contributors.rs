@@ -87,6 +87,10 @@ impl ContributorPlan {
 
 /// Random inputs that are correlated belong together.
 pub(super) fn groups(study: &Study) -> Vec<Vec<usize>> {
+    if study.specimen.is_some() {
+        // A row is drawn whole.
+        return vec![(0..study.random.len()).collect()];
+    }
     let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
     let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
     independent_groups(study.random.len(), &pairs)

@@ -10,6 +10,7 @@ pub mod contributors;
 pub mod reliability;
 
 mod binomial;
+mod copula;
 mod correlation;
 mod counter;
 mod direction_numbers;
@@ -32,6 +33,7 @@ mod sobol;
 mod student;
 
 pub use binomial::{binomial_tail, clopper_pearson};
+pub use copula::{Copula, EmpiricalCopula};
 pub use correlation::{CopulaError, GaussianCopula, Pair, normal_of_rank, rank_of_normal};
 pub use counter::{hash, normal, uniform};
 pub use distribution::{Distribution, DistributionError};

@@ -3,7 +3,7 @@
 use crate::Function;
 use crate::cases::exact::{check, problem};
 use crate::{Problem, Sampling, Statistic, TreatmentComparison, evaluate};
-use loosepin_uncertainty::{Distribution, EpistemicParameter, GaussianCopula, Pair, Parameter, normal_cdf};
+use loosepin_uncertainty::{Copula, Distribution, EpistemicParameter, GaussianCopula, Pair, Parameter, normal_cdf};
 
 /// Y = A X1 + B X2 + C X3 + u: X1 and X2 correlated, X3 by itself.
 const FACTORS: [f64; 3] = [0.7, -1.3, 0.4];
@@ -19,7 +19,7 @@ fn sum(statistics: &[Statistic], correlation: f64) -> Problem {
         .collect();
     let pairs = vec![Pair { first: 0, second: 1, normal: correlation }];
     let sampling = Sampling { inner: 1024, ..Sampling::default() };
-    let copula = Some(GaussianCopula::try_new(3, pairs).unwrap());
+    let copula = Some(Copula::Gaussian(GaussianCopula::try_new(3, pairs).unwrap()));
     Problem { copula, sampling, ..problem(&distributions, &[(-0.6, 0.9)], statistics) }
 }
 

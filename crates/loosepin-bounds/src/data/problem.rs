@@ -3,7 +3,7 @@
 pub use loosepin_terms::Reading;
 
 use super::statistic::Statistic;
-use loosepin_uncertainty::{EpistemicParameter, EpistemicVariable, GaussianCopula, RandomVariable};
+use loosepin_uncertainty::{Copula, EpistemicParameter, EpistemicVariable, RandomVariable};
 
 /// One statistic of one column of the response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ pub struct Problem {
     pub random: Vec<RandomVariable>,
     /// How they depend on each other; nothing where they are independent. The interval-only treatment knows no correlation: its
     /// box holds every combination of the cut inputs.
-    pub copula: Option<GaussianCopula>,
+    pub copula: Option<Copula>,
     /// Knowledge of the epistemic inputs.
     pub epistemic: Vec<EpistemicVariable>,
     /// Parameters of distributions that are epistemic inputs. The response is given their values and need not look at them.

@@ -17,7 +17,7 @@ use crate::search::measure::target;
 use crate::search::parts::Structure;
 use crate::search::search_box::{Place, SearchBox};
 use crate::search::target::Target;
-use loosepin_uncertainty::{Distribution, EpistemicVariable, RandomVariable, ScrambledSobol, SobolError, hash};
+use loosepin_uncertainty::{Copula, Distribution, EpistemicVariable, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// Probabilities of the quantiles by which a whole distribution function is searched.
 const CDF_SEARCH_PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
@@ -115,6 +115,10 @@ impl Setup {
             return self.inner_basis();
         }
         let basis = || {
+            if let Some(Copula::Empirical(_)) = self.problem.copula {
+                // A response is no smooth function of the place of a row among others.
+                return None;
+            }
             let epistemic = self.problem.epistemic.iter().map(|_| Axis::Legendre);
             let axes: Vec<Axis> = self.random_axes().chain(epistemic).collect();
             let points: Vec<Vec<f64>> =

@@ -2,11 +2,13 @@
 
 mod between;
 mod compare;
+mod joint;
 mod problem;
 mod sample;
 mod table;
 
 pub use compare::lay_over;
+pub use joint::{JointColumn, JointSample};
 pub use problem::MeasuredProblem;
 pub use sample::SampleColumn;
 pub use table::{MeasuredColumn, MeasuredTable};

@@ -51,6 +51,10 @@ problems! {
         NoColumn { name: String, nearest: Option<String>, known: Vec<String> } => Code::MeasuredTable,
             says("the table has no column '{name}'"),
             hint_of(Some(nearest_or_all(nearest.as_ref(), known)));
+        /// An empty cell where every one must be filled.
+        EmptyCell { name: String } => Code::MeasuredTable,
+            says("a cell of the column '{name}' is empty; the values of a row belong together, and none may be missing"),
+            hint("fill it, or leave the whole row out");
         /// A row of another length.
         RowLength {
             found: usize,

@@ -255,7 +255,7 @@ impl TableReader {
         found == due
     }
 
-    fn headers(&mut self, cells: &[(String, Span)]) -> Option<Vec<Header>> {
+    pub fn headers(&mut self, cells: &[(String, Span)]) -> Option<Vec<Header>> {
         let headers: Vec<Option<Header>> = cells.iter().map(|cell| self.header(cell)).collect();
         let headers = headers.into_iter().collect::<Option<Vec<Header>>>()?;
         for (index, header) in headers.iter().enumerate() {

@@ -4,6 +4,7 @@ use super::description::{Ask, Limit, RareMethod, Requirement, Where};
 use super::keys::{ASK_KEYS, LIMITS, MOST_POSES, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
 use super::reader::{Asked, StudyReader};
+use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
 use super::words::{
     DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
@@ -428,6 +429,9 @@ impl StudyReader {
         let method = self.reader.choice(&entry, &METHODS)?;
         if method.is_some() && self.random.is_empty() {
             return self.refused(&StudyProblem::NothingRandom { entry: table.path.describe() }, entry.span);
+        }
+        if method.is_some() && self.has_rows {
+            return self.refused(&SpecimenProblem::Rare { entry: table.path.describe() }, entry.span);
         }
         let has_masses = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
         let of = match self.readings[0] {

@@ -6,7 +6,7 @@ use super::random_problem::{RandomProblem, pair_words, short_number};
 use super::reader::StudyReader;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::format_number;
-use loosepin_uncertainty::{CopulaError, CorrelationSeries, GaussianCopula, Pair, normal_of_rank};
+use loosepin_uncertainty::{Copula, CopulaError, CorrelationSeries, GaussianCopula, Pair, normal_of_rank};
 
 impl StudyReader {
     /// Reads all `[[correlation]]` tables; nothing where there are none, or something is wrong.
@@ -31,7 +31,7 @@ impl StudyReader {
             normal: correlation.normal,
         });
         match GaussianCopula::try_new(self.random.len(), pairs.collect()) {
-            Ok(copula) => Some(Correlation { stated, copula }),
+            Ok(copula) => Some(Correlation { stated, copula: Copula::Gaussian(copula) }),
             Err(CopulaError::NotPositiveDefinite { inputs, least_eigenvalue }) => {
                 let involved = stated.iter().filter(|each| inputs.contains(&each.first));
                 let pairs = involved

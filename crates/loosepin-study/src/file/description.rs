@@ -14,7 +14,7 @@ use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
 use loosepin_uncertainty::{
-    Distribution, EpistemicParameter, EpistemicVariable, GaussianCopula, Interval, Parameter, RandomVariable,
+    Copula, Distribution, EpistemicParameter, EpistemicVariable, Interval, Parameter, RandomVariable,
 };
 
 /// A study: what is uncertain in a model, and what is asked.
@@ -44,6 +44,8 @@ pub struct Study {
     pub random: Vec<RandomInput>,
     /// How the random inputs go together; nothing where they are independent.
     pub correlation: Option<Correlation>,
+    /// The rows that take the place of the distributions of all random inputs; nothing where these are as stated.
+    pub specimen: Option<SpecimenRows>,
     /// Epistemic inputs in file order.
     pub epistemic: Vec<EpistemicInput>,
     /// What can be asked about, in file order.
@@ -185,13 +187,24 @@ pub struct UncertainParameter {
     pub epistemic: usize,
 }
 
-/// How random inputs go together: a Gaussian copula.
+/// How random inputs go together: a Gaussian copula, or rows of a joint sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correlation {
-    /// The correlations in file order.
+    /// The correlations in file order; none of a joint sample.
     pub stated: Vec<StatedCorrelation>,
     /// All of them.
-    pub copula: GaussianCopula,
+    pub copula: Copula,
+}
+
+/// Mechanisms that agree with what was measured, in place of the distributions of the random inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpecimenRows {
+    /// The file, as it is written.
+    pub file: String,
+    /// Values of the random inputs in their order, SI, a mechanism a row; all rows are equally probable.
+    pub rows_si: Vec<Vec<f64>>,
+    /// Number of different rows, equally probable, that say as much.
+    pub effective: f64,
 }
 
 /// A correlation of two random inputs.

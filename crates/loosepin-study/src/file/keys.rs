@@ -345,6 +345,16 @@ pub(super) static CORRELATION_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["rank", "linear"]]);
 
+pub(super) static SPECIMEN_KEYS: Keys = Keys::new(
+    "mechanisms that agree with what was measured",
+    &[required(
+        "mechanisms",
+        Kind::Text,
+        "\"narrowed-specimen.csv\"",
+        "a CSV file, its path from the folder of this file: a column for each random input, named by its path with its unit; each row is as probable as any other",
+    )],
+);
+
 pub(super) static ELEMENT_KEYS: Keys = Keys::new(
     "an interval and the mass of evidence that lies in it",
     &[
@@ -613,6 +623,12 @@ pub(super) static STUDY_KEYS: Keys = Keys::new(
             Kind::List(&Kind::Table(&CORRELATION_KEYS)),
             "",
             "random inputs that go together; all others are independent",
+        ),
+        optional(
+            "specimen",
+            Kind::Table(&SPECIMEN_KEYS),
+            "",
+            "the mechanism that was measured: rows in place of the distributions under `[random]`; any mechanism of the series if left out",
         ),
         optional(
             "reading",

@@ -26,6 +26,8 @@ mod random;
 mod random_problem;
 mod reader;
 mod resolution;
+mod specimen;
+mod specimen_problem;
 mod surrogate;
 mod target;
 mod tolerance;
@@ -39,8 +41,8 @@ pub use accuracy::AccuracyProblem;
 use accuracy::WrittenAccuracies;
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RareMethod, Requirement, Sampling, StatedCorrelation, Study, StudySurrogate, UncertainParameter,
-    Where,
+    RandomInput, RareMethod, Requirement, Sampling, SpecimenRows, StatedCorrelation, Study, StudySurrogate,
+    UncertainParameter, Where,
 };
 pub use keys::{MOST_POSES, MOST_RUNS};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
@@ -52,6 +54,8 @@ pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
+pub use specimen::LEAST_ROWS;
+pub use specimen_problem::SpecimenProblem;
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts};
 use words::READINGS;
@@ -167,6 +171,7 @@ impl Study {
                 };
                 ScatterCorrelation { first: first.quantity, second: second.quantity, linear }
             })
+            .chain(self.correlations_of_rows())
             .collect()
     }
 
@@ -209,6 +214,7 @@ fn read(
         poses: HashMap::new(),
         promise: PromiseSettings::default(),
         questions: HashSet::new(),
+        has_rows: root.has("specimen"),
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
     let cycle = file.cycle(&root);
@@ -220,6 +226,7 @@ fn read(
         file.read_epistemic(&entry);
     }
     let correlation = file.read_correlations(&root);
+    let (correlation, specimen) = file.read_specimen(&root, correlation);
     file.read_reading(&root);
     let percentiles = file.percentiles(&root);
     file.read_promise(&root);
@@ -256,6 +263,7 @@ fn read(
         percentiles,
         random: file.random,
         correlation,
+        specimen,
         epistemic: file.epistemic,
         outputs: file.outputs,
         asks,

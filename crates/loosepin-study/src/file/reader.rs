@@ -32,6 +32,8 @@ pub struct StudyReader {
     pub promise: PromiseSettings,
     /// What is asked so far, by [`KnownQuestion::name`].
     pub questions: HashSet<String>,
+    /// Whether rows of a joint sample take the place of distributions.
+    pub has_rows: bool,
 }
 
 impl StudyReader {

@@ -1,0 +1,73 @@
+//! What can be wrong with the rows of a measured specimen.
+
+use loosepin_mechanics::model::QuantityError;
+use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::units::{Dimension, counted, format_number};
+
+problems! {
+    /// What can be wrong with `[specimen]`.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum SpecimenProblem {
+        /// Nothing that the rows could be of.
+        NothingRandom => Code::NothingUncertain,
+            says("the study has no random inputs, of which the rows could be values"),
+            hint("leave [specimen] out, or keep the tables under [random] of the study that was measured");
+        /// A column that is no random input.
+        UnknownColumn { name: String, nearest: Option<String> } => Code::MeasuredTable,
+            says("the column '{name}' is no random input of this study"),
+            hint_of(nearest.as_ref().map(|nearest| format!("did you mean '{nearest}'?")));
+        /// A random input without a column.
+        NoColumn { path: String, file: String } => Code::MeasuredTable,
+            says("{file} has no column '{path}', a random input of this study; the rows must hold all of them"),
+            hint("write the rows again: loosepin identify STUDY --lengths --write NEW, with this input in STUDY");
+        /// A column of another dimension than its input.
+        ColumnDimension { name: String, found: Dimension, due: Dimension } => Code::MeasuredTable,
+            says("the column '{name}' is {found}; it must be {due}");
+        /// Too few rows.
+        FewRows { found: usize, least: usize } => Code::BadSample,
+            says("the table has {}; must be at least {least}", counted(*found, "row")),
+            hint("an end of what 95 % of mechanisms do rests on 2.5 % of the rows");
+        /// A row that is no mechanism.
+        ImpossibleRow { rows: usize, error: QuantityError } => error.code(),
+            says("{} is no mechanism of the model: {error}", match rows {
+                1 => "this row".to_owned(),
+                rows => format!("this row, the first of {rows},"),
+            }),
+            hint_of(error.hint());
+        /// What has no answer for a joint sample.
+        Beside { what: &'static str } => Code::AskNotPossible,
+            says("{what} is not offered beside [specimen]: its rows have no distribution but themselves"),
+            hint("leave one of the two out");
+        /// A distribution with uncertain parameters, of which the rows would leave nothing.
+        UncertainParameter { path: String } => Code::AskNotPossible,
+            says("'{path}' has a distribution with uncertain parameters, which [specimen] cannot replace"),
+            hint("write one number for each parameter, or the input under [epistemic]");
+        /// A small probability.
+        Rare { entry: String } => Code::AskNotPossible,
+            says("{entry}: no method for small probabilities is offered beside [specimen]: below 1/n of n rows there is nothing"),
+            hint("leave method out: the rows are counted");
+        /// How well so many rows are known.
+        Finite { rows: usize, effective: f64 } => Code::BadSample,
+            says("{rows} rows of the specimen say as much as {} mechanisms: a share of 95 % of them is known to ± {} %, \
+                  a share of one half to ± {} % (2 standard deviations); no bound holds this error",
+                effective.floor(), percent(0.95, *effective), percent(0.5, *effective)),
+            hint("more rows: loosepin identify with more --points");
+    }
+}
+
+/// Two standard deviations of a share of independent rows, percent, two digits.
+fn percent(share: f64, effective: f64) -> String {
+    let error = 200.0 * (share * (1.0 - share) / effective).sqrt();
+    format_number(format!("{error:.1e}").parse().unwrap_or(error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::percent;
+
+    #[test]
+    fn analytic_two_standard_deviations_of_a_share() {
+        // 2 √(0.25/400) = 5 %; 2 √(0.0475/400) = 2.179 %.
+        assert_eq!((percent(0.5, 400.0).as_str(), percent(0.95, 400.0).as_str()), ("5", "2.2"));
+    }
+}
