@@ -11,7 +11,8 @@ fn main() {
     let study = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}"));
     let features: Vec<&MeasuredMotion> = study.motion.iter().collect();
     let values_si: Vec<f64> = features.iter().filter_map(|feature| feature.mean_si()).collect();
-    let asked = MotionValues { confidence: CONFIDENCE, points: count, threads: 0, with_posterior: false };
+    let asked =
+        MotionValues { confidence: CONFIDENCE, points: count, threads: 0, with_posterior: false, with_lengths: false };
     let mut rig = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
     let begin = processor_time::of_process_ns();
     let kept = rig.kept(&[count], &values_si).unwrap_or_else(|complaints| panic!("{complaints}"));

@@ -27,7 +27,8 @@ fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
     let study = Study::from_path(&folder.join("measured.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
     let features: Vec<&MeasuredMotion> = study.motion.iter().collect();
-    let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: true };
+    let asked =
+        MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: true, with_lengths: false };
     let mut bank = MotionRig::new(&study, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
     let start_s = processor_s();
     let all = bank.predicted(&[PLAYS]).unwrap_or_else(|complaints| panic!("{complaints}"));

@@ -48,6 +48,8 @@ pub struct Options {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set of a motion (default: no).
     pub with_posterior: bool,
+    /// Whether mechanisms that agree with what was measured of a motion are drawn (default: no).
+    pub with_lengths: bool,
 }
 
 impl Default for Options {
@@ -59,6 +61,7 @@ impl Default for Options {
             points: POINTS,
             threads: 0,
             with_posterior: false,
+            with_lengths: false,
         }
     }
 }
@@ -76,12 +79,21 @@ pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Id
         let place = Place::new(study.source(), 0..0);
         return Err(Complaint::error(&IdentifyProblem::NoReadings, Some(place)).into());
     }
+    if study.specimen.is_some() {
+        let place = Place::new(study.source(), 0..0);
+        return Err(Complaint::error(&IdentifyProblem::Conditioned, Some(place)).into());
+    }
+    if options.with_lengths && study.motion.is_empty() {
+        let place = Place::new(study.source(), 0..0);
+        return Err(Complaint::error(&IdentifyProblem::NoMotion, Some(place)).into());
+    }
     let wanted = specimens(study, options)?;
     let asked = MotionValues {
         confidence,
         points: options.points,
         threads: options.threads,
         with_posterior: options.with_posterior,
+        with_lengths: options.with_lengths,
     };
     let motion = identify_motion(study, options.specimen.as_ref(), &asked, heard)?;
     let answer = |random_inputs, specimens| Identification {

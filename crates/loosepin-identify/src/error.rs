@@ -43,6 +43,14 @@ problems! {
         PlayNotLinear { path: String } => Code::AskNotPossible,
             says("the clearances do not follow '{path}' in a straight line"),
             hint("name the clearance of the joint itself under [epistemic]");
+        Conditioned => Code::AskNotPossible,
+            says("the lengths of this study are those of a measured specimen already ([specimen]): the measurement would count twice"),
+            hint("identify the study that it was written from");
+        NoMotion => Code::AskNotPossible,
+            says("only features of a motion say something of lengths (kind = \"motion\"); dead travels hold for all lengths within their intervals"),
+            hint("leave --lengths out, or add features of a motion");
+        NoLengths { reason: String } => Code::AskNotPossible,
+            says("no mechanisms are written: {reason}");
         UnknownSpecimen { name: String, known: Vec<String> } => Code::UnknownReference,
             says("nothing was measured at a specimen '{name}'"),
             hint_of(Some(if known.is_empty() {

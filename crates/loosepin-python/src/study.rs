@@ -203,7 +203,13 @@ fn motion_values(points: i64, confidence: f64, threads: Option<i64>) -> PyResult
         let text = format!("points {points}; must be between {LEAST_POINTS} and {MOST_POINTS}");
         return Err(PyValueError::new_err(text));
     }
-    Ok(MotionValues { confidence, points: points as usize, threads: count_threads(threads)?, with_posterior: false })
+    Ok(MotionValues {
+        confidence,
+        points: points as usize,
+        threads: count_threads(threads)?,
+        with_posterior: false,
+        with_lengths: false,
+    })
 }
 
 /// As many threads as asked for, otherwise as many as the machine has.

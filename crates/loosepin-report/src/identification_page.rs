@@ -366,6 +366,7 @@ mod tests {
             is_coarse: false,
             misfit,
             posterior: None,
+            lengths: None,
         };
         Identification {
             study: "worn <pin>".to_owned(),

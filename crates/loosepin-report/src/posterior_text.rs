@@ -138,6 +138,7 @@ mod tests {
             is_coarse: false,
             misfit: None,
             posterior: None,
+            lengths: None,
         }
     }
 

@@ -36,6 +36,100 @@ pub struct MotionSpecimen {
     /// How probable the values are, where that was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub posterior: Option<MotionPosterior>,
+    /// Mechanisms that agree with what was measured, where that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<SpecimenLengths>,
+}
+
+/// The random inputs of the specimen, given what was measured: prior of the unknowns uniform over the consistent set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SpecimenLengths {
+    /// Mechanisms that agree.
+    Given(MechanismRows),
+    /// Why there are none.
+    Refused(LengthsRefusal),
+}
+
+/// Mechanisms that agree with what was measured, each as probable as any other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MechanismRows {
+    /// The random inputs, in the order of the study.
+    pub columns: Vec<LengthColumn>,
+    /// Values of each mechanism, SI; a mechanism may be there several times.
+    pub rows_si: Vec<Vec<f64>>,
+    /// Mechanisms that were run.
+    pub runs: usize,
+    /// Runs of these that failed.
+    pub failed: usize,
+    /// Number of equally probable mechanisms that would say as much: (Σ w)²/Σ w².
+    pub effective: f64,
+    /// Lengths that trade off against an unknown.
+    pub tied: Vec<TiedLength>,
+}
+
+/// A random input of the series, and of the specimen.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LengthColumn {
+    /// Its path.
+    pub path: String,
+    /// Its name in sentences.
+    pub name: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Mean and standard deviation in the series, SI.
+    pub before_si: [f64; 2],
+    /// Mean and standard deviation given the measurement, SI.
+    pub after_si: [f64; 2],
+}
+
+/// A length and an unknown of which the measurement knows the one only with the other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TiedLength {
+    /// Place of the length among the columns.
+    pub column: usize,
+    /// Place of the unknown.
+    pub unknown: usize,
+    /// Their rank correlation (Spearman) over the mechanisms.
+    pub rank_correlation: f64,
+}
+
+/// Why there are no mechanisms that agree with what was measured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LengthsRefusal {
+    /// No value of the unknowns is consistent.
+    Misfit,
+    /// The study has no random inputs.
+    NothingRandom,
+    /// A distribution has uncertain parameters, of which rows would leave nothing.
+    UncertainParameter {
+        /// Path of the input.
+        path: String,
+    },
+    /// Features without independent error, which a mechanism would have to meet exactly.
+    NotScattered {
+        /// Their names.
+        features: Vec<String>,
+    },
+    /// Too many runs failed.
+    Failed {
+        /// How many.
+        failed: usize,
+        /// Of so many.
+        runs: usize,
+        /// Largest share that is allowed.
+        most: f64,
+    },
+    /// Too few mechanisms carry the weight.
+    FewMechanisms {
+        /// Number of equally probable ones that would say as much.
+        effective: f64,
+        /// Mechanisms that were run.
+        runs: usize,
+        /// Number that is needed, at least.
+        least: f64,
+    },
 }
 
 /// The Bayesian answer beside the set: prior uniform over the box, each member of a list as probable as any other.

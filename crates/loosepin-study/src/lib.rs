@@ -66,10 +66,11 @@ pub use error::{StudyError, TooManyFailed};
 pub use export::{ExportError, export_networks};
 pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
-    EpistemicInput, EpistemicSubject, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredMotion, MeasuredProblem,
-    MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem, RareMethod, ReadingScatter, Reduction,
-    Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation, Study, StudyProblem,
-    StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study, signed_parts, study_schema,
+    EpistemicInput, EpistemicSubject, LEAST_SPECIMEN_ROWS, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredMotion,
+    MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem, RareMethod,
+    ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
+    Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study,
+    signed_parts, study_schema,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::{Foreseen, ForeseenPromise, foresee};

@@ -19,9 +19,18 @@ const MOST_NUMBERS: usize = 8_000_000;
 /// Streams of random numbers of the seed of the study.
 const LENGTHS: u64 = 0x6d6f_7469_6f6e;
 const ERRORS: u64 = 0x6572_726f_7273;
+const SPECIMEN: u64 = 0x7370_6563_696d;
 
 /// Features of the runs at one point: of each run one number a feature, not a number where it failed.
 pub(crate) type Runs = Rc<Vec<Vec<f64>>>;
+
+/// A mechanism with what it would show.
+pub(crate) struct Mechanism {
+    pub random: Vec<f64>,
+    pub epistemic: Vec<f64>,
+    /// Of each feature its true value, SI; not a number where the run failed.
+    pub features: Vec<f64>,
+}
 
 /// Runs of one study, made when they are asked for and kept.
 pub(crate) struct Bank<'s> {
@@ -133,13 +142,49 @@ impl<'s> Bank<'s> {
     }
 
     fn made(&self, points: &[&Vec<f64>]) -> Result<Vec<Runs>, StudyError> {
+        let key = |run: usize| hash(hash(self.study.seed, LENGTHS), run as u64);
         let inputs: Vec<[Vec<f64>; 2]> = points
             .iter()
-            .flat_map(|point| (0..self.runs).map(move |run| [self.random(point, run), point.to_vec()]))
+            .flat_map(|point| (0..self.runs).map(move |run| [self.random(point, key(run)), point.to_vec()]))
             .collect();
+        let mut sums = self.without_errors(&inputs, self.before + self.known.len())?;
+        for (index, values) in sums.iter_mut().enumerate() {
+            let run = (index % self.runs) as u64;
+            for (place, (value, feature)) in values.iter_mut().zip(&self.features).enumerate() {
+                let deviation = feature.scatter.size / (feature.repeats as f64).sqrt();
+                let key = hash(hash(self.study.seed, ERRORS), run);
+                let error = deviation * normal(key, place as u64);
+                *value += if feature.scatter.is_share { *value * error } else { error };
+            }
+        }
+        Ok(sums.chunks(self.runs).map(|runs| Rc::new(runs.to_vec())).collect())
+    }
+
+    /// Further mechanisms, from number `first` on, one at each of `points`: their random inputs and their features without errors, which are
+    /// not kept.
+    ///
+    /// # Errors
+    /// The study cannot begin.
+    pub fn mechanisms(&self, first: usize, points: &[Vec<f64>]) -> Result<Vec<Mechanism>, StudyError> {
+        let key = |number: usize| hash(hash(self.study.seed, SPECIMEN), number as u64);
+        let inputs: Vec<[Vec<f64>; 2]> = points
+            .iter()
+            .enumerate()
+            .map(|(index, point)| [self.random(point, key(first + index)), point.clone()])
+            .collect();
+        let features = self.without_errors(&inputs, self.before + self.known.len() + first / self.runs)?;
+        all_made(features.len(), inputs.len())?;
+        let mechanism =
+            |([random, epistemic], features): ([Vec<f64>; 2], Vec<f64>)| Mechanism { random, epistemic, features };
+        Ok(inputs.into_iter().zip(features).map(mechanism).collect())
+    }
+
+    /// Features of runs with these random and epistemic inputs, means over their repeats, without the errors of instruments; as many
+    /// values as `already` have their runs.
+    fn without_errors(&self, inputs: &[[Vec<f64>; 2]], already: usize) -> Result<Vec<Vec<f64>>, StudyError> {
         let mut sums = vec![vec![0.0; self.features.len()]; inputs.len()];
         let (runs, runs_per_value) = (AtomicUsize::new(0), self.runs * self.stretches.len());
-        let (already, heard, most) = (self.before + self.known.len(), self.heard, self.most);
+        let (heard, most) = (self.heard, self.most);
         let finished = || {
             let finished = runs.fetch_add(1, Ordering::Relaxed) + 1;
             let values = already + finished / runs_per_value;
@@ -162,16 +207,7 @@ impl<'s> Bank<'s> {
                 }
             }
         }
-        for (index, values) in sums.iter_mut().enumerate() {
-            let run = (index % self.runs) as u64;
-            for (place, (value, feature)) in values.iter_mut().zip(&self.features).enumerate() {
-                let deviation = feature.scatter.size / (feature.repeats as f64).sqrt();
-                let key = hash(hash(self.study.seed, ERRORS), run);
-                let error = deviation * normal(key, place as u64);
-                *value += if feature.scatter.is_share { *value * error } else { error };
-            }
-        }
-        Ok(sums.chunks(self.runs).map(|runs| Rc::new(runs.to_vec())).collect())
+        Ok(sums)
     }
 
     fn feature(&self, rows: &RunRows, row: &[f64], place: usize) -> Result<f64, StudyError> {
@@ -187,9 +223,8 @@ impl<'s> Bank<'s> {
         })
     }
 
-    /// Random inputs of a run: the same levels at every point.
-    fn random(&self, point: &[f64], run: usize) -> Vec<f64> {
-        let key = hash(hash(self.study.seed, LENGTHS), run as u64);
+    /// Random inputs of a run: the same levels at every point for the same key.
+    fn random(&self, point: &[f64], key: u64) -> Vec<f64> {
         let random = &self.study.random;
         let cube: Vec<f64> = (0..random.len()).map(|input| uniform(key, input as u64)).collect();
         let levels = match &self.study.correlation {

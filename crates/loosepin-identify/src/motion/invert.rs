@@ -3,6 +3,7 @@
 use super::bank::{Bank, Heard, Runs};
 use super::grid::{Axis, Grid};
 use super::joint_test::{Verdict, joint_test, runs_for};
+use super::lengths::lengths;
 use super::posterior::{TestedCell, posterior};
 use super::scatter::Observation;
 use super::unknowns::{axis, bounds, value};
@@ -29,6 +30,8 @@ pub struct MotionValues {
     pub threads: usize,
     /// Whether a posterior distribution is given beside the set.
     pub with_posterior: bool,
+    /// Whether mechanisms that agree with the measurement are drawn, by what is left of the runs.
+    pub with_lengths: bool,
 }
 
 /// Values of the unknowns, and of each run at them its features, SI.
@@ -40,6 +43,7 @@ pub struct MotionRig<'s> {
     pub(super) axes: Vec<Axis>,
     alpha: f64,
     points: usize,
+    with_lengths: bool,
 }
 
 impl<'s> MotionRig<'s> {
@@ -67,7 +71,7 @@ impl<'s> MotionRig<'s> {
         let is_fixed = study.random.is_empty() && features.iter().all(|feature| feature.scatter.size == 0.0);
         let runs = if is_fixed { 1 } else { runs as usize };
         let bank = Bank::new(study, features, runs + beside, asked.threads).map_err(|error| refused(study, &error))?;
-        Ok(Self { bank, axes, alpha, points: asked.points })
+        Ok(Self { bank, axes, alpha, points: asked.points, with_lengths: asked.with_lengths })
     }
 
     /// Values of the unknowns at shares of the box.
@@ -136,6 +140,11 @@ impl<'s> MotionRig<'s> {
             let runs: Vec<Runs> = tested.iter().map(|(_, _, runs)| Runs::clone(runs)).collect();
             let given = posterior(self.bank.study, &seen, &grid, &cells, &runs, self.alpha);
             found.posterior = Some(given.map_or_else(MotionPosterior::Refused, MotionPosterior::Given));
+        }
+        if self.with_lengths {
+            let most = self.points.saturating_sub(tested.len()) * self.bank.runs;
+            let drawn = lengths(&self.bank, &seen, &grid, most);
+            found.lengths = Some(drawn.map_err(|error| refused(self.bank.study, &error))?);
         }
         Ok(found)
     }
@@ -265,6 +274,7 @@ impl<'s> MotionRig<'s> {
             is_coarse,
             misfit,
             posterior: None,
+            lengths: None,
             features,
         }
     }

@@ -1,9 +1,11 @@
 //! From features of a measured motion to the values of the unknowns that are consistent with them.
 
+mod agreement;
 mod bank;
 mod grid;
 mod invert;
 mod joint_test;
+mod lengths;
 mod likelihood;
 mod plan;
 mod posterior;

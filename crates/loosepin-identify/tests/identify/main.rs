@@ -1,6 +1,7 @@
 //! Readings whose consistent plays are known: closed forms, and an independent calculation by brute force.
 
 mod closed_forms;
+mod lengths;
 mod misfits;
 mod motion;
 mod motion_repetitions;

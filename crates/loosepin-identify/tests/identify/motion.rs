@@ -6,7 +6,7 @@ use loosepin_identify::{MotionValues, Options, UNHEARD, identify, known_bounds, 
 use loosepin_study::Study;
 
 /// The worn pin without its play: the stroke of the slider is twice the crank.
-fn ideal_model() -> String {
+pub fn ideal_model() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/slider_crank_worn_pin/model.toml");
     let text = std::fs::read_to_string(path).expect("the case is there");
     let is_play =
@@ -117,7 +117,7 @@ fn refusals_of_a_motion_name_its_specimens_and_keep_code_and_hint() {
         refused.contains("nothing was measured at a specimen 'C'") && refused.contains("there is 'A'"),
         "{refused}"
     );
-    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false };
+    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false, with_lengths: false };
     let refused = plan_motion(&study, Some("C"), &asked, UNHEARD).expect_err("no such specimen").to_string();
     assert!(refused.contains("there is 'A'"), "{refused}");
     // A crank that is longer than its rod does not turn: the words of the run, not that "runs cannot be made".
@@ -156,7 +156,7 @@ fn a_plan_says_which_feature_tells() {
     };
     // The mean of the drive's turn counts the rod, whose length is known far better than the error; the stroke counts the crank.
     let study = of_crank(&format!("{ROD}{}{}", at("range", ""), at("order", "order = 7")));
-    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false };
+    let asked = MotionValues { confidence: 0.99, points: 64, threads: 0, with_posterior: false, with_lengths: false };
     let plan = plan_motion(&study, None, &asked, UNHEARD).unwrap_or_else(|complaints| panic!("{complaints}"));
     assert_eq!(plan.features[0].name, "slider, range");
     assert!(plan.features[0].share_of_box < 0.5, "{plan:?}");

@@ -98,7 +98,8 @@ fn peer_worn_pin_from_ten_turns_of_the_oracle() {
     let of_file = study(&folder, FILE_PLAY_MM);
     let of_alternatives = ALTERNATIVES.map(|(_, play_mm)| study(&folder, play_mm));
     let features: Vec<&MeasuredMotion> = of_file.motion.iter().collect();
-    let asked = MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: false };
+    let asked =
+        MotionValues { confidence: CONFIDENCE, points: POINTS, threads: 0, with_posterior: false, with_lengths: false };
     let mut rig = MotionRig::new(&of_file, &features, &asked, 0).unwrap_or_else(|complaints| panic!("{complaints}"));
     let runs = rig.predicted(&[BRUTE_FORCE]).unwrap_or_else(|complaints| panic!("{complaints}"));
     let cell_m = (0.5e-3 - 0.1e-3) / BRUTE_FORCE as f64;

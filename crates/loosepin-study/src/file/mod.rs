@@ -54,7 +54,7 @@ pub use problem::StudyProblem;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
-pub use specimen::LEAST_ROWS;
+pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
 pub use specimen_problem::SpecimenProblem;
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts};
