@@ -489,6 +489,9 @@ pub struct IdentifyArguments {
     /// Give a posterior distribution beside the values that are consistent with a motion, by the same runs
     #[arg(long, conflicts_with = "plan")]
     pub posterior: bool,
+    /// Draw mechanisms whose lengths agree with the motion, by what is left of the points; --write writes them beside the study, which uses them
+    #[arg(long, conflicts_with = "plan")]
+    pub lengths: bool,
     /// Number of threads for the runs of a motion, 1 to 1024 [default: all of the machine]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), allow_negative_numbers = true)]
     pub threads: Option<u32>,

@@ -24,4 +24,4 @@ pub use loosepin_result::identification as record;
 pub use loosepin_result::motion_identification as motion_record;
 pub use motion::{Heard, MotionRig, MotionValues, RunsOfValue, UNHEARD, plan_motion};
 pub use narrowed::{Narrowed, known_bounds, narrowed, write_narrowed};
-pub use specimen_file::{SpecimenStudy, refusal_words};
+pub use specimen_file::SpecimenStudy;

@@ -145,7 +145,7 @@ fn outwards(value_si: f64, is_upper: bool, like: &str, dimension: Dimension) -> 
     }
 }
 
-/// Writes a narrowed study beside the one that it comes from.
+/// Writes a narrowed study, or what it names, beside the study that it comes from.
 ///
 /// # Errors
 /// A path in another folder, from which the model would not be found; a file that is there already; one that cannot be written.

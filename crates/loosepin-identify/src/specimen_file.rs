@@ -3,10 +3,10 @@
 use super::error::IdentifyProblem;
 use super::narrowed::{Narrowed, known_bounds, narrowed};
 use loosepin_result::identification::Identification;
-use loosepin_result::motion_identification::{LengthsRefusal, MechanismRows, SpecimenLengths};
+use loosepin_result::motion_identification::{MechanismRows, SpecimenLengths};
 use loosepin_study::Study;
 use loosepin_text::diagnostics::{Complaints, Source};
-use loosepin_text::units::{ReadableUnit, counted, listed};
+use loosepin_text::units::{ReadableUnit, counted};
 use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl SpecimenStudy {
         let mechanisms = match lengths {
             None => None,
             Some(SpecimenLengths::Refused(refusal)) => {
-                let problem = IdentifyProblem::NoLengths { reason: refusal_words(refusal) };
+                let problem = IdentifyProblem::NoLengths { reason: refusal.to_string() };
                 return Err(Complaints::one(&problem, None));
             }
             Some(SpecimenLengths::Given(rows)) => {
@@ -91,31 +91,4 @@ fn csv(study: &Study, rows: &MechanismRows) -> String {
         text.push('\n');
     }
     text
-}
-
-/// Why there are no mechanisms that agree with what was measured, and what to do.
-pub fn refusal_words(refusal: &LengthsRefusal) -> String {
-    match refusal {
-        LengthsRefusal::Misfit => "no values of the unknowns are consistent".to_owned(),
-        LengthsRefusal::NothingRandom => "the study has no random inputs".to_owned(),
-        LengthsRefusal::UncertainParameter { path } => format!(
-            "the distribution of '{path}' has uncertain parameters, and rows would leave nothing of these; write one number for each, or \
-             the input under [epistemic]"
-        ),
-        LengthsRefusal::NotScattered { features } => {
-            let quoted: Vec<String> = features.iter().map(|name| format!("'{name}'")).collect();
-            format!(
-                "{} would have to be met exactly by a mechanism; give {} a scatter, the standard deviation of the independent error",
-                listed(&quoted, "and"),
-                if features.len() == 1 { "it" } else { "each" }
-            )
-        }
-        LengthsRefusal::Failed { failed, runs, most } => {
-            format!("{failed} of {runs} runs failed, which is more than {} %", 100.0 * most)
-        }
-        LengthsRefusal::FewMechanisms { effective, runs, least } => format!(
-            "the {runs} that were run say as much as {effective:.0} equally probable ones, and {least:.0} are needed; more runs (--points) \
-             or a larger scatter of the features give more"
-        ),
-    }
 }

@@ -2,13 +2,14 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use loosepin::identify::{MotionValues, Options, identify, known_bounds, narrowed, plan_motion, record};
+use loosepin::identify::{MotionValues, Options, SpecimenStudy, identify, plan_motion, record};
 use loosepin::report::{identification_page, identification_text, motion_plan_text};
 use loosepin::result::json::to_json;
 use loosepin::study::{self, Progress};
 use loosepin::units::DisplayUnits;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::path::Path;
 
 use crate::error::raise;
 use crate::run_rows::Texts;
@@ -40,10 +41,8 @@ impl Identification {
 
     /// The texts of the study with narrowed intervals.
     fn narrowed(&self) -> PyResult<Texts> {
-        let known = known_bounds(&self.answer).map_err(raise)?;
-        let (text, _) = narrowed(&self.study, &known);
-        let study = study::Study::from_text(self.study.source().name(), &text, self.study.model.clone());
-        let study::StudyTexts { study, model, model_path, tables } = study.map_err(raise)?.texts();
+        let narrowed = SpecimenStudy::new(&self.study, &self.answer, Path::new("narrowed.toml")).map_err(raise)?;
+        let study::StudyTexts { study, model, model_path, tables } = narrowed.study.texts();
         Ok((study, model, model_path, tables))
     }
 }
@@ -64,9 +63,9 @@ pub fn identified(
     progress: Option<&Py<PyAny>>,
 ) -> PyResult<Identification> {
     let Asked { values, specimen } = asked;
-    let MotionValues { confidence, points, threads, with_posterior } = *values;
+    let MotionValues { confidence, points, threads, with_posterior, with_lengths } = *values;
     let specimen = specimen.clone();
-    let options = Options { confidence, points, threads, with_posterior, specimen, ..Options::default() };
+    let options = Options { confidence, points, threads, with_posterior, with_lengths, specimen, ..Options::default() };
     let answer = told(py, progress, |heard| identify(study, &options, heard).map_err(raise))?;
     Ok(Identification { answer, study: study.clone() })
 }

@@ -141,7 +141,7 @@ impl Study {
 
     /// What its readings and its motion say of its unknowns.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (points, confidence, specimen, posterior, threads, progress))]
+    #[pyo3(signature = (points, confidence, specimen, posterior, lengths, threads, progress))]
     fn identify(
         &self,
         py: Python<'_>,
@@ -149,10 +149,15 @@ impl Study {
         confidence: f64,
         specimen: Option<String>,
         posterior: bool,
+        lengths: bool,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Identification> {
-        let values = MotionValues { with_posterior: posterior, ..motion_values(points, confidence, threads)? };
+        let values = MotionValues {
+            with_posterior: posterior,
+            with_lengths: lengths,
+            ..motion_values(points, confidence, threads)?
+        };
         let asked = identification::Asked { values, specimen };
         identified(py, &self.0, &asked, progress.as_ref())
     }

@@ -7,6 +7,7 @@ use super::identification_gain::{bound_words, narrower_words};
 use super::identification_text::{
     alike_words, further_words, grounds, headline, misfit_words, range, stated, sum_words,
 };
+use super::lengths_text::{LENGTH_HEADS, length_rows, length_words};
 use super::motion_identification_text::{self as motion_text, plan_words};
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
@@ -15,7 +16,7 @@ use super::posterior_text::{motion_range, posterior_heads, posterior_rows, poste
 use super::repeat_section::repeat_section;
 use super::wording::capitalised;
 use loosepin_result::identification::{Gain, Identification, Outcome, PlayBounds, Specimen};
-use loosepin_result::motion_identification::{MotionPlan, MotionPosterior, MotionSpecimen};
+use loosepin_result::motion_identification::{MotionPlan, MotionPosterior, MotionSpecimen, SpecimenLengths};
 use loosepin_text::units::counted;
 
 /// Digits of a measured value.
@@ -37,6 +38,10 @@ pub fn identification_page(answer: &Identification) -> String {
     if answer.motion.iter().any(|specimen| specimen.posterior.is_some()) {
         let body = each(&answer.motion, |specimen| &specimen.name, |index, it| posterior(it, index, &writer));
         sections.push(Section::new("posterior", "How probable the values are", body));
+    }
+    if answer.motion.iter().any(|specimen| specimen.lengths.is_some()) {
+        let body = each(&answer.motion, |specimen| &specimen.name, |_, it| lengths(it, &writer));
+        sections.push(Section::new("lengths", "Lengths of the specimen", body));
     }
     if !answer.specimens.is_empty() {
         let body = each(&answer.specimens, |specimen| &specimen.name, |index, it| plays(it, index, &writer));
@@ -192,6 +197,17 @@ fn features(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) 
     html! {
         (ranges(&rows, format!("features.{index}"), (alternative, caption), writer))
         (cards(heads, specimen.features.iter().map(row)))
+    }
+}
+
+/// Lengths of the specimen, or why they are not told.
+fn lengths(specimen: &MotionSpecimen, writer: &NumberWriter<'_>) -> Markup {
+    let Some(lengths) = &specimen.lengths else { return Markup::default() };
+    html! {
+        @if let SpecimenLengths::Given(rows) = lengths {
+            (cards(LENGTH_HEADS, length_rows(rows, writer).into_iter().map(|row| row.map(|cell| html! { (cell) }))))
+        }
+        (sentences(&length_words(specimen, lengths, writer)))
     }
 }
 

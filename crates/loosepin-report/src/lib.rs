@@ -45,6 +45,7 @@ mod identification_gain;
 mod identification_page;
 mod identification_text;
 mod inverse;
+mod lengths_text;
 mod life_section;
 mod live_band;
 mod measured_figures;

@@ -1,11 +1,13 @@
 //! The answer of an identification from motion for a terminal: what is consistent, or the misfit; and what features would tell.
 
+use super::lengths_text::{LENGTH_HEADS, length_rows, length_words};
 use super::number::{NumberWriter, Rounding};
 use super::posterior_text::{motion_range, posterior_heads, posterior_rows, posterior_words};
 use super::terminal_table::{keep_words, push_table, table, wrapped};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{
     ConsistentMembers, MotionFeature, MotionMisfit, MotionPlan, MotionPosterior, MotionSpecimen, PlannedFeature,
+    SpecimenLengths,
 };
 use loosepin_text::units::{DisplayUnits, SiUnit, counted, listed};
 
@@ -59,6 +61,25 @@ pub(super) fn push_motion(text: &mut String, specimen: &MotionSpecimen, writer: 
     }
     if let Some(posterior) = &specimen.posterior {
         push_posterior(text, specimen, posterior, writer);
+    }
+    if let Some(lengths) = &specimen.lengths {
+        push_lengths(text, specimen, lengths, writer);
+    }
+}
+
+/// Appends the lengths of the specimen, or why they are not told.
+fn push_lengths(text: &mut String, specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &NumberWriter<'_>) {
+    text.push_str("\nLengths of this specimen\n");
+    if let SpecimenLengths::Given(rows) = lengths {
+        let mut table = table(&LENGTH_HEADS, &[1, 2, 3, 4]);
+        for row in length_rows(rows, writer) {
+            table.add_row(row.to_vec());
+        }
+        push_table(text, &table);
+    }
+    text.push('\n');
+    for sentence in length_words(specimen, lengths, writer) {
+        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
     }
 }
 

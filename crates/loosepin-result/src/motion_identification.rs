@@ -1,8 +1,9 @@
 //! The record of an identification from motion: which values of the unknowns are consistent with measured features.
 
 use crate::play_bounds::PlayBounds;
-use loosepin_text::units::SiUnit;
+use loosepin_text::units::{SiUnit, listed};
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// What the features of a measured motion say of a specimen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -206,6 +207,37 @@ pub enum PosteriorRefusal {
         /// Number that is needed, at least.
         least: f64,
     },
+}
+
+impl fmt::Display for LengthsRefusal {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Misfit => write!(formatter, "no values of the unknowns are consistent"),
+            Self::NothingRandom => write!(formatter, "the study has no random inputs"),
+            Self::UncertainParameter { path } => write!(
+                formatter,
+                "the distribution of '{path}' has uncertain parameters, of which rows would leave nothing; write one number for each, or the \
+                 input under [epistemic]"
+            ),
+            Self::NotScattered { features } => {
+                let quoted: Vec<String> = features.iter().map(|name| format!("'{name}'")).collect();
+                let each = if features.len() == 1 { "it" } else { "each" };
+                write!(
+                    formatter,
+                    "a mechanism would have to meet {} exactly; give {each} a scatter, the standard deviation of its independent error",
+                    listed(&quoted, "and")
+                )
+            }
+            Self::Failed { failed, runs, most } => {
+                write!(formatter, "{failed} of {runs} runs failed, which is more than {} %", 100.0 * most)
+            }
+            Self::FewMechanisms { effective, runs, least } => write!(
+                formatter,
+                "the {runs} that were run say as much as {effective:.0} equally probable ones, and {least:.0} are needed; more runs \
+                 (--points) or a larger scatter of the features give more"
+            ),
+        }
+    }
 }
 
 /// An unknown that is one of a list.

@@ -1,8 +1,8 @@
 //! `loosepin identify`.
 
-use loosepin::identify::record::{Gain, Identification, Outcome, PlayBounds};
+use loosepin::identify::record::{Gain, Identification, Outcome};
 use loosepin::identify::{
-    Heard, IdentifyProblem, MotionValues, Options, identify, known_bounds, narrowed, plan_motion, write_narrowed,
+    Heard, IdentifyProblem, MotionValues, Options, SpecimenStudy, identify, plan_motion, write_narrowed,
 };
 use loosepin::report::{identification_gain, identification_page, identification_text, motion_plan_text};
 use loosepin::result::json::to_json;
@@ -20,6 +20,7 @@ use crate::arguments::IdentifyArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
+use std::path::PathBuf;
 
 /// Shows what the readings of a study say of its plays; writes the narrowed study, and a page, where that is asked for.
 pub fn run(arguments: &IdentifyArguments) -> Ending {
@@ -79,7 +80,8 @@ impl StoredResult for Identification {
 fn motion_values(arguments: &IdentifyArguments) -> MotionValues {
     let threads = threads(arguments.threads);
     let (confidence, points) = (arguments.confidence, arguments.points);
-    MotionValues { confidence, points, threads, with_posterior: arguments.posterior }
+    let (with_posterior, with_lengths) = (arguments.posterior, arguments.lengths);
+    MotionValues { confidence, points, threads, with_posterior, with_lengths }
 }
 
 /// What the readings and the motion say, and what the study gains by it where that is asked for.
@@ -90,6 +92,7 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
         points: arguments.points,
         threads: threads(arguments.threads),
         with_posterior: arguments.posterior,
+        with_lengths: arguments.lengths,
         ..Options::default()
     };
     let mut answer = with_bar(|heard| identify(study, &options, heard))?;
@@ -97,8 +100,8 @@ fn answer(study: &Study, arguments: &IdentifyArguments) -> Result<Identification
         if is_misfit(&answer) {
             console::message("the study is not compared: no values explain what was measured");
         } else {
-            match known_bounds(&answer) {
-                Ok(known) => answer.gain = Some(gain(study, &known, options.threads)?),
+            match SpecimenStudy::new(study, &answer, &study_path(arguments)) {
+                Ok(after) => answer.gain = Some(gain(study, &after.study, options.threads)?),
                 // What was found is shown all the same.
                 Err(complaints) => console::complain(&complaints),
             }
@@ -112,10 +115,13 @@ fn is_misfit(answer: &Identification) -> bool {
         || answer.motion.iter().any(|specimen| specimen.misfit.is_some())
 }
 
-/// The bounds of the study as it is and with the narrowed intervals.
-fn gain(study: &Study, known: &[PlayBounds], threads: usize) -> Result<Gain, Failure> {
-    let (text, _) = narrowed(study, known);
-    let after = Study::from_text(study.source().name(), &text, study.model.clone())?;
+/// The file that a narrowed study is written to, or would be.
+fn study_path(arguments: &IdentifyArguments) -> PathBuf {
+    arguments.write.clone().unwrap_or_else(|| arguments.study.with_file_name("narrowed.toml"))
+}
+
+/// The bounds of the study as it is and with what is known after.
+fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
     let stop = stop_on_signals("Ctrl-C ends the study at once");
     let conducted = |study: &Study| -> Result<StudyResult, Failure> {
         let bar = Bar::new();
@@ -124,7 +130,7 @@ fn gain(study: &Study, known: &[PlayBounds], threads: usize) -> Result<Gain, Fai
         bar.finish();
         Ok(outcome.map_err(|error| error.complaint(study))?.result)
     };
-    Ok(identification_gain(&conducted(study)?, &conducted(&after)?))
+    Ok(identification_gain(&conducted(study)?, &conducted(after)?))
 }
 
 /// What `work` gives, which takes a while, with a bar on a terminal.
@@ -146,6 +152,7 @@ fn stated(arguments: &IdentifyArguments) -> Vec<String> {
     stated.extend(arguments.specimen.iter().flat_map(|name| ["--specimen".to_owned(), name.clone()]));
     stated.extend(arguments.compare.then(|| "--compare".to_owned()));
     stated.extend(arguments.posterior.then(|| "--posterior".to_owned()));
+    stated.extend(arguments.lengths.then(|| "--lengths".to_owned()));
     stated.extend(["--out".to_owned(), "identified".to_owned()]);
     stated
 }
@@ -173,8 +180,19 @@ fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArgum
         console::message(&format!("{} is not written: no values explain what was measured", path.display()));
         return Ok(done);
     }
-    let (text, changes) = narrowed(study, &known_bounds(answer)?);
-    write_narrowed(study, path, &text)?;
+    let SpecimenStudy { text, narrowed: changes, mechanisms, .. } = SpecimenStudy::new(study, answer, path)?;
+    if let Some([name, rows]) = &mechanisms {
+        // First what the study names, so that no study is left that cannot be read.
+        let file = path.with_file_name(name);
+        write_narrowed(study, &file, rows)?;
+        if let Err(complaints) = write_narrowed(study, path, &text) {
+            let _ = std::fs::remove_file(&file);
+            return Err(complaints.into());
+        }
+        console::message(&format!("wrote {}: mechanisms that agree with what was measured", file.display()));
+    } else {
+        write_narrowed(study, path, &text)?;
+    }
     console::message(&format!(
         "wrote {}: {}",
         path.display(),

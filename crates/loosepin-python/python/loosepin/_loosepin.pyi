@@ -143,6 +143,7 @@ class Study:
         confidence: float,
         specimen: str | None,
         posterior: bool,
+        lengths: bool,
         threads: int | None,
         progress: Callable[[int, int], object] | None,
     ) -> Identification: ...

@@ -115,6 +115,7 @@ class Study:
         confidence: float = 0.99,
         specimen: str | None = None,
         posterior: bool = False,
+        lengths: bool = False,
         threads: int | None = None,
         progress: bool | Listener = True,
     ) -> Identification:
@@ -123,13 +124,14 @@ class Study:
         points: values of the unknowns at which a motion is tested, about at most. confidence: probability with which all bounds of a
         specimen hold together. specimen: the one whose readings and features count; all, each by itself, where it is left out.
         posterior: whether the posterior distribution of the unknowns of a motion is given as well, by the same runs.
+        lengths: whether mechanisms whose lengths agree with the motion are drawn; `narrowed` then is a study of these.
         progress: as for `run`; a callable is told (finished, at most) values.
 
         Ctrl-C ends it when the runs of the present values are finished. Raises LoosepinError where nothing can be identified.
         """
         told = listener(progress, "values")
         try:
-            return Identification(self._native.identify(points, confidence, specimen, posterior, threads, told))
+            return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told))
         finally:
             if told is not None:
                 told.close()
