@@ -94,3 +94,17 @@ def test_a_posterior_distribution_is_that_of_the_command(tmp_path):
     assert found.record == json.loads(ended.stdout)
     assert str(found) == command(*words, cwd=tmp_path).stdout
     assert "Posterior distribution" in str(found) and "prior: uniform" in str(found)
+
+
+def test_lengths_of_a_specimen_go_on_in_the_narrowed_study(tmp_path):
+    text = (REPOSITORY / "cases/slider_crank_worn_pin/model.toml").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith(("bearing_radius", "radial_clearance", "contact ="))]
+    (tmp_path / "model.toml").write_text("\n".join(lines), encoding="utf-8")
+    study = STROKE.replace('error = "± 0.2 mm"', 'scatter = "0.3 mm"') + (
+        '[random]\n"parameter.rod_length" = { normal = { mean = "120 mm", standard_deviation = "0.03 mm" } }\n'
+    )
+    (tmp_path / "study.toml").write_text(study, encoding="utf-8")
+    found = lp.Study.load(tmp_path / "study.toml").identify(lengths=True, confidence=0.9, progress=False)
+    rows = found.record["motion"][0]["lengths"]["given"]
+    assert len(rows["rows_si"]) == 1000 and rows["effective"] > 100
+    assert 'mechanisms = "narrowed-specimen.csv"' in found.narrowed().text

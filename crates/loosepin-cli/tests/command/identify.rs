@@ -163,6 +163,48 @@ fn a_posterior_distribution_is_printed_and_drawn_where_it_is_asked_for() {
 }
 
 #[test]
+fn lengths_of_a_specimen_are_told_written_and_used() {
+    let desk = stroke_desk();
+    // The largest position, r + l, with an error as large as the scatter of the rod.
+    let ends = STROKE.replace(
+        "\"range\"\nvalue = \"100.3 mm\"\nerror = \"± 0.2 mm\"",
+        "\"maximum\"\nvalue = \"170.05 mm\"\nscatter = \"0.03 mm\"",
+    );
+    desk.write("study.toml", &ends);
+    let asked = ["identify", "study.toml", "--confidence", "0.9", "--lengths"];
+    let said = desk.succeed(&[&asked[..], &["--write", "narrowed.toml", "--compare", "--out", "identified"]].concat());
+    let shown = said.output.replace('\u{a0}', " ");
+    for words in [
+        "Lengths of this specimen",
+        "equally probable ones",
+        "- rod length goes with crank length (rank correlation -0.",
+        "Write 'parameter.rod_length' under [epistemic]",
+    ] {
+        assert!(shown.split_whitespace().collect::<Vec<_>>().join(" ").contains(words), "{words}\n{}", said.output);
+    }
+    assert!(said.messages.contains("wrote narrowed-specimen.csv"), "{}", said.messages);
+    assert!(desk.read("identified/report.html").contains("Lengths of the specimen"));
+    assert!(desk.read("narrowed.toml").ends_with("mechanisms = \"narrowed-specimen.csv\"\n"));
+    let rows = desk.read("narrowed-specimen.csv");
+    assert_eq!((rows.lines().next(), rows.lines().count()), (Some("parameter.rod_length [mm]"), 1001));
+    let checked = desk.succeed(&["check", "narrowed.toml"]);
+    assert!(checked.output.contains("of the measured specimen, rows of narrowed-specimen.csv"), "{}", checked.output);
+    assert!(checked.messages.contains("no bound holds this error"), "{}", checked.messages);
+    // Nothing is written where one of the two files is there already.
+    std::fs::remove_file(desk.path("narrowed.toml")).expect("it was written");
+    let again = desk.run(&[&asked[..], &["--write", "narrowed.toml"]].concat());
+    assert!(again.status == 2 && !desk.path("narrowed.toml").exists(), "{}", again.messages);
+    // Few points leave few mechanisms.
+    desk.write("study.toml", STROKE);
+    let given = desk.run(&[&asked[..], &["--points", "20", "--write", "other.toml"]].concat());
+    assert!(given.status == 2 && given.messages.contains("--points"), "{} {}", given.output, given.messages);
+    desk.write("first.toml", &case_text("backlash_test", "first.toml"));
+    desk.write("model.toml", &case_text("backlash_test", "model.toml"));
+    let refused = desk.run(&["identify", "first.toml", "--lengths"]);
+    assert!(refused.messages.contains("only features of a motion say something of lengths"), "{}", refused.messages);
+}
+
+#[test]
 fn nothing_is_compared_for_a_misfit() {
     let desk = stroke_desk();
     desk.write("study.toml", &STROKE.replace("100.3 mm", "103 mm"));

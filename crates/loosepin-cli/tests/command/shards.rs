@@ -143,6 +143,26 @@ fn identity_shards_give_the_bytes_of_the_single_run() {
     assert!(again.messages.starts_with("shared7 already holds this study"), "{}", again.messages);
 }
 
+#[test]
+fn identity_rows_of_a_specimen_are_drawn_alike_by_threads_and_shards() {
+    let desk = desk();
+    let rows: Vec<String> = (0..120).map(|k| format!("{:.4}", 49.94 + 0.001 * f64::from(k * 37 % 120))).collect();
+    desk.write("mechanisms.csv", &format!("parameter.crank_length [mm]\n{}\n", rows.join("\n")));
+    desk.write("study.toml", &format!("{STUDY}\n[specimen]\nmechanisms = \"mechanisms.csv\"\n"));
+    let whole = desk.run(&["study", "study.toml", "--out", "whole", "--threads", "1"]);
+    assert!(whole.status < 2, "{}", whole.messages);
+    let two = desk.run(&["study", "study.toml", "--out", "two", "--threads", "2"]);
+    assert_eq!(two.output, whole.output);
+    assert_same(&desk, "whole", "two");
+    let (said, _) = finish(&desk, "shared2", 2);
+    assert_eq!((said.status, &said.output), (whole.status, &whole.output), "{}", said.messages);
+    assert_same(&desk, "whole", "shared2");
+    // The table is an input like the study itself.
+    desk.write("mechanisms.csv", &format!("parameter.crank_length [mm]\n{}\n", rows[1..].join("\n")));
+    let other = desk.run(&["study", "study.toml", "--out", "whole", "--threads", "1"]);
+    assert_eq!(other.status, 2, "{}", other.messages);
+}
+
 /// A probability near 1e-4 over an interval: a search for design points in rounds of a few runs, then samples around them in rounds
 /// of hundreds, each of which follows from those before it.
 const RARE: &str = r#"

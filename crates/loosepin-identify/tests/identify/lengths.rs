@@ -151,7 +151,7 @@ fn analytic_a_length_that_trades_off_against_the_unknown_is_told() {
 #[test]
 fn mechanisms_are_refused_where_they_would_say_nothing() {
     // One common error cannot make both true.
-    let exact = end("maximum", 170.5, "error = \"± 0.1 mm\"") + &end("minimum", 70.5, "error = \"± 0.1 mm\"");
+    let exact = end("maximum", 170.5, "error = \"± 0.5 %\"") + &end("minimum", 70.5, "error = \"± 0.5 %\"");
     let features = vec!["slider, maximum".to_owned(), "slider, minimum".to_owned()];
     assert_eq!(refused(&with_tables(1, &exact), &options()), LengthsRefusal::NotScattered { features });
     let far = end("maximum", 190.0, "scatter = \"0.1 mm\"");
