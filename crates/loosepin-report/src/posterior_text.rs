@@ -86,11 +86,15 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
             writer.percent(*share, Rounding::Up),
             writer.percent(*most, Rounding::Nearest)
         ),
-        PosteriorRefusal::FewValues { unknown, effective, least } => {
+        PosteriorRefusal::FewValues { unknown, effective, least, points_are_spent } => {
             let name = specimen.unknowns.get(*unknown).map_or("an unknown", |unknown| unknown.name.as_str());
+            let way_out = if *points_are_spent {
+                "more --points test further values there"
+            } else {
+                "give it a narrower interval, about the tested values of least distance, and identify again"
+            };
             format!(
-                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; give it a narrower interval, \
-                 about the tested values of least distance, and identify again",
+                "along {name} the weight is carried as by {} equally probable values, and {least} are needed; {way_out}",
                 writer.rounded(*effective, &SiUnit::NONE, 2, Rounding::Nearest)
             )
         }
@@ -189,7 +193,14 @@ mod tests {
                 "19 runs ended at one of the values, and so many features need 30",
             ),
             (PosteriorRefusal::Failed { share: 0.25, most: 0.05 }, "25 % of the runs that carry the weight failed"),
-            (PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0 }, "along pin play"),
+            (
+                PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: false },
+                "along pin play the weight is carried as by 1.4 equally probable values, and 4 are needed; give it a narrower interval",
+            ),
+            (
+                PosteriorRefusal::FewValues { unknown: 0, effective: 1.4, least: 4.0, points_are_spent: true },
+                "equally probable values, and 4 are needed; more --points test further values there",
+            ),
         ] {
             let words = posterior_words(&specimen(), &MotionPosterior::Refused(refusal), &writer).join("\n");
             assert!(words.replace('\u{a0}', " ").contains(part), "{words}");

@@ -206,6 +206,9 @@ pub enum PosteriorRefusal {
         effective: f64,
         /// Number that is needed, at least.
         least: f64,
+        /// Whether further values would have been tested, had `--points` not been spent; else their cells are as narrow as they become.
+        #[serde(default)]
+        points_are_spent: bool,
     },
 }
 

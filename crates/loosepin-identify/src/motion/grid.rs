@@ -20,6 +20,31 @@ pub(crate) enum Axis {
     Members(usize),
 }
 
+/// A cell whose middle was tested.
+#[derive(Debug, Clone)]
+pub(crate) struct TestedCell {
+    /// Its middle, as shares of the box; of a member its place.
+    pub at: Vec<f64>,
+    /// Its width along each unknown, as a share of the box.
+    pub widths: Vec<f64>,
+}
+
+impl TestedCell {
+    /// Whether its halves are not too many along the unknown.
+    pub fn can_be_halved(&self, unknown: usize) -> bool {
+        self.widths[unknown] * MOST_CELLS as f64 > 1.0
+    }
+
+    fn halves(&self, unknown: usize) -> [Self; 2] {
+        [-0.25, 0.25].map(|off| {
+            let mut half = self.clone();
+            half.at[unknown] += off * self.widths[unknown];
+            half.widths[unknown] *= 0.5;
+            half
+        })
+    }
+}
+
 /// All cells, the first unknown changing fastest.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
@@ -33,6 +58,14 @@ pub(crate) struct Grid {
     pub tests: Vec<usize>,
     /// Number of tests.
     settled: usize,
+}
+
+/// Half of a tested cell.
+#[derive(Debug, Clone)]
+pub(crate) struct Half {
+    pub cell: TestedCell,
+    /// Cells of the grid that it consists of.
+    cells: Vec<usize>,
 }
 
 /// Tests the middles of the cells that it is given, and settles them.
@@ -240,6 +273,13 @@ impl Grid {
         if !is_open.contains(&true) {
             return None;
         }
+        let (finer, parents) = self.doubled(unknown);
+        let tested = (0..parents.len()).filter(|cell| is_open[parents[*cell]]).collect();
+        Some((finer, tested))
+    }
+
+    /// The same in cells half as wide along an unknown, and of each the one that it is a half of.
+    fn doubled(&self, unknown: usize) -> (Self, Vec<usize>) {
         let mut counts = self.counts.clone();
         counts[unknown] *= 2;
         let parent = |cell: usize| {
@@ -248,12 +288,48 @@ impl Grid {
             self.index(&at)
         };
         let parents: Vec<usize> = (0..counts.iter().product()).map(parent).collect();
-        let tested = (0..parents.len()).filter(|cell| is_open[parents[*cell]]).collect();
         let cells: Vec<Verdict> = parents.iter().map(|parent| self.cells[*parent]).collect();
         let is_own = vec![false; cells.len()];
         let tests = parents.iter().map(|parent| self.tests[*parent]).collect();
-        let finer = Self { axes: self.axes.clone(), counts, cells, is_own, tests, settled: self.settled };
-        Some((finer, tested))
+        (Self { axes: self.axes.clone(), counts, cells, is_own, tests, settled: self.settled }, parents)
+    }
+
+    /// Halves of tested cells along an unknown, as far as their tests still count there; each is to be tested.
+    /// All cells become narrow enough for them.
+    pub fn halved(&mut self, tested: &[(usize, &TestedCell)], unknown: usize) -> Vec<Half> {
+        let width = |(_, cell): &(usize, &TestedCell)| 0.5 * cell.widths[unknown];
+        let narrowest = tested.iter().map(width).fold(f64::INFINITY, f64::min);
+        // Widths are powers of 1/2 of the box: exact.
+        if narrowest * (self.counts[unknown] as f64) < 1.0 {
+            (*self, _) = self.doubled(unknown);
+        }
+        let of = |(test, cell): &(usize, &TestedCell)| {
+            let parts = |half: TestedCell| Half { cells: self.cells_within(&half, *test), cell: half };
+            cell.halves(unknown).map(parts)
+        };
+        tested.iter().flat_map(of).filter(|half| !half.cells.is_empty()).collect()
+    }
+
+    /// Cells within another for which this test counts.
+    fn cells_within(&self, other: &TestedCell, test: usize) -> Vec<usize> {
+        let is_within = |cell: &usize| {
+            let middle = self.middle(*cell);
+            let along = |k: usize| match self.axes[k] {
+                Axis::Continuous => (middle[k] - other.at[k]).abs() < 0.5 * other.widths[k],
+                Axis::Members(_) => middle[k] == other.at[k],
+            };
+            self.tests[*cell] == test && (0..self.axes.len()).all(along)
+        };
+        (0..self.cells.len()).filter(is_within).collect()
+    }
+
+    /// Notes what the test says of the middle of a half, for all its cells.
+    pub fn settle_half(&mut self, half: &Half, verdict: Verdict) {
+        for cell in &half.cells {
+            self.cells[*cell] = verdict;
+            self.tests[*cell] = self.settled;
+        }
+        self.settled += 1;
     }
 }
 

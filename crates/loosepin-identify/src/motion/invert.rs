@@ -1,18 +1,19 @@
 //! Inversion of the joint test: the values of the unknowns at which it keeps the measurement.
 
 use super::bank::{Bank, Heard, Runs};
-use super::grid::{Axis, Grid};
+use super::grid::{Axis, Grid, TestedCell};
 use super::joint_test::{Verdict, joint_test, runs_for};
 use super::lengths::lengths;
-use super::posterior::{TestedCell, posterior};
+use super::posterior::{Question, posterior};
 use super::scatter::Observation;
 use super::unknowns::{axis, bounds, value};
 use crate::error::IdentifyProblem;
 use loosepin_result::motion_identification::{
-    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionPosterior, MotionSpecimen, TestedPoint,
+    ConsistentMembers, MotionCulprit, MotionFeature, MotionMisfit, MotionSpecimen, TestedPoint,
 };
 use loosepin_study::{EpistemicInput, MeasuredMotion, Study, StudyError};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place};
+use std::rc::Rc;
 
 /// Unknowns, at most: cells grow as a power of them.
 const MOST_UNKNOWNS: usize = 6;
@@ -121,26 +122,38 @@ impl<'s> MotionRig<'s> {
         let seen = self.observation(values_si.to_vec());
         let places: Vec<usize> = (0..values_si.len()).collect();
         let mut tested: Vec<(Vec<f64>, Verdict, Runs)> = Vec::new();
-        let mut cells: Vec<TestedCell> = Vec::new();
-        let axes = self.axes.clone();
+        let mut cells: Vec<(TestedCell, Runs)> = Vec::new();
+        let (axes, study, alpha, points) = (self.axes.clone(), self.bank.study, self.alpha, self.points);
+        // Middles as shares of the box; of each what the test says, and its runs.
+        let mut test = |middles: Vec<Vec<f64>>| {
+            let values: Vec<Vec<f64>> = middles.iter().map(|middle| self.values(middle)).collect();
+            let all = self.runs_at(&values)?;
+            let found: Vec<(Verdict, Runs)> =
+                all.into_iter().map(|runs| (self.test(&runs, &places, &seen), runs)).collect();
+            tested.extend(
+                values.into_iter().zip(&found).map(|(point, (verdict, runs))| (point, *verdict, Rc::clone(runs))),
+            );
+            Ok::<_, Complaints>(found)
+        };
         let (grid, is_coarse) =
-            Grid::refined(&axes, self.points, with_posterior, &mut |grid: &mut Grid, waiting: &[usize]| {
-                let points: Vec<Vec<f64>> = waiting.iter().map(|cell| self.values(&grid.middle(*cell))).collect();
-                let all = self.runs_at(&points)?;
-                for ((cell, point), runs) in waiting.iter().zip(points).zip(all) {
-                    let verdict = self.test(&runs, &places, &seen);
+            Grid::refined(&axes, points, with_posterior, &mut |grid: &mut Grid, waiting: &[usize]| {
+                let found = test(waiting.iter().map(|cell| grid.middle(*cell)).collect())?;
+                for (cell, (verdict, runs)) in waiting.iter().zip(found) {
                     grid.settle(*cell, verdict);
-                    cells.push(TestedCell { at: grid.middle(*cell), widths: grid.widths() });
-                    tested.push((point, verdict, runs));
+                    cells.push((TestedCell { at: grid.middle(*cell), widths: grid.widths() }, runs));
                 }
                 Ok::<(), Complaints>(())
             })?;
+        // What is tested further does not change the set.
+        let given = if with_posterior {
+            let left = points.saturating_sub(cells.len());
+            let question = Question { study, seen: &seen, alpha };
+            Some(posterior(&question, grid.clone(), cells, left, &mut test)?)
+        } else {
+            None
+        };
         let mut found = self.specimen(name, &seen, &grid, &tested, is_coarse);
-        if with_posterior {
-            let runs: Vec<Runs> = tested.iter().map(|(_, _, runs)| Runs::clone(runs)).collect();
-            let given = posterior(self.bank.study, &seen, &grid, &cells, &runs, self.alpha);
-            found.posterior = Some(given.map_or_else(MotionPosterior::Refused, MotionPosterior::Given));
-        }
+        found.posterior = given;
         if self.with_lengths {
             let most = self.points.saturating_sub(tested.len()) * self.bank.runs;
             let drawn = lengths(&self.bank, &seen, &grid, most);

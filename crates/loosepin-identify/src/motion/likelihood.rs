@@ -23,7 +23,9 @@ pub(crate) const RUNS_A_FEATURE: usize = 10;
 /// Points of the integral over the common errors: Gauss's for one instrument, a lattice for several.
 const POINTS_OF_ONE: usize = 96;
 const POINTS_OF_SEVERAL: usize = 1024;
-/// Standard deviations of a common error on either side of its nearest value that are integrated over.
+/// Standard deviations of a common error on either side of its nearest value that are integrated over, by the normal distribution that is as
+/// curved there. Along one common error t is Student's distribution with n - 1 degrees of freedom, of which P(|T| > 12 sqrt((n - 1)/n)) lies
+/// beyond: 3.4e-6 of 9 runs, the fewest that a posterior is given with, 1.2e-6 of 10, and less of more.
 const REACH: f64 = 12.0;
 /// Least second derivative of half the square of the distance along a common error. A share of a feature that was measured as 0 moves nothing:
 /// it is drawn evenly, as of a normal distribution a million times as wide as the box.
@@ -357,6 +359,21 @@ mod tests {
         let of = |s: f64| simpson(|t| density([0.0, -6.1 - 0.5 * t], mean, deviations, correlation)) / (1.0 + 0.4 * s);
         let expected = 0.25 * simpson(of);
         assert!((found / expected - 1.0).abs() < 5e-3, "{found} {expected}");
+    }
+
+    #[test]
+    fn analytic_nothing_is_lost_beyond_the_reach_of_few_runs() {
+        // One feature of 8, 12 and 20 runs whose common error reaches a thousand times as far as they scatter: all of t lies within, and
+        // p = 1/(2 e). What lies beyond the reach is that of Student's distributions with 7, 11 and 19 degrees of freedom, by a sum over x/t.
+        for (runs, lost) in [(8, 9.94e-6), (12, 1.817e-7), (20, 4.0e-10)] {
+            let all: Vec<Vec<f64>> =
+                draws(runs, [-3.0, -7.3], [0.4, 0.9], 0.0).iter().map(|run| vec![run[0]]).collect();
+            for y in [-3.0, -2.1] {
+                let seen = Observation { values_si: vec![y], errors: vec![absolute(400.0)], instruments: vec![0] };
+                let found = 2.0 * 400.0 * log_likelihood(&all, &seen).expect("all runs ended").exp();
+                assert!((1.0 - found - lost).abs() < 1e-10 + 0.01 * lost, "{runs} {y}: {:e}", 1.0 - found);
+            }
+        }
     }
 
     #[test]

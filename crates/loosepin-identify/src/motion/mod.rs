@@ -2,6 +2,7 @@
 
 mod agreement;
 mod bank;
+mod distribution;
 mod grid;
 mod invert;
 mod joint_test;

@@ -1,319 +1,230 @@
 //! Posterior distribution of the unknowns from the likelihood at the tested values: prior uniform over the box, each member of a list as
 //! probable as any other.
 //!
-//! Within the cell of a tested value ln p(y | u) is a parabola along each unknown through the values beside it, so that a normal
-//! likelihood is met exactly where values lie evenly.
+//! Where so few values carry the probability that they do not show its shape, those that carry nearly all of it are halved within the
+//! consistent set, and both halves are tested.
 
 use super::bank::Runs;
-use super::grid::{Axis, Grid, place};
+use super::distribution::{Distribution, Weighed, moments, quantile};
+use super::grid::{Axis, Grid, TestedCell};
+use super::joint_test::Verdict;
 use super::likelihood::{RUNS_A_FEATURE, log_likelihood};
 use super::scatter::Observation;
 use super::unknowns::value;
-use loosepin_math::solve_square;
-use loosepin_result::motion_identification::{Marginal, MarginalSummary, Posterior, PosteriorRefusal};
+use loosepin_result::motion_identification::{Marginal, MarginalSummary, MotionPosterior, Posterior, PosteriorRefusal};
 use loosepin_study::Study;
 
 /// Equally probable values along an unknown, at least: of a normal distribution there are 3.5 for values one standard deviation apart. Of
 /// skewed distributions quantiles were off by 0.04 standard deviations with 4 to 5, by up to 0.14 with 3 to 4, by up to 0.8 with fewer.
 const LEAST_VALUES: f64 = 4.0;
+/// Share of the probability whose values are halved together: what the others carry is a tenth of a tail beyond a credible interval of 99 %.
+const HALVED: f64 = 0.9995;
 /// Share of failed runs among those that carry the weight, at most.
 const MOST_FAILED: f64 = 0.05;
-/// A parabola may rise above the values that it goes through by so much of ln p: that of a normal distribution whose values are 2 standard
-/// deviations apart.
-const MOST_RISE: f64 = 0.5;
-/// Cells in which the distribution is summed: along an unknown at least, of all together at most.
-const CELLS_ALONG: usize = 256;
-const MOST_CELLS: usize = 1 << 18;
 
-/// The cell whose middle was tested.
-#[derive(Debug, Clone)]
-pub(crate) struct TestedCell {
-    /// Its middle, as shares of the box; of a member its place.
-    pub at: Vec<f64>,
-    /// Its width along each unknown, as a share of the box.
-    pub widths: Vec<f64>,
+/// What the distribution is of.
+pub(crate) struct Question<'q> {
+    pub study: &'q Study,
+    pub seen: &'q Observation,
+    /// Credible intervals have the probability 1 - `alpha`.
+    pub alpha: f64,
 }
 
-/// A tested value with its likelihood.
-#[derive(Debug, Clone)]
-struct Weighed<'c> {
-    cell: &'c TestedCell,
-    /// ln p(y | u); -∞ where no run ended.
-    log_likelihood: f64,
-    /// Share of the runs that failed.
-    failed: f64,
-}
+/// Tests values, as shares of the box: of each what the test says, and its runs.
+pub(crate) type TestValues<'t, E> = dyn FnMut(Vec<Vec<f64>>) -> Result<Vec<(Verdict, Runs)>, E> + 't;
 
-/// The posterior distribution by the runs at the tested values, in the order in which they were tested, with credible intervals of
-/// probability 1 - `alpha`.
-pub(crate) fn posterior(
-    study: &Study,
-    seen: &Observation,
-    grid: &Grid,
-    cells: &[TestedCell],
-    runs: &[Runs],
-    alpha: f64,
-) -> Result<Posterior, PosteriorRefusal> {
-    let (count, least) = (runs.first().map_or(0, |runs| runs.len()), RUNS_A_FEATURE * seen.values_si.len());
+/// The posterior distribution by the runs at the tested values of `grid`, in the order in which they were tested, and at `points` further
+/// ones at most.
+///
+/// # Errors
+/// Those of `test`.
+pub(crate) fn posterior<E>(
+    question: &Question<'_>,
+    grid: Grid,
+    tested: Vec<(TestedCell, Runs)>,
+    points: usize,
+    test: &mut TestValues<'_, E>,
+) -> Result<MotionPosterior, E> {
+    let count = tested.first().map_or(0, |(_, runs)| runs.len());
     if grid.consistent().next().is_none() {
-        return Err(PosteriorRefusal::Misfit);
+        return Ok(MotionPosterior::Refused(PosteriorRefusal::Misfit));
     }
     if count <= 1 {
-        return Err(PosteriorRefusal::NothingScatters);
+        return Ok(MotionPosterior::Refused(PosteriorRefusal::NothingScatters));
     }
-    let has_failed = |run: &&Vec<f64>| run.iter().any(|value| !value.is_finite());
-    // The set keeps a value whose runs failed. Runs that did not end say nothing of how probable it is.
-    let ended = |test: usize| runs[test].iter().filter(|run| !has_failed(run)).count();
-    let fewest = grid.consistent().map(|cell| ended(grid.tests[cell])).min();
-    if let Some(runs) = fewest.filter(|ended| *ended < least) {
-        return Err(PosteriorRefusal::FewRuns { runs, least });
-    }
-    let weighed = |(cell, runs)| {
-        let runs: &Runs = runs;
+    let weighed = |(cell, runs): (TestedCell, Runs)| {
+        let ended = runs.iter().filter(|run| run.iter().all(|value| value.is_finite())).count();
         Weighed {
             cell,
-            log_likelihood: log_likelihood(runs, seen).unwrap_or(f64::NEG_INFINITY),
-            failed: runs.iter().filter(has_failed).count() as f64 / runs.len() as f64,
+            log_likelihood: log_likelihood(&runs, question.seen).unwrap_or(f64::NEG_INFINITY),
+            ended,
+            failed: (runs.len() - ended) as f64 / runs.len() as f64,
         }
     };
-    let values: Vec<Weighed<'_>> = cells.iter().zip(runs).map(weighed).collect();
-    let Distribution { marginals, effective_values } = Distribution::new(grid, &values)?;
-    let tail = 0.5 * alpha;
-    let marginal = |(k, shares): (usize, Vec<f64>)| {
-        let input = &study.epistemic[k];
-        let [lower, upper] = input.variable.ends();
-        let summary = (grid.axes[k] == Axis::Continuous).then(|| {
-            let [mean, deviation] = moments(&shares);
-            MarginalSummary {
-                mean_si: value(input, mean),
-                standard_deviation_si: deviation * (upper - lower),
-                credible_si: [tail, 1.0 - tail].map(|level| value(input, quantile(&shares, level))),
-            }
-        });
-        Marginal { shares, summary }
-    };
-    Ok(Posterior {
-        probability: 1.0 - alpha,
-        effective_values,
-        effective_runs: effective_values * count as f64,
-        marginals: marginals.into_iter().enumerate().map(marginal).collect(),
+    let values = tested.into_iter().map(weighed).collect();
+    let least_runs = RUNS_A_FEATURE * question.seen.values_si.len();
+    let found = shown(grid, values, least_runs, points, &mut |cells: Vec<TestedCell>| {
+        let all = test(cells.iter().map(|cell| cell.at.clone()).collect())?;
+        Ok(cells.into_iter().zip(all).map(|(cell, (verdict, runs))| (verdict, weighed((cell, runs)))).collect())
+    })?;
+    Ok(match found {
+        Ok((grid, found)) => MotionPosterior::Given(question.summary(&grid, &found, count)),
+        Err(refusal) => MotionPosterior::Refused(refusal),
     })
 }
 
-/// A posterior distribution as shares of the box.
-#[derive(Debug, Clone)]
-struct Distribution {
-    /// Of each unknown the probabilities of equal cells, or of members.
-    marginals: Vec<Vec<f64>>,
-    /// Equally probable values that would carry as much.
-    effective_values: f64,
-}
+/// Tests cells at their middles: of each what the test says, and its likelihood.
+type TestCells<'t, E> = dyn FnMut(Vec<TestedCell>) -> Result<Vec<(Verdict, Weighed)>, E> + 't;
 
-impl Distribution {
-    /// # Errors
-    /// Too few values carry the weight, or too many of their runs failed.
-    fn new(grid: &Grid, values: &[Weighed<'_>]) -> Result<Self, PosteriorRefusal> {
-        let most = values.iter().map(|value| value.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
-        if most == f64::NEG_INFINITY {
-            return Err(PosteriorRefusal::Failed { share: 1.0, most: MOST_FAILED });
-        }
-        let pieces: Vec<Option<Piece>> = values.iter().map(|value| Piece::new(grid, values, value)).collect();
-        let counts = fine_counts(&grid.axes, &grid.counts);
-        let cells: usize = counts.iter().product();
-        let mut marginals: Vec<Vec<f64>> = counts.iter().map(|count| vec![0.0; *count]).collect();
-        let mut weights = vec![0.0; values.len()];
-        for cell in 0..cells {
-            let at = place(&counts, cell);
-            let test = grid.tests[grid.index_of(&at, &counts)];
-            let Some(piece) = &pieces[test] else { continue };
-            let middle: Vec<f64> = at
-                .iter()
-                .zip(&counts)
-                .zip(&grid.axes)
-                .map(|((at, count), axis)| match axis {
-                    Axis::Continuous => (*at as f64 + 0.5) / *count as f64,
-                    Axis::Members(_) => *at as f64,
-                })
-                .collect();
-            let weight = (piece.log_likelihood(&values[test], &middle) - most).exp();
-            weights[test] += weight;
-            for (marginal, at) in marginals.iter_mut().zip(&at) {
-                marginal[*at] += weight;
-            }
-        }
-        let sum: f64 = weights.iter().sum();
-        weights.iter_mut().for_each(|weight| *weight /= sum);
-        marginals.iter_mut().flatten().for_each(|weight| *weight /= sum);
-        let failed: f64 = weights.iter().zip(values).map(|(weight, value)| weight * value.failed).sum();
-        if failed > MOST_FAILED {
-            return Err(PosteriorRefusal::Failed { share: failed, most: MOST_FAILED });
-        }
-        for (unknown, axis) in grid.axes.iter().enumerate() {
-            let effective = effective_along(unknown, &weights, values);
-            if *axis == Axis::Continuous && effective < LEAST_VALUES {
-                return Err(PosteriorRefusal::FewValues { unknown, effective, least: LEAST_VALUES });
-            }
-        }
-        let effective_values = 1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>();
-        Ok(Self { marginals, effective_values })
-    }
-}
-
-/// Equally probable values along an unknown that would carry as much as the tested ones do.
-fn effective_along(unknown: usize, weights: &[f64], values: &[Weighed<'_>]) -> f64 {
-    let mut along: Vec<(f64, f64)> =
-        values.iter().zip(weights).map(|(value, weight)| (value.cell.at[unknown], *weight)).collect();
-    along.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let squares: f64 = along
-        .chunk_by(|a, b| a.0 == b.0)
-        .map(|alike| alike.iter().map(|(_, weight)| weight).sum::<f64>().powi(2))
-        .sum();
-    1.0 / squares
-}
-
-/// Cells along each unknown in which the distribution is summed: those of the grid, halved.
-fn fine_counts(axes: &[Axis], counts: &[usize]) -> Vec<usize> {
-    let mut counts = counts.to_vec();
-    let is_continuous = |unknown: &usize| axes[*unknown] == Axis::Continuous;
-    while let Some(coarsest) = (0..axes.len()).filter(is_continuous).min_by_key(|unknown| counts[*unknown]) {
-        if counts[coarsest] >= CELLS_ALONG || 2 * counts.iter().product::<usize>() > MOST_CELLS {
-            break;
-        }
-        counts[coarsest] *= 2;
-    }
-    counts
-}
-
-/// ln p(y | u) about a tested value: slope and half the curvature along each unknown.
-struct Piece {
-    slopes: Vec<f64>,
-    curvatures: Vec<f64>,
-    /// Largest value that it may take.
-    most: f64,
-}
-
-impl Piece {
-    /// Nothing where the likelihood is below the smallest number.
-    fn new(grid: &Grid, values: &[Weighed<'_>], value: &Weighed<'_>) -> Option<Self> {
-        if value.log_likelihood == f64::NEG_INFINITY {
-            return None;
-        }
-        let unknowns = grid.axes.len();
-        // Tested values on either side along each unknown.
-        let beside = |unknown: usize, side: f64| -> Option<&Weighed<'_>> {
-            let mut at = value.cell.at.clone();
-            at[unknown] += side * value.cell.widths[unknown];
-            let is_inside = (0.0..1.0).contains(&at[unknown]);
-            let other = &values[grid.tests[grid.cell_at(&at).filter(|_| is_inside)?]];
-            let is_known = other.log_likelihood > f64::NEG_INFINITY && other.cell.at[unknown] != value.cell.at[unknown];
-            is_known.then_some(other)
+/// The distribution by so many values that they show its shape, at most `points` further ones, with the cells that it is of.
+///
+/// # Errors
+/// Those of `test`.
+fn shown<E>(
+    mut grid: Grid,
+    mut values: Vec<Weighed>,
+    least_runs: usize,
+    mut points: usize,
+    test: &mut TestCells<'_, E>,
+) -> Result<Result<(Grid, Distribution), PosteriorRefusal>, E> {
+    loop {
+        let found = match carried(&grid, &values, least_runs) {
+            Ok(found) => found,
+            Err(refusal) => return Ok(Err(refusal)),
         };
-        let mut rows: Vec<(&Weighed<'_>, usize)> = Vec::new();
-        let mut is_curved = vec![false; unknowns];
-        for unknown in (0..unknowns).filter(|unknown| grid.axes[*unknown] == Axis::Continuous) {
-            // At an end of the box, and beside values without a likelihood, both lie on the other side.
-            let mut both: Vec<&Weighed<'_>> =
-                [-1.0, 1.0].into_iter().filter_map(|side| beside(unknown, side)).collect();
-            let further = [-2.0, 2.0].into_iter().filter_map(|side| beside(unknown, side));
-            for other in further {
-                let is_new = both.iter().all(|known| known.cell.at[unknown] != other.cell.at[unknown]);
-                if both.len() == 1 && is_new {
-                    both.push(other);
+        let few = (0..grid.axes.len()).find_map(|unknown| {
+            let effective = found.effective_along(unknown, &values);
+            (grid.axes[unknown] == Axis::Continuous && effective < LEAST_VALUES).then_some((unknown, effective))
+        });
+        let Some((unknown, effective)) = few else { return Ok(Ok((grid, found))) };
+        let carrying = carrying(&grid, &values, &found, unknown);
+        let points_are_spent = 2 * carrying.len() > points;
+        if carrying.is_empty() || points_are_spent {
+            return Ok(Err(PosteriorRefusal::FewValues { unknown, effective, least: LEAST_VALUES, points_are_spent }));
+        }
+        let cells: Vec<(usize, &TestedCell)> = carrying.iter().map(|value| (*value, &values[*value].cell)).collect();
+        let halves = grid.halved(&cells, unknown);
+        points -= halves.len();
+        for (half, (verdict, value)) in halves.iter().zip(test(halves.iter().map(|half| half.cell.clone()).collect())?)
+        {
+            grid.settle_half(half, verdict);
+            values.push(value);
+        }
+    }
+}
+
+/// The distribution, where the runs say enough.
+///
+/// # Errors
+/// Too few runs ended at a value, or too many of those failed that carry the weight.
+fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution, PosteriorRefusal> {
+    // The set keeps a value whose runs failed. Runs that did not end say nothing of how probable it is.
+    let fewest = grid.consistent().map(|cell| values[grid.tests[cell]].ended).min();
+    if let Some(runs) = fewest.filter(|ended| *ended < least) {
+        return Err(PosteriorRefusal::FewRuns { runs, least });
+    }
+    let failed = |share: f64| PosteriorRefusal::Failed { share, most: MOST_FAILED };
+    let found = Distribution::new(grid, values).ok_or_else(|| failed(1.0))?;
+    let share: f64 = found.weights.iter().zip(values).map(|(weight, value)| weight * value.failed).sum();
+    if share > MOST_FAILED { Err(failed(share)) } else { Ok(found) }
+}
+
+/// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; none where the
+/// others carry so much that halving does not help.
+fn carrying(grid: &Grid, values: &[Weighed], found: &Distribution, unknown: usize) -> Vec<usize> {
+    let mut is_kept = vec![false; values.len()];
+    grid.consistent().for_each(|cell| is_kept[grid.tests[cell]] = true);
+    let can_be_halved = |value: usize| is_kept[value] && values[value].cell.can_be_halved(unknown);
+    let rest = |slice: &Vec<usize>| -> f64 {
+        slice.iter().filter(|value| !can_be_halved(**value)).map(|value| found.weights[*value]).sum()
+    };
+    if found.slices(unknown, values).iter().map(|slice| rest(slice).powi(2)).sum::<f64>() * LEAST_VALUES > 1.0 {
+        return Vec::new();
+    }
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| found.weights[*b].total_cmp(&found.weights[*a]).then(a.cmp(b)));
+    let mut sum = 0.0;
+    order.retain(|value| {
+        let is_carrying = sum < HALVED;
+        sum += found.weights[*value];
+        is_carrying && can_be_halved(*value)
+    });
+    order
+}
+
+impl Question<'_> {
+    /// Numbers of a distribution by so many runs at each value.
+    fn summary(&self, grid: &Grid, found: &Distribution, runs: usize) -> Posterior {
+        let tail = 0.5 * self.alpha;
+        let marginal = |(k, shares): (usize, &Vec<f64>)| {
+            let input = &self.study.epistemic[k];
+            let [lower, upper] = input.variable.ends();
+            let summary = (grid.axes[k] == Axis::Continuous).then(|| {
+                let [mean, deviation] = moments(shares);
+                MarginalSummary {
+                    mean_si: value(input, mean),
+                    standard_deviation_si: deviation * (upper - lower),
+                    credible_si: [tail, 1.0 - tail].map(|level| value(input, quantile(shares, level))),
                 }
-            }
-            is_curved[unknown] = both.len() == 2;
-            rows.extend(both.into_iter().map(|other| (other, unknown)));
-        }
-        // One equation for each of them: slopes of all unknowns on whose sides a value is known, curvatures where both are.
-        let mut sloped: Vec<usize> = rows.iter().map(|(_, unknown)| *unknown).collect();
-        sloped.dedup();
-        let curved: Vec<usize> = (0..unknowns).filter(|unknown| is_curved[*unknown]).collect();
-        let size = rows.len();
-        let mut matrix = Vec::with_capacity(size * size);
-        let mut right = Vec::with_capacity(size);
-        for (other, _) in &rows {
-            let off = |unknown: &usize| other.cell.at[*unknown] - value.cell.at[*unknown];
-            matrix.extend(sloped.iter().map(off));
-            matrix.extend(curved.iter().map(|unknown| off(unknown).powi(2)));
-            right.push(other.log_likelihood - value.log_likelihood);
-        }
-        let mut piece = Self {
-            slopes: vec![0.0; unknowns],
-            curvatures: vec![0.0; unknowns],
-            most: value.log_likelihood + MOST_RISE,
+            });
+            Marginal { shares: shares.clone(), summary }
         };
-        if size > 0 && solve_square(&mut matrix, size, &mut right) > f64::EPSILON {
-            for (unknown, slope) in sloped.iter().zip(&right) {
-                piece.slopes[*unknown] = *slope;
-            }
-            for (unknown, curvature) in curved.iter().zip(&right[sloped.len()..]) {
-                piece.curvatures[*unknown] = *curvature;
-            }
+        let effective_values = found.effective_values();
+        Posterior {
+            probability: 1.0 - self.alpha,
+            effective_values,
+            effective_runs: effective_values * runs as f64,
+            marginals: found.marginals.iter().enumerate().map(marginal).collect(),
         }
-        let highest = rows.iter().map(|(other, _)| other.log_likelihood).fold(value.log_likelihood, f64::max);
-        piece.most = highest + MOST_RISE;
-        Some(piece)
     }
-
-    fn log_likelihood(&self, value: &Weighed<'_>, at: &[f64]) -> f64 {
-        let mut log = value.log_likelihood;
-        for (unknown, at) in at.iter().enumerate() {
-            let off = at - value.cell.at[unknown];
-            log += off * (self.slopes[unknown] + off * self.curvatures[unknown]);
-        }
-        log.min(self.most)
-    }
-}
-
-/// Level of a distribution in equal cells, as a share of its axis.
-fn quantile(cells: &[f64], probability: f64) -> f64 {
-    let mut below = 0.0;
-    for (cell, share) in cells.iter().enumerate() {
-        if *share > 0.0 && below + share >= probability {
-            return (cell as f64 + ((probability - below) / share).clamp(0.0, 1.0)) / cells.len() as f64;
-        }
-        below += share;
-    }
-    1.0
-}
-
-/// Mean and standard deviation of a distribution in equal cells, as shares of its axis.
-fn moments(cells: &[f64]) -> [f64; 2] {
-    let width = 1.0 / cells.len() as f64;
-    let middle = |cell: usize| (cell as f64 + 0.5) * width;
-    let mean: f64 = cells.iter().enumerate().map(|(cell, share)| share * middle(cell)).sum();
-    let square: f64 = cells.iter().enumerate().map(|(cell, share)| share * (middle(cell) - mean).powi(2)).sum();
-    [mean, (square + width * width / 12.0).sqrt()]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Distribution, TestedCell, Weighed, moments, quantile};
-    use crate::motion::grid::{Axis, Grid};
+    use super::shown;
+    use crate::motion::distribution::{Distribution, Weighed, moments, quantile};
+    use crate::motion::grid::{Axis, Grid, TestedCell};
     use crate::motion::joint_test::Verdict;
     use loosepin_result::motion_identification::PosteriorRefusal;
     use loosepin_uncertainty::{normal_cdf, normal_quantile};
     use std::convert::Infallible;
 
-    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and gives the distribution.
-    fn distribution(axes: &[Axis], least: f64, of: impl Fn(&[f64]) -> f64) -> Result<Distribution, PosteriorRefusal> {
-        let mut tested: Vec<(TestedCell, f64)> = Vec::new();
+    fn weighed(cell: TestedCell, log_likelihood: f64, failed: f64) -> Weighed {
+        Weighed { cell, log_likelihood, ended: 100, failed }
+    }
+
+    /// Refines as an identification does where the set is that of the log-likelihoods above `least`, and gives the distribution, for which
+    /// so many further values may be tested.
+    fn distribution(
+        axes: &[Axis],
+        least: f64,
+        points: usize,
+        of: impl Fn(&[f64]) -> f64,
+    ) -> Result<Distribution, PosteriorRefusal> {
+        let verdict = |log: f64| {
+            let distance = (log / least).sqrt();
+            Verdict { is_consistent: distance <= 1.0, distance }
+        };
+        let mut values: Vec<Weighed> = Vec::new();
         let (grid, _) = Grid::refined(axes, 100_000, true, &mut |grid: &mut Grid, waiting: &[usize]| {
             for cell in waiting {
                 let at = grid.middle(*cell);
                 let log = of(&at);
-                let distance = (log / least).sqrt();
-                grid.settle(*cell, Verdict { is_consistent: distance <= 1.0, distance });
-                tested.push((TestedCell { at, widths: grid.widths() }, log));
+                grid.settle(*cell, verdict(log));
+                values.push(weighed(TestedCell { at, widths: grid.widths() }, log, 0.0));
             }
             Ok::<(), Infallible>(())
         })
         .unwrap_or_else(|never| match never {});
-        let weighed = |(cell, log): &(TestedCell, f64)| (cell.clone(), *log);
-        let all: Vec<(TestedCell, f64)> = tested.iter().map(weighed).collect();
-        let values: Vec<Weighed<'_>> =
-            all.iter().map(|(cell, log)| Weighed { cell, log_likelihood: *log, failed: 0.0 }).collect();
-        Distribution::new(&grid, &values)
+        let mut test = |cells: Vec<TestedCell>| {
+            let value = |cell: TestedCell| {
+                let log = of(&cell.at);
+                (verdict(log), weighed(cell, log, 0.0))
+            };
+            Ok::<_, Infallible>(cells.into_iter().map(value).collect())
+        };
+        let found = shown(grid, values, 10, points, &mut test).unwrap_or_else(|never| match never {});
+        found.map(|(_, distribution)| distribution)
     }
 
     #[test]
@@ -322,7 +233,7 @@ mod tests {
             // Kept within 2.6 standard deviations.
             let log = |at: &[f64]| -0.5 * ((at[0] - mean) / deviation).powi(2);
             let found =
-                distribution(&[Axis::Continuous], -0.5 * 2.6 * 2.6, log).unwrap_or_else(|why| panic!("{why:?}"));
+                distribution(&[Axis::Continuous], -0.5 * 2.6 * 2.6, 0, log).unwrap_or_else(|why| panic!("{why:?}"));
             let [low, high] = [0.0, 1.0].map(|end| normal_cdf((end - mean) / deviation));
             for level in [0.005, 0.1, 0.5, 0.9, 0.995] {
                 let expected = mean + deviation * normal_quantile(low + level * (high - low));
@@ -333,19 +244,21 @@ mod tests {
         }
     }
 
-    #[test]
-    fn peer_skewed_likelihoods_of_any_width_as_by_a_sum_over_a_fine_lattice() {
-        // ln p of a Gumbel distribution, whose slopes on both sides differ: e^(-z - e^-z) about its mode. Wide ones and narrow ones, as far
-        // as their cells carry them; modes anywhere, also at the ends of the box.
+    /// ln p of a Gumbel distribution, whose slopes on both sides differ: e^(-z - e^-z) about its mode.
+    fn gumbel(at: f64, mode: f64, scale: f64) -> f64 {
+        let z = (at - mode) / scale;
+        1.0 - z - (-z).exp()
+    }
+
+    /// Of 200 of them, wide ones and narrow ones, modes anywhere, also at the ends of the box, where the set is that above `least`: those that
+    /// are given where `points` further values may be tested, and the largest error of a quantile in standard deviations.
+    fn errors_of_gumbel(least: f64, points: usize) -> (usize, f64) {
         let (mut given, mut largest) = (0, 0.0_f64);
         for trial in 0..200 {
             let mode = 0.05 + 0.9 * f64::from(trial % 20) / 19.0;
             let scale = 0.02 * 1.3_f64.powi(trial / 20);
-            let log = |at: &[f64]| {
-                let z = (at[0] - mode) / scale;
-                1.0 - z - (-z).exp()
-            };
-            let found = match distribution(&[Axis::Continuous], -3.4, log) {
+            let log = |at: &[f64]| gumbel(at[0], mode, scale);
+            let found = match distribution(&[Axis::Continuous], least, points, log) {
                 Ok(found) => found,
                 Err(PosteriorRefusal::FewValues { .. }) => continue,
                 Err(other) => panic!("{other:?}"),
@@ -361,8 +274,38 @@ mod tests {
                 largest = largest.max(off / deviation);
             }
         }
-        println!("{given} given, quantiles off by up to {largest:.3} standard deviations");
+        println!("{least} {points}: {given} given, quantiles off by up to {largest:.3} standard deviations");
+        (given, largest)
+    }
+
+    #[test]
+    fn peer_skewed_likelihoods_of_any_width_as_by_a_sum_over_a_fine_lattice() {
+        let (given, largest) = errors_of_gumbel(-3.4, 0);
         assert!(given > 150 && largest < 0.05, "{given} {largest}");
+    }
+
+    #[test]
+    fn peer_likelihoods_narrower_than_their_set_as_by_a_sum_over_a_fine_lattice() {
+        // Sets that hold far more than the distribution: without further values few or none are given.
+        for least in [-12.0, -20.0] {
+            let (without, _) = errors_of_gumbel(least, 0);
+            let (given, largest) = errors_of_gumbel(least, 60);
+            assert!(without < 150 && given == 200 && largest < 0.05, "{least}: {without} {given} {largest}");
+        }
+    }
+
+    #[test]
+    fn further_values_end_where_points_or_cells_end() {
+        // Narrower than the finest cells, which are 1/512 of the box, and a set as wide as the box.
+        let narrow = |at: &[f64]| -0.5 * ((at[0] - 0.53) / 4e-4).powi(2);
+        for (points, spent) in [(0, true), (1, true), (9, true), (60, false)] {
+            let refused = distribution(&[Axis::Continuous], -1e9, points, narrow).expect_err("one value carries all");
+            let PosteriorRefusal::FewValues { points_are_spent, effective, .. } = refused else {
+                panic!("{refused:?}");
+            };
+            assert_eq!(points_are_spent, spent, "{points}");
+            assert!(effective < 4.0, "{effective}");
+        }
     }
 
     #[test]
@@ -372,7 +315,7 @@ mod tests {
             let [a, b] = [(at[0] - 0.45) / 0.12, (at[1] - 0.3 - 0.5 * at[0] * at[0]) / 0.08];
             -0.5 * (a * a + b * b)
         };
-        let found = distribution(&[Axis::Continuous; 2], -0.5 * 9.2, log).unwrap_or_else(|why| panic!("{why:?}"));
+        let found = distribution(&[Axis::Continuous; 2], -0.5 * 9.2, 0, log).unwrap_or_else(|why| panic!("{why:?}"));
         let count = 1500;
         let at = |k: usize| (k as f64 + 0.5) / count as f64;
         let (mut sums, mut total) = ([[0.0; 2]; 2], 0.0);
@@ -404,9 +347,15 @@ mod tests {
             -0.5 * ((at[1] - 0.5) / deviation).powi(2) + if is_second { 0.5_f64.ln() } else { 0.0 }
         };
         let found =
-            distribution(&[Axis::Members(2), Axis::Continuous], -4.0, log).unwrap_or_else(|why| panic!("{why:?}"));
+            distribution(&[Axis::Members(2), Axis::Continuous], -4.0, 0, log).unwrap_or_else(|why| panic!("{why:?}"));
         assert_eq!(found.marginals[0].len(), 2);
         assert!((found.marginals[0][0] - 0.8).abs() < 2e-3, "{:?}", found.marginals[0]);
+    }
+
+    fn without_further(grid: Grid, values: Vec<Weighed>) -> Result<Distribution, PosteriorRefusal> {
+        let mut test = |_: Vec<TestedCell>| Ok::<_, Infallible>(Vec::new());
+        let found = shown(grid, values, 10, 0, &mut test).unwrap_or_else(|never| match never {});
+        found.map(|(_, distribution)| distribution)
     }
 
     #[test]
@@ -418,9 +367,11 @@ mod tests {
             let cells: Vec<TestedCell> =
                 (0..16).map(|cell| TestedCell { at: grid.middle(cell), widths: grid.widths() }).collect();
             (0..16).for_each(|cell| grid.settle(cell, Verdict { is_consistent: cell == 8, distance: 1.0 }));
-            let values: Vec<Weighed<'_>> =
-                cells.iter().map(|cell| Weighed { cell, log_likelihood: narrow(&cell.at), failed: 0.0 }).collect();
-            Distribution::new(&grid, &values).expect_err("one value carries all")
+            let values = cells.into_iter().map(|cell| {
+                let log = narrow(&cell.at);
+                weighed(cell, log, 0.0)
+            });
+            without_further(grid, values.collect()).expect_err("one value carries all")
         };
         assert!(
             matches!(refused, PosteriorRefusal::FewValues { unknown: 0, effective, .. } if effective < 2.0),
@@ -432,15 +383,15 @@ mod tests {
         (0..4).for_each(|cell| grid.settle(cell, Verdict { is_consistent: true, distance: 0.5 }));
         // A fifth of the runs of one of four equally probable values: exactly the share that is allowed, and a little more.
         for (failed, is_given) in [(0.19, true), (0.21, false)] {
-            let values: Vec<Weighed<'_>> = cells
+            let values = cells
                 .iter()
                 .enumerate()
-                .map(|(k, cell)| Weighed { cell, log_likelihood: -1.0, failed: if k == 2 { failed } else { 0.0 } })
+                .map(|(k, cell)| weighed(cell.clone(), -1.0, if k == 2 { failed } else { 0.0 }))
                 .collect();
-            let found = Distribution::new(&grid, &values);
+            let found = without_further(grid.clone(), values);
             assert_eq!(found.is_ok(), is_given, "{found:?}");
             if let Ok(found) = found {
-                assert!((found.effective_values - 4.0).abs() < 1e-9);
+                assert!((found.effective_values() - 4.0).abs() < 1e-9);
             }
         }
     }
