@@ -18,7 +18,7 @@ use super::motion::Motion;
 use coordinates::Coordinates;
 use loosepin_math::{GramSystem, determinant_sign, factor_ldl, solve_square};
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::Opening;
+use loosepin_mechanics::mechanism::worst_for_its_size;
 
 /// Half of the span over which rates of shapes are taken, s: 1e-6 of a period of 1 s, and large against round-off.
 const HALF_SPAN_S: f64 = 1e-6;
@@ -221,18 +221,17 @@ impl<'s, 'a> Settling<'s, 'a> {
 
     /// Refuses a start at which the other coordinates cannot close the loops.
     fn demand_closed(&mut self, relative: &[f64]) -> Result<(), RunFailure> {
-        let open = self.opening(relative);
-        let allowed = CLOSED * self.motion.dynamics.mechanism().size_m.max(1.0);
-        if open.gap <= allowed { Ok(()) } else { Err(RunFailure::SettledOpen { path: open.path }) }
+        let (path, gap) = self.opening(relative);
+        if gap <= CLOSED { Ok(()) } else { Err(RunFailure::SettledOpen { path }) }
     }
 
-    /// The loop that is furthest from being closed.
-    fn opening(&mut self, relative: &[f64]) -> Opening {
+    /// The loop that is furthest from being closed, and how far: m for each metre of the mechanism, or rad.
+    fn opening(&mut self, relative: &[f64]) -> (String, f64) {
         self.coordinates.place(self.motion, 0.0, relative, &mut self.state);
         self.motion.set_state(0.0, &self.state);
         self.motion.dynamics.constraint_residuals(&mut self.defects);
         let mechanism = self.motion.dynamics.mechanism();
-        Opening::worst(&mechanism.model, &mechanism.real, &self.defects)
+        worst_for_its_size(&mechanism.model, &mechanism.real, &self.defects, mechanism.size_m)
     }
 
     /// Why no static shape was found from `relative` on, where the loops are closed: a loop stays open when a shape changes a little, or the load is beyond what the beams bear.
@@ -241,9 +240,9 @@ impl<'s, 'a> Settling<'s, 'a> {
             let mut moved = relative.to_vec();
             moved[self.coordinates.shapes[index]] += self.differences[index];
             self.close_loops(0.0, &mut moved);
-            let open = self.opening(&moved);
-            if open.gap > FOLLOWED * self.differences[index] {
-                return RunFailure::SettledOpen { path: open.path };
+            let (path, gap) = self.opening(&moved);
+            if gap > FOLLOWED * DIFFERENCE {
+                return RunFailure::SettledOpen { path };
             }
         }
         failure

@@ -256,6 +256,25 @@ impl Opening {
     }
 }
 
+/// Path of the joint or coupling that is furthest from being met, and how far as a share of `size_m` for lengths and in rad for angles: the
+/// worst of `residuals` of the constraint rows of `tree`; 0 where there are none.
+pub fn worst_for_its_size(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
+    let mut units = Vec::with_capacity(residuals.len());
+    for cut in &tree.cuts {
+        units.extend((1..=cut.kind.rows()).map(|row| {
+            let is_angle = row == cut.kind.rows() && cut.kind.holds_angle();
+            if is_angle { 1.0 } else { size_m }
+        }));
+    }
+    for index in &tree.coupling_indices {
+        let is_length = RowOwner::Coupling(*index).dimension(model) == Dimension::LENGTH;
+        units.push(if is_length { size_m } else { 1.0 });
+    }
+    let gap = |row: usize| (residuals[row] / units[row]).abs();
+    let worst = (0..residuals.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
+    worst.map_or_else(|| ("joint".to_owned(), 0.0), |row| (RowOwner::of(tree, row).path(model), gap(row)))
+}
+
 impl fmt::Display for Opening {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = describe_path(&self.path);

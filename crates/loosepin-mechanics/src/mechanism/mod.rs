@@ -49,7 +49,7 @@ mod tree_nodal_beam;
 mod ways_on;
 
 pub use compile::Mechanism;
-pub use constraints::{Opening, RowOwner};
+pub use constraints::{Opening, RowOwner, worst_for_its_size};
 pub use contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape, is_front_corner, is_upper_corner};
 pub use control::{ControlGeometry, KnownChain};
 pub use coupling_geometry::{CouplingGeometry, CouplingNumbers};

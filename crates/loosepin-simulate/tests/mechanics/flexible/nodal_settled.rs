@@ -150,3 +150,25 @@ fn messages_of_a_settled_start_that_leaves_a_loop_open() {
     let floating = text.replace(nodal, "frame = \"tangent\"\nlateral_shapes = 2\naxial_shapes = 1");
     assert_eq!(outcome(&floating).expect_err("it stays open"), refusal);
 }
+
+/// The same at half a millimetre, where a change of a shape by 1e-7 rad opens the loop by less than 1e-10 m: an angle is compared with an angle, and a
+/// gap with the size of the mechanism.
+#[test]
+fn a_small_mechanism_that_leaves_a_loop_open_is_told_so() {
+    let text = "name = \"small\"\ngravity = \"0 m/s^2\"\n\
+         [body.ground]\npoints = { o = [\"0 um\", \"0 um\"], far = [\"500 um\", \"0 um\"] }\n\
+         [body.bar]\npoints = { root = [\"0 um\", \"0 um\"], middle = [\"250 um\", \"0 um\"], tip = [\"500 um\", \"0 um\"] }\n\
+         [body.bar.beam]\nfrom = \"root\"\nto = \"tip\"\nsection = { width = \"10 um\", height = \"2 um\" }\n\
+         youngs_modulus = \"160 GPa\"\ndensity = \"2330 kg/m^3\"\nframe = \"tangent\"\nlateral_shapes = 2\naxial_shapes = 0\n\
+         start = \"settled\"\n\
+         [joint.weld]\nkind = \"rigid\"\nfirst = \"ground.o\"\nsecond = \"bar.root\"\nangle = \"0 deg\"\n\
+         [joint.far]\nkind = \"revolute\"\nbearing = \"ground.far\"\njournal = \"bar.tip\"\n\
+         [load.push]\nkind = \"force\"\npoint = \"bar.middle\"\nforce = \"1e-6 N\"\ndirection = \"-90 deg\"\n\
+         [body.wheel]\nmass = \"1e-9 kg\"\ninertia = \"1e-18 kg m^2\"\ncentre_of_mass = [\"0 um\", \"0 um\"]\n\
+         points = { axle = [\"0 um\", \"0 um\"] }\n\
+         [joint.main]\nkind = \"revolute\"\nbearing = \"ground.o\"\njournal = \"wheel.axle\"\n\
+         [drive.wheel]\njoint = \"main\"\nspeed = \"1 rad/s\"\nstart_angle = \"0 rad\"\n\
+         [cycle]\nduration = \"1 us\"\n";
+    let refusal = outcome(text).expect_err("it stays open");
+    assert_eq!(refusal.code(), "settled_open", "{refusal}");
+}
