@@ -181,6 +181,7 @@ impl<'a> Core<'a> {
         self.load_numbers(0, sample, arms);
         self.memory.take_first_lane(&other.memory, Block::Numbers);
         (self.reading_depths, self.over_root) = (other.reading_depths, other.over_root);
+        self.is_dense = false;
     }
 
     /// Whether attempts are machine code.

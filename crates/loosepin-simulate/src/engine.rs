@@ -1,6 +1,6 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, LARGEST_STEP_TURNS, Queue, Run, Seats};
+use super::batch::{Batch, Kept, LARGEST_STEP_TURNS, Queue, Run, Seats};
 use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
@@ -38,16 +38,16 @@ pub fn run(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
-    run_from(mechanism, sample, window, settings, None, observer)
+    run_from(mechanism, sample, (window, settings), None, &mut Kept::default(), observer)
 }
 
-/// [`run`], from where another run ended.
-pub(super) fn run_from(
-    mechanism: &Mechanism,
+/// [`run`], from where another run ended, with what runs of the same mechanism and settings before it kept.
+pub(super) fn run_from<'m>(
+    mechanism: &'m Mechanism,
     sample: &Sample<f64>,
-    window: &Window,
-    settings: &Settings,
+    (window, settings): (&Window, &Settings),
     resume: Option<MotionState>,
+    kept: &mut Kept<'m>,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
     let run = Run {
@@ -66,7 +66,7 @@ pub(super) fn run_from(
             execution @ Execution::MachineCode(_) if settings.integrator != Integrator::Implicit => Some(execution),
             _ => None,
         };
-        Batch::conduct_alone(mechanism, settings, later, &mut Seats::new(&mut queue));
+        Batch::conduct_alone(mechanism, settings, later, kept, &mut Seats::new(&mut queue));
     }
     queue.outcome.unwrap_or(Err(RunFailure::NotFinite { time_s: 0.0, element: None }))
 }

@@ -1,5 +1,6 @@
 //! The largest Lyapunov exponent of a run, from a neighbouring run.
 
+use super::batch::Kept;
 use super::engine::run_from;
 use super::failure::RunFailure;
 use super::motion::{Motion, tolerances};
@@ -124,6 +125,8 @@ struct Pair<'a> {
     separation: f64,
     run: MotionState,
     neighbour: MotionState,
+    /// Pieces of turns are short: their machine code is kept from one to the next.
+    kept: Kept<'a>,
 }
 
 impl<'a> Pair<'a> {
@@ -155,8 +158,9 @@ impl<'a> Pair<'a> {
             SEPARATION.min(SHARE_OF_CLEARANCE * smallest_m / mechanism.size_m).max(OVER_LOCAL_ERROR * local);
         let flight = vec![PlayState::flight(); mechanism.contacts.len()];
         let mut run = MotionState::new(&motion.layout, &first, 0.0, flight);
+        let mut kept = Kept::default();
         if start_s > 0.0 {
-            run = go_on(mechanism, sample, &plan.settings, None, start_s)?;
+            run = go_on(mechanism, sample, &plan.settings, None, start_s, &mut kept)?;
         }
         let mut neighbour = run.clone();
         // Any direction does that is not at right angles to the one that grows fastest: shares of the golden ratio.
@@ -165,7 +169,7 @@ impl<'a> Pair<'a> {
             let share = 0.5 + ((k + 1) as f64 * 0.618_033_988_749_894_9).fract();
             neighbour.state[*place] += separation * share / length * size;
         }
-        Ok(Self { mechanism, sample, settings: plan.settings, scales, separation, run, neighbour })
+        Ok(Self { mechanism, sample, settings: plan.settings, scales, separation, run, neighbour, kept })
     }
 
     /// Follows both over a turn: ln of the growth of their separation.
@@ -181,7 +185,8 @@ impl<'a> Pair<'a> {
 
     fn follow(&mut self, from_s: f64, to_s: f64, halvings: u32) -> Result<f64, RunFailure> {
         let before = self.distance(&self.run, &self.neighbour);
-        let advance = |state: &MotionState| go_on(self.mechanism, self.sample, &self.settings, Some(state), to_s);
+        let (mechanism, sample, settings, kept) = (self.mechanism, self.sample, &self.settings, &mut self.kept);
+        let mut advance = |state: &MotionState| go_on(mechanism, sample, settings, Some(state), to_s, kept);
         let (run, neighbour) = (advance(&self.run)?, advance(&self.neighbour)?);
         let factor = self.distance(&run, &neighbour) / before;
         if !(factor < MOST_CHANGE && factor * MOST_CHANGE > 1.0) && halvings < MOST_HALVINGS {
@@ -229,17 +234,18 @@ impl<'a> Pair<'a> {
 }
 
 /// The state at `to_s` of the run that goes on from `from`, or from its start.
-fn go_on(
-    mechanism: &Mechanism,
+fn go_on<'m>(
+    mechanism: &'m Mechanism,
     sample: &Sample<f64>,
     settings: &Settings,
     from: Option<&MotionState>,
     to_s: f64,
+    kept: &mut Kept<'m>,
 ) -> Result<MotionState, RunFailure> {
     let mut last = LastState { end_s: to_s, state: None };
     // Only the last step is looked at.
     let window = Window { start_s: to_s * (1.0 - f64::EPSILON), end_s: to_s };
-    run_from(mechanism, sample, &window, settings, from.cloned(), &mut last)?;
+    run_from(mechanism, sample, (&window, settings), from.cloned(), kept, &mut last)?;
     last.state.ok_or(RunFailure::NotFinite { time_s: to_s, element: None })
 }
 
@@ -259,7 +265,54 @@ impl Observer for LastState {
 
 #[cfg(test)]
 mod tests {
-    use super::mean_and_error;
+    use super::{go_on, mean_and_error};
+    use crate::batch::Kept;
+    use crate::execution::Execution;
+    use crate::resume::MotionState;
+    use crate::settings::Settings;
+    use loosepin_mechanics::mechanism::{Mechanism, Sample};
+    use loosepin_mechanics::model::Model;
+
+    /// Bits of the states after a long piece and eleven short ones, with the machine code of the pieces before each, or without.
+    fn bits_of_pieces<'m>(
+        mechanism: &'m Mechanism,
+        sample: &Sample<f64>,
+        kept: &mut Kept<'m>,
+        is_kept: bool,
+    ) -> Vec<Vec<u64>> {
+        let turn_s = 60.0 / 5000.0;
+        let mut bits = Vec::new();
+        let mut state: Option<MotionState> = None;
+        for piece in 0..12 {
+            let to_s = turn_s * (2.0 + f64::from(piece) / 8.0);
+            if !is_kept {
+                *kept = Kept::default();
+            }
+            let found =
+                go_on(mechanism, sample, &Settings::for_simulation(), state.as_ref(), to_s, kept).expect("a run");
+            let of_contacts = found.contacts.iter().flat_map(|contact| {
+                [contact.contact, contact.inverse_impact_speed_s_m, contact.effective_mass_kg].map(f64::to_bits)
+            });
+            bits.push(found.state.iter().copied().map(f64::to_bits).chain(of_contacts).collect());
+            state = Some(found);
+        }
+        bits
+    }
+
+    #[test]
+    fn identity_pieces_by_kept_machine_code_are_those_without() {
+        let text = include_str!("../../../cases/slider_crank_5000/model.toml");
+        let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).unwrap_or_else(|error| panic!("{error}"));
+        let sample = Sample::<f64>::new(&mechanism, &values).unwrap_or_else(|error| panic!("{error}"));
+        let (mut kept, mut not_kept) = (Kept::default(), Kept::default());
+        let found = bits_of_pieces(&mechanism, &sample, &mut kept, true);
+        assert_eq!(kept.has_machine_code(), matches!(Execution::best(), Execution::MachineCode(_)));
+        assert_eq!(found, bits_of_pieces(&mechanism, &sample, &mut not_kept, false));
+        // The pieces themselves are short: without the long one before them they would have none.
+        assert!(!not_kept.has_machine_code());
+    }
 
     /// Round-off of sums of a few hundred numbers of order one.
     const ROUND_OFF: f64 = 1e-13;

@@ -49,6 +49,21 @@ const EVALUATIONS_ALONE: u64 = 12_000;
 /// Passes after which runs are asked whether they are stopped: a millisecond or so.
 const PASSES_PER_QUESTION: u64 = 64;
 
+/// What runs alone, one after the other, of one mechanism leave for the next one: the machine code of those that were long.
+#[derive(Default)]
+pub(super) struct Kept<'a> {
+    core: Option<Core<'a>>,
+    /// Evaluations of all of them.
+    evaluations: u64,
+}
+
+#[cfg(test)]
+impl Kept<'_> {
+    pub fn has_machine_code(&self) -> bool {
+        self.core.is_some()
+    }
+}
+
 /// The passes over all lanes.
 pub(super) struct Batch<'a> {
     mechanism: &'a Mechanism,
@@ -83,8 +98,6 @@ pub(super) struct Batch<'a> {
     is_exhausted: bool,
     /// All runs are in so many lanes, the first ones.
     used: usize,
-    /// How a run alone goes on where it is long.
-    later: Option<Execution>,
     passes: u64,
 }
 
@@ -100,13 +113,16 @@ impl<'a> Batch<'a> {
         Self::conduct_until_long(mechanism, follow, settings, (execution, None), queue);
     }
 
-    /// The one run in `queue`, which follows nothing, by itself; and where it is long, from then on by the execution `later`.
+    /// The one run in `queue`, which follows nothing, by itself; and where it is long, with those of `kept` before it, from then on by the
+    /// execution `later`. `kept` is of this mechanism and these settings.
     pub fn conduct_alone(
         mechanism: &'a Mechanism,
         settings: &Settings,
         later: Option<Execution>,
+        kept: &mut Kept<'a>,
         queue: &mut dyn Seated,
     ) {
+        let later = later.map(|execution| (execution, kept));
         Self::conduct_until_long(mechanism, &Follow::default(), settings, (Execution::Scalar, later), queue);
     }
 
@@ -114,7 +130,7 @@ impl<'a> Batch<'a> {
         mechanism: &'a Mechanism,
         follow: &Follow,
         settings: &Settings,
-        (execution, later): (Execution, Option<Execution>),
+        (execution, mut later): (Execution, Option<(Execution, &mut Kept<'a>)>),
         queue: &mut dyn Seated,
     ) {
         let Some(first) = queue.next() else { return };
@@ -141,36 +157,51 @@ impl<'a> Batch<'a> {
             ending: 0,
             is_exhausted: false,
             used: execution.lanes(),
-            later,
             passes: 0,
         };
+        let mut is_by_later = false;
         batch.start(0, first, queue);
         batch.refill(queue);
         while batch.active != 0 {
             batch.pass(queue);
             batch.refill(queue);
-            if batch.later.is_some() && batch.core.evaluations(0) > EVALUATIONS_ALONE {
-                batch.go_on_later();
+            if let Some((execution, kept)) = &mut later
+                && !is_by_later
+                && kept.evaluations + batch.core.evaluations(0) > EVALUATIONS_ALONE
+            {
+                is_by_later = batch.go_on_later(*execution, kept);
+                if !is_by_later {
+                    later = None;
+                }
             }
             if batch.is_exhausted {
                 batch.draw_together();
             }
         }
+        if let Some((_, kept)) = later {
+            kept.evaluations += batch.core.evaluations(0);
+            if is_by_later {
+                kept.core = Some(batch.core);
+            }
+        }
     }
 
-    /// Lets the run alone go on by the later execution, with the same bits, where that is machine code.
-    fn go_on_later(&mut self) {
-        let (Some(execution), Some(run)) = (self.later.take(), &self.runs[0]) else { return };
+    /// Lets the run alone go on by a later execution, with the same bits, where that is machine code; says whether it does.
+    fn go_on_later(&mut self, execution: Execution, kept: &mut Kept<'a>) -> bool {
+        let Some(run) = &self.runs[0] else { return false };
         let LaneRun { sample, arms, .. } = run;
-        let mut core = Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
+        let new = || Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
+        let mut core = kept.core.take().unwrap_or_else(new);
         if !core.is_machine_code() {
-            return;
+            return false;
         }
+        core.use_lanes(execution.lanes());
         core.take_over(&self.core, sample, arms);
         self.core = core;
         self.used = execution.lanes();
         self.runs.resize_with(self.used, || None);
         self.follows.resize_with(self.used, LaneFollow::default);
+        true
     }
 
     /// Puts the last runs into the first lanes where that leaves vectors without any: these are computed no more.

@@ -3,6 +3,7 @@
 use super::joint::WearingJoint;
 use super::jumps::{Cycle, Depths, JumpLength, Life, life};
 use super::recorder::WearRecorder;
+use crate::batch::Kept;
 use crate::column::{Arms, Column, columns};
 use crate::engine::run_from;
 use crate::failure::RunFailure;
@@ -102,7 +103,8 @@ fn run_cycle(
         failure: None,
     };
     let mut watched = Watched { observer: &mut observer, stop };
-    let report = run_from(mechanism, sample, &plan.window, plan.settings, resume, &mut watched)?;
+    let report =
+        run_from(mechanism, sample, (&plan.window, plan.settings), resume, &mut Kept::default(), &mut watched)?;
     report.check_energy(&mechanism.model)?;
     if let Some(failure) = observer.failure {
         return Err(failure.into());

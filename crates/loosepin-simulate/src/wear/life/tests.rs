@@ -2,6 +2,7 @@
 //! with R_i and R_j, and `cases/oracle/worn_cycles`, which repeats its numbers and also has the radii of (14).
 
 use super::{LifePlan, run_cycle, wear};
+use crate::batch::Kept;
 use crate::engine::run_from;
 use crate::motion::Layout;
 use crate::observer::{Observer, Step};
@@ -159,8 +160,15 @@ fn part_of_a_turn(pressed: &Pressed, rows: &[Vec<f64>]) -> [f64; 2] {
         let wear = WearRecorder::new(&pressed.mechanism, &pressed.values);
         let mut beside = Beside { rows: rows[..21].to_vec(), next: 0, largest: [0.0; 3], wear };
         let resume = pressed.in_contact([rows[0][2], rows[0][1], rows[0][4], rows[0][3]]);
-        let report = run_from(&pressed.mechanism, &pressed.sample, &window, &settings, Some(resume), &mut beside)
-            .unwrap_or_else(|failure| panic!("{failure}"));
+        let report = run_from(
+            &pressed.mechanism,
+            &pressed.sample,
+            (&window, &settings),
+            Some(resume),
+            &mut Kept::default(),
+            &mut beside,
+        )
+        .unwrap_or_else(|failure| panic!("{failure}"));
         assert_eq!(beside.next, 21);
         let [rod_rad, slider_m, rod_rad_s] = beside.largest;
         assert!(rod_rad < 1e-12 && slider_m < 1e-11 && rod_rad_s < 1e-7, "{:?}", beside.largest);
