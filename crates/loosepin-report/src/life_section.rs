@@ -1,13 +1,13 @@
 //! Wear over the cycles of a life: numbers, clearance and deviations over the cycles, and the profile at some of them.
 
 use super::chart::{Chart, Entry, Role};
-use super::figure::{Picture, csv_number, name_of};
+use super::figure::{csv_number, name_of};
 use super::number::{NumberWriter, Rounding};
-use super::wear_picture::{GREATEST, HALF_SIDE, shape};
+use super::wear_picture::{DepthScale, depth_figure, shape};
 use super::wear_words::{units_of_wear, wear_units};
 use super::wording::counted;
 use loosepin_result::simulation::{
-    JointLifeRecord, OutputLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord, WornSurface,
+    JointLifeRecord, OutputLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord,
 };
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
@@ -179,22 +179,18 @@ fn deviation_chart(
     chart
 }
 
-/// Depths around the pin at some of the cycles: of the bearing outwards, of the journal inwards.
+/// Depths around the pin at some of the cycles.
 fn profiles_figure(life: &WearLifeRecord, joint: &JointLifeRecord, writer: &NumberWriter) -> Markup {
     let greatest_m = joint.surfaces.iter().flat_map(|surface| &surface.greatest_depth_m).copied().fold(0.0, f64::max);
-    let per_m = if greatest_m > 0.0 { GREATEST / greatest_m } else { 0.0 };
+    let scale = DepthScale::new(greatest_m);
     let rows: Vec<usize> = shown_rows(life, PROFILES).into_iter().filter(|row| *row > 0).collect();
-    let drawn = html! {
-        g transform="scale(1 -1)" {
-            line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
-            line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
-            @for surface in &joint.surfaces {
-                @for (index, row) in rows.iter().enumerate() {
-                    @let opacity = 0.25 + 0.75 * (index + 1) as f64 / rows.len() as f64;
-                    path.surface style=(format!("stroke-opacity:{opacity:.2};stroke-width:{}", 6 + 2 * index)) d=(outline(surface, *row, per_m)) {}
-                }
-                circle.surface r=(radius(surface.surface)) {}
+    let surfaces = html! {
+        @for surface in &joint.surfaces {
+            @for (index, row) in rows.iter().enumerate() {
+                @let opacity = 0.25 + 0.75 * (index + 1) as f64 / rows.len() as f64;
+                path.surface style=(format!("stroke-opacity:{opacity:.2};stroke-width:{}", 6 + 2 * index)) d=(outline(surface, *row, &scale)) {}
             }
+            circle.surface r=(shape(surface.surface).0) {}
         }
     };
     let cycles: Vec<String> =
@@ -205,22 +201,15 @@ fn profiles_figure(life: &WearLifeRecord, joint: &JointLifeRecord, writer: &Numb
         strong { (joint.joint) } ". Depth by sector after " (cycles.join(", ")) " cycles: of the bearing outwards, of the journal inwards. "
         "Greatest depth " (greatest) "."
     };
-    let view = [-HALF_SIDE, -HALF_SIDE, 2.0 * HALF_SIDE, 2.0 * HALF_SIDE];
-    Picture { name: name_of("profiles", &joint.joint), class: "polar", view, below: 0.0, alternative, drawn }
-        .figure(caption, Some(&csv(life, joint, writer)))
-}
-
-fn radius(surface: WornSurface) -> f64 {
-    shape(surface).0
+    depth_figure(name_of("profiles", &joint.joint), (alternative, caption), &surfaces, &csv(life, joint, writer))
 }
 
 /// The worn outline through the middles of the sectors.
-fn outline(surface: &SurfaceLifeRecord, row: usize, per_m: f64) -> String {
-    let sign = if surface.surface == WornSurface::Bearing { 1.0 } else { -1.0 };
+fn outline(surface: &SurfaceLifeRecord, row: usize, scale: &DepthScale) -> String {
     let depths_m = &surface.depth_m[row];
     let mut path = String::new();
     for (sector, depth_m) in depths_m.iter().enumerate() {
-        let worn = radius(surface.surface) + sign * depth_m * per_m;
+        let worn = scale.worn_radius(surface.surface, *depth_m);
         let (sine, cosine) = ((sector as f64 + 0.5) * TAU / depths_m.len() as f64).sin_cos();
         path.push_str(&format!("{}{:.1} {:.1}", if path.is_empty() { "M" } else { "L" }, worn * cosine, worn * sine));
     }

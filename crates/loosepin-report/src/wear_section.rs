@@ -1,12 +1,12 @@
 //! Wear of the joints of a run: numbers, checks, and profiles around the pin.
 
-use super::figure::{Picture, csv_number, name_of};
+use super::figure::{csv_number, name_of};
 use super::life_section::life_part;
 use super::number::NumberWriter;
 use super::page::cards;
-use super::wear_picture::{GREATEST, HALF_SIDE, shape};
+use super::wear_picture::{DepthScale, depth_figure, shape};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
-use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear, WornSurface};
+use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 use std::f64::consts::TAU;
@@ -40,19 +40,15 @@ pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
     }
 }
 
-/// Depths around the pin: of the bearing outwards, of the journal inwards.
+/// Depths around the pin.
 fn profile_figure(wear: &JointWearRecord, writer: &NumberWriter) -> Markup {
     let greatest_m = wear.surfaces.iter().map(|surface| surface.greatest_depth_m).fold(0.0, f64::max);
-    let per_m = if greatest_m > 0.0 { GREATEST / greatest_m } else { 0.0 };
-    let drawn = html! {
-        g transform="scale(1 -1)" {
-            line.axis x1="-1120" x2="1120" y1="0" y2="0" {}
-            line.axis y1="-1120" y2="1120" x1="0" x2="0" {}
-            @for surface in &wear.surfaces {
-                @let (radius, class) = shape(surface.surface);
-                path class=(class) fill-rule="evenodd" d=(outline(surface, per_m)) {}
-                circle.surface r=(radius) {}
-            }
+    let scale = DepthScale::new(greatest_m);
+    let surfaces = html! {
+        @for surface in &wear.surfaces {
+            @let (radius, class) = shape(surface.surface);
+            path class=(class) fill-rule="evenodd" d=(outline(surface, &scale)) {}
+            circle.surface r=(radius) {}
         }
     };
     let greatest = writer.value_trimmed(greatest_m, &SiUnit::LENGTH);
@@ -61,19 +57,16 @@ fn profile_figure(wear: &JointWearRecord, writer: &NumberWriter) -> Markup {
         strong { (wear.joint) } ". Depth by sector, from the x axis of each body: of the bearing outwards, of the journal inwards. "
         "Greatest depth " (greatest) "."
     };
-    let view = [-HALF_SIDE, -HALF_SIDE, 2.0 * HALF_SIDE, 2.0 * HALF_SIDE];
-    Picture { name: name_of("wear", &wear.joint), class: "polar", view, below: 0.0, alternative, drawn }
-        .figure(caption, Some(&csv(wear, writer)))
+    depth_figure(name_of("wear", &wear.joint), (alternative, caption), &surfaces, &csv(wear, writer))
 }
 
 /// The area between a surface and its worn outline: stairs over the sectors, and the circle.
-fn outline(surface: &SurfaceWear, per_m: f64) -> String {
+fn outline(surface: &SurfaceWear, scale: &DepthScale) -> String {
     let (radius, _) = shape(surface.surface);
-    let sign = if surface.surface == WornSurface::Bearing { 1.0 } else { -1.0 };
     let width_rad = TAU / surface.depth_m.len() as f64;
     let mut path = String::new();
     for (sector, depth_m) in surface.depth_m.iter().enumerate() {
-        let worn = radius + sign * depth_m * per_m;
+        let worn = scale.worn_radius(surface.surface, *depth_m);
         for edge in [sector, sector + 1] {
             let (sine, cosine) = (edge as f64 * width_rad).sin_cos();
             path.push_str(&format!(
