@@ -18,6 +18,7 @@
 //! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
 //! | the wear of joints | `wear_words.rs` |
+//! | how flexible bodies bend | `bending_words.rs` |
 //! | the terms of a page | `glossary.rs` |
 //! | one picture or table of a page: what it shows | the file of the picture or table; for a study in `study_page` |
 //! | which bounds a witness attains | `witness_words.rs` |
@@ -28,6 +29,7 @@
 mod accuracy_text;
 mod answer;
 mod axes;
+mod bending_words;
 mod bound_words;
 mod cases_page;
 mod chart;

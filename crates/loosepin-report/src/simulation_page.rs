@@ -4,6 +4,7 @@ use maud::{Markup, html};
 use std::f64::consts::TAU;
 
 use super::answer::{turn_word, turns};
+use super::bending_words::bending_sentences;
 use super::chart::{Chart, Dots, Entry, Role};
 use super::figure::name_of;
 use super::life_section::life_sentence;
@@ -18,8 +19,8 @@ use super::still_figures::orbit_figure;
 use super::wear_section::wear_section;
 use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
-    BendingRecord, ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory,
-    QuasiStaticShare, SimulationRecord, StopReason, SwingCourse,
+    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    SimulationRecord, StopReason, SwingCourse,
 };
 use loosepin_text::units::SiUnit;
 
@@ -174,9 +175,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         "The energy balance has an error of {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
-    sentences.extend(record.bending.iter().map(start_sentence));
-    sentences.extend(record.bending.iter().filter_map(|bending| condensed_sentence(bending, writer)));
-    sentences.extend(record.bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
+    sentences.extend(bending_sentences(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
@@ -184,50 +183,6 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
     sentences.extend(quasi_static_sentence(&checks, writer));
     sentences
-}
-
-/// How a flexible body starts.
-fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) -> String {
-    match starts_settled {
-        true => format!("The {body} starts settled: bent and stretched as inertia, weight and loads hold it."),
-        false => format!("The {body} starts undeformed, and rings from there."),
-    }
-}
-
-/// Which shapes of a flexible body are condensed.
-fn condensed_sentence(BendingRecord { body, condensed, .. }: &BendingRecord, writer: &NumberWriter) -> Option<String> {
-    let condensed = condensed.filter(|condensed| condensed.shapes > 0)?;
-    let shapes = if condensed.shapes == 1 { "shape is" } else { "shapes are" };
-    Some(format!(
-        "Of the {body} {} {shapes} condensed: static flexibility is kept, waves above {} Hz are not.",
-        condensed.shapes,
-        writer.value_trimmed(condensed.above_hz, &SiUnit::NONE),
-    ))
-}
-
-/// That a body bends further than its floating frame is meant for, or so little that absolute nodal coordinates are not needed.
-fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<String> {
-    /// Angle at which foreshortening to second order is off by half a percent, rad.
-    const LARGEST_RAD: f64 = 0.1;
-    if bending.is_nodal {
-        return (bending.largest_angle_rad < LARGEST_RAD).then(|| {
-            format!(
-                "The {} turns by at most {} from the line through its ends: formulation = \"floating-frame\" does for it, with fewer \
-                 coordinates.",
-                bending.body,
-                writer.value(bending.largest_angle_rad, &SiUnit::ANGLE)
-            )
-        });
-    }
-    // Not a number is no small angle.
-    (!(bending.largest_angle_rad <= LARGEST_RAD)).then(|| {
-        format!(
-            "The {} bends too far for its model: its sections turn by up to {}, and above {} lengths are off by more than 0.5 % of what bending shortens. Take formulation = \"absolute-nodal\".",
-            bending.body,
-            writer.value(bending.largest_angle_rad, &SiUnit::ANGLE),
-            writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE),
-        )
-    })
 }
 
 /// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.

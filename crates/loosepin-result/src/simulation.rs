@@ -108,9 +108,27 @@ pub struct BendingRecord {
     /// Whether it is described in absolute nodal coordinates; the angle is then that of any node from the way from root to tip.
     #[serde(default)]
     pub is_nodal: bool,
+    /// What the other formulation asks for.
+    #[serde(default)]
+    pub other_formulation: OtherFormulation,
     /// Its condensed shapes; absent, and not written, where none may be condensed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub condensed: Option<CondensedRecord>,
+}
+
+/// Changes with which a flexible body can have the other formulation: absolute nodal coordinates in place of a floating frame, or the reverse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OtherFormulation {
+    /// None but for its own keys.
+    #[default]
+    AsItIs,
+    /// A retardation time in place of the damping ratio.
+    RetardationTime,
+    /// Neither lumps nor points between the ends.
+    EndsAlone,
+    /// No drive and no rigid joint at `to`.
+    FreeAtTo,
 }
 
 /// Condensed shapes of a flexible body: they keep their static flexibility.

@@ -2,8 +2,8 @@
 
 use super::observer::Step;
 use loosepin_mechanics::mechanism::{Condensed, Mechanism};
-use loosepin_mechanics::model::{Body, BodyId};
-use loosepin_result::simulation::{BendingRecord, CondensedRecord};
+use loosepin_mechanics::model::{Body, BodyId, Model, PointId};
+use loosepin_result::simulation::{BendingRecord, CondensedRecord, OtherFormulation};
 
 /// Largest angles of the sections of each flexible body, at the ends of the steps, rad: of those at both ends and at the points from its
 /// frame, |φ'·b|; in absolute nodal coordinates of those at all nodes from the way from root to tip.
@@ -55,8 +55,33 @@ impl BendingRecorder {
             let Body { name, beam, .. } = &mechanism.model.bodies[body.0];
             let starts_settled = beam.as_ref().is_some_and(|beam| beam.starts_settled);
             let is_nodal = beam.as_ref().is_some_and(|beam| beam.is_nodal());
-            BendingRecord { body: name.clone(), largest_angle_rad, starts_settled, is_nodal, condensed }
+            let other_formulation = other_formulation(&mechanism.model, body);
+            BendingRecord {
+                body: name.clone(),
+                largest_angle_rad,
+                starts_settled,
+                is_nodal,
+                other_formulation,
+                condensed,
+            }
         };
         mechanism.real.flexible_bodies().zip(&self.largest_rad).zip(&self.condensed).map(record).collect()
+    }
+}
+
+/// What the other formulation of a body asks for; nothing of a rigid one.
+pub fn other_formulation(model: &Model, body: BodyId) -> OtherFormulation {
+    let Body { points, beam: Some(beam), .. } = &model.bodies[body.0] else { return OtherFormulation::AsItIs };
+    if beam.is_nodal() {
+        let to = PointId { body, point: beam.ends[1] };
+        return if model.holds_section(to) { OtherFormulation::FreeAtTo } else { OtherFormulation::AsItIs };
+    }
+    let has_points_between = (0..points.len()).any(|point| !beam.ends.contains(&point));
+    if has_points_between || !beam.lumps.is_empty() {
+        OtherFormulation::EndsAlone
+    } else if beam.damping_ratio.is_some() {
+        OtherFormulation::RetardationTime
+    } else {
+        OtherFormulation::AsItIs
     }
 }

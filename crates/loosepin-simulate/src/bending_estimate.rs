@@ -5,6 +5,8 @@
 //! ```
 //!
 //! Inertia, weight, springs and loads at the speed of the drives; impacts and ringing come on top. Without the chord w(L)/L in a tangent frame.
+//! x goes from the end that a drive or a rigid joint holds, whose couple is then not needed; from `from` between pins. Where both ends are held
+//! rigid links do not say how the couples share the load.
 
 use super::failure::RunFailure;
 use super::supports::buckling_factor;
@@ -20,7 +22,8 @@ const POSITIONS: u32 = 72;
 pub struct BendingEstimate {
     /// The body.
     pub body: BodyId,
-    /// Largest angle of a section from the frame of the body, rad; in absolute nodal coordinates from the line through its ends.
+    /// Largest angle of a section from the frame of the body, rad; in absolute nodal coordinates from the line through its ends. Not a number
+    /// where both ends are held.
     pub largest_angle_rad: f64,
     /// Largest pull in it, N, >= 0.
     pub largest_tension_n: f64,
@@ -80,6 +83,7 @@ struct Link<'m> {
     stiffness: [f64; 2],
     /// Push under which it buckles, N.
     buckling_load_n: f64,
+    is_held_at_both_ends: bool,
 }
 
 impl<'m> Link<'m> {
@@ -88,15 +92,17 @@ impl<'m> Link<'m> {
         let beam = mechanism.model.bodies[body.0].beam.as_ref()?;
         let length_m = values[beam.length_m];
         let stiffness = [beam.axial_stiffness_n_m, beam.bending_stiffness_n_m].map(|id| values[id] * length_m);
-        let factor = buckling_factor(&mechanism.model, values, beam.ends.map(|point| PointId { body, point }));
+        let ends = beam.ends.map(|point| PointId { body, point });
+        let factor = buckling_factor(&mechanism.model, values, ends);
+        let is_held_at_both_ends = ends.into_iter().all(|end| mechanism.model.holds_section(end));
         let buckling_load_n = factor * factor * stiffness[1] / (length_m * length_m);
-        Some(Self { body, beam, length_m, stiffness, buckling_load_n })
+        Some(Self { body, beam, length_m, stiffness, buckling_load_n, is_held_at_both_ends })
     }
 
     fn unloaded(&self) -> BendingEstimate {
         BendingEstimate {
             body: self.body,
-            largest_angle_rad: 0.0,
+            largest_angle_rad: if self.is_held_at_both_ends { f64::NAN } else { 0.0 },
             largest_tension_n: 0.0,
             largest_compression_n: 0.0,
             buckling_load_n: self.buckling_load_n,
@@ -117,7 +123,9 @@ impl<'m> Link<'m> {
         }
         let chord_rad = if self.beam.has_tangent_frame() { 0.0 } else { deflection_m / self.length_m };
         let largest_rad = angles_rad.iter().fold(0.0_f64, |largest, angle| largest.max((angle - chord_rad).abs()));
-        estimate.largest_angle_rad = estimate.largest_angle_rad.max(largest_rad);
+        if !self.is_held_at_both_ends {
+            estimate.largest_angle_rad = estimate.largest_angle_rad.max(largest_rad);
+        }
         for (_, cut) in cuts {
             estimate.largest_tension_n = estimate.largest_tension_n.max(-cut.along_n);
             estimate.largest_compression_n = estimate.largest_compression_n.max(cut.along_n);

@@ -59,6 +59,7 @@ mod wear;
 mod work;
 
 pub use batch::{Queue, Run};
+pub use bending::other_formulation;
 pub use bending_estimate::{BendingEstimate, estimate_bending};
 pub use column::{Arms, Column, Reading, columns, relative_words};
 pub use controlled_drawing::controlled_drawing;

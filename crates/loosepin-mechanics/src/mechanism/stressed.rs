@@ -55,20 +55,27 @@ impl StressedBody {
         found
     }
 
-    /// Every body with a beam as a rigid link, whatever its formulation, from its `from` on.
+    /// Every body with a beam as a rigid link, whatever its formulation: from its `from` on, or from its `to` where only the section there is held.
     pub(super) fn rigid(model: &Model, values: &Values) -> Vec<Self> {
         let flexible = (0..model.bodies.len()).map(BodyId);
         let cut = |body: BodyId| {
             let Body { points, beam, .. } = &model.bodies[body.0];
             let beam = beam.as_ref()?;
-            let share = |point: usize| share_of(model, PointId { body, point }, values).clamp(0.0, 1.0);
+            let [holds_from, holds_to] = beam.ends.map(|point| model.holds_section(PointId { body, point }));
+            let is_turned = holds_to && !holds_from;
+            let [from, to] = beam.ends;
+            let ends = if is_turned { [to, from] } else { [from, to] };
+            let share = |point: usize| {
+                let share = share_of(model, PointId { body, point }, values).clamp(0.0, 1.0);
+                if is_turned { 1.0 - share } else { share }
+            };
             let beyond: Vec<(usize, f64)> = (0..points.len())
                 .map(|point| (point, share(point)))
                 .filter(|(_, share)| *share > SAME_SECTION)
                 .collect();
             let shares = cut_shares(beyond.iter().map(|(_, share)| *share));
             let cuts = Arc::new(Cuts::new(&Basis::new(Frame::Secant, [0, 0], &[]), &shares));
-            Some(Self { body, ends: beam.ends, is_turned: false, points: beyond, cuts })
+            Some(Self { body, ends, is_turned, points: beyond, cuts })
         };
         flexible.filter_map(cut).collect()
     }

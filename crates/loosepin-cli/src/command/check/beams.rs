@@ -43,7 +43,7 @@ pub fn push_beams(text: &mut String, mechanism: &Mechanism, values: &Values, tur
         Ok(estimates) => {
             let estimate = estimates.iter().find(|estimate| estimate.body == body);
             if let Some(estimate) = estimate {
-                push_bending(text, indent, &model.bodies[body.0], estimate, mechanism.is_driven());
+                push_bending(text, indent, model, estimate, mechanism.is_driven());
             }
         }
         Err(failure) => {

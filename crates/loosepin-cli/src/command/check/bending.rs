@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use loosepin::model::{Beam, Body};
-use loosepin::simulate::BendingEstimate;
+use loosepin::model::{Beam, Model};
+use loosepin::result::simulation::OtherFormulation;
+use loosepin::simulate::{BendingEstimate, other_formulation};
 use loosepin::units::{Dimension, format_number, format_value};
 
 /// Angle of a section from the frame at which foreshortening to second order is off by half a percent, rad.
@@ -23,8 +24,8 @@ const LARGEST_LEFT_OUT: f64 = 0.05;
 const ROUND_OFF: f64 = 1e-12;
 
 /// What is known of a body's bending before a run: numbers, then warnings with what to do.
-pub fn push_bending(text: &mut String, indent: &str, body: &Body, estimate: &BendingEstimate, is_driven: bool) {
-    let Some(beam) = &body.beam else { return };
+pub fn push_bending(text: &mut String, indent: &str, model: &Model, estimate: &BendingEstimate, is_driven: bool) {
+    let Some(beam) = &model.bodies[estimate.body.0].beam else { return };
     let force = |force_n: f64| {
         let is_round_off = force_n < ROUND_OFF * estimate.buckling_load_n;
         format_value(if is_round_off { 0.0 } else { two_digits(force_n) }, Dimension::FORCE)
@@ -32,23 +33,36 @@ pub fn push_bending(text: &mut String, indent: &str, body: &Body, estimate: &Ben
     let when = if is_driven { "over a turn" } else { "at the start" };
     let _ = writeln!(
         text,
-        "{indent}as a rigid link {when}: its loads turn sections by {} rad, pull by {}, push by {}",
-        angle_in_words(estimate),
+        "{indent}as a rigid link {when}: its loads {}pull by {}, push by {}",
+        if estimate.largest_angle_rad.is_nan() {
+            String::new()
+        } else {
+            format!("turn sections by {} rad, ", angle_in_words(estimate))
+        },
         force(estimate.largest_tension_n),
         force(estimate.largest_compression_n),
     );
-    for (warning, hint) in warnings(body, beam, estimate, is_driven) {
+    if estimate.largest_angle_rad.is_nan() {
+        let _ = writeln!(text, "{indent}both its ends are held: how far it bends is not estimated");
+    }
+    for (warning, hint) in warnings(beam, other_formulation(model, estimate.body), estimate, is_driven) {
         let _ = writeln!(text, "{indent}warning: {warning}\n{indent}hint: {hint}");
     }
 }
 
 /// Warnings, each with a hint.
-fn warnings(body: &Body, beam: &Beam, estimate: &BendingEstimate, is_driven: bool) -> Vec<(String, &'static str)> {
+fn warnings(
+    beam: &Beam,
+    other: OtherFormulation,
+    estimate: &BendingEstimate,
+    is_driven: bool,
+) -> Vec<(String, &'static str)> {
     let angle = angle_in_words(estimate);
     let share = estimate.largest_compression_n / estimate.buckling_load_n;
     if beam.is_nodal() {
         let is_small = estimate.largest_angle_rad < SMALL_ANGLE_RAD && share < LARGEST_PUSH;
-        let is_needless = is_driven && is_small && estimate.largest_strain < LARGEST_STRAIN;
+        let may_float = is_driven && other != OtherFormulation::FreeAtTo;
+        let is_needless = may_float && is_small && estimate.largest_strain < LARGEST_STRAIN;
         return if is_needless {
             let warning =
                 format!("absolute nodal coordinates are not needed: its loads turn sections by {angle} rad only");
@@ -60,7 +74,7 @@ fn warnings(body: &Body, beam: &Beam, estimate: &BendingEstimate, is_driven: boo
             Vec::new()
         };
     }
-    let take_nodal = towards_nodal(body, beam);
+    let take_nodal = towards_nodal(other);
     let mut found = Vec::new();
     if estimate.largest_angle_rad > LARGEST_ANGLE_RAD {
         found.push((
@@ -88,15 +102,14 @@ fn warnings(body: &Body, beam: &Beam, estimate: &BendingEstimate, is_driven: boo
     found
 }
 
-/// The way to absolute nodal coordinates, which take no lumps, no points between the ends and no damping ratio.
-fn towards_nodal(body: &Body, beam: &Beam) -> &'static str {
-    let has_points_inside = (0..body.points.len()).any(|point| !beam.ends.contains(&point));
-    match (beam.lumps.is_empty(), has_points_inside, beam.damping_ratio) {
-        (true, false, None) => "write formulation = \"absolute-nodal\"",
-        (true, false, Some(_)) => {
+/// The way to absolute nodal coordinates.
+fn towards_nodal(other: OtherFormulation) -> &'static str {
+    match other {
+        OtherFormulation::AsItIs => "write formulation = \"absolute-nodal\"",
+        OtherFormulation::RetardationTime => {
             "write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"
         }
-        _ => {
+        OtherFormulation::EndsAlone | OtherFormulation::FreeAtTo => {
             "absolute nodal coordinates would do, and take neither lumps nor points between the ends: leave these out with \
              formulation = \"absolute-nodal\", or take a stiffer section"
         }
@@ -120,7 +133,7 @@ fn two_digits(number: f64) -> f64 {
 mod tests {
     use super::{angle_in_words, push_bending, warnings};
     use loosepin::model::{BodyId, Model};
-    use loosepin::simulate::BendingEstimate;
+    use loosepin::simulate::{BendingEstimate, other_formulation};
 
     fn model(from: &str, to: &str) -> Model {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/flexible_slider_crank/model.toml");
@@ -141,9 +154,8 @@ mod tests {
     }
 
     fn found(model: &Model, estimate: &BendingEstimate, is_driven: bool) -> Vec<String> {
-        let body = &model.bodies[2];
-        let beam = body.beam.as_ref().expect("a beam");
-        warnings(body, beam, estimate, is_driven)
+        let beam = model.bodies[2].beam.as_ref().expect("a beam");
+        warnings(beam, other_formulation(model, BodyId(2)), estimate, is_driven)
             .into_iter()
             .map(|(warning, hint)| format!("{warning}; {hint}"))
             .collect()
@@ -227,10 +239,17 @@ mod tests {
         }
         assert_eq!(angle_in_words(&estimate(250.0, 0.0, 0.0)), "more than 1");
         let mut text = String::new();
-        push_bending(&mut text, "  ", &model.bodies[2], &estimate(0.02, 1e-15, 1e-4), true);
+        push_bending(&mut text, "  ", &model, &estimate(0.02, 1e-15, 1e-4), true);
         assert_eq!(
             text,
             "  as a rigid link over a turn: its loads turn sections by 0.02 rad, pull by 12 N, push by 0 N\n"
+        );
+        let mut text = String::new();
+        push_bending(&mut text, "  ", &model, &estimate(f64::NAN, 0.01, 1e-4), true);
+        assert_eq!(
+            text,
+            "  as a rigid link over a turn: its loads pull by 12 N, push by 10 N\n  both its ends are held: how far it bends is not \
+             estimated\n"
         );
     }
 }

@@ -63,6 +63,26 @@ fn analytic_slopes_of_a_cantilever() {
     near(loaded.largest_angle_rad, (weight_n / 6.0 + 0.5 * 9.81 / 2.0) * square);
 }
 
+/// In absolute nodal coordinates a drive or a rigid joint may hold a beam at `to`: the couple there belongs to it, and a cantilever is as bent.
+#[test]
+fn analytic_slopes_of_a_cantilever_that_is_held_at_its_to() {
+    let still = "motion = { kind = \"expression\", position = \"0 rad + 0 rad/s * time\" }";
+    let push = "[load.push]\nkind = \"force\"\npoint = \"bar.tip\"\nforce = \"20 N\"\ndirection = \"-90 deg\"\n";
+    let (weight_n, square) = (BAR_KG * 9.81, LENGTH_M * LENGTH_M / BENDING_N_M2);
+    let turned = |gravity: &str, drive: &str, more: &str| {
+        let text = bar(gravity, drive, "formulation = \"absolute-nodal\"", more);
+        let ends = "from = \"root\"\nto = \"tip\"";
+        assert!(text.contains(ends));
+        text.replace(ends, "from = \"tip\"\nto = \"root\"")
+    };
+    near(estimate(&turned("0 m/s^2", still, push), 0.0).largest_angle_rad, 20.0 * square / 3.0);
+    near(estimate(&turned("9.81 m/s^2", still, ""), 0.0).largest_angle_rad, weight_n * square / 8.0);
+    let turning = "speed = \"300 rad/s\"\nstart_angle = \"0 deg\"";
+    let found = estimate(&turned("0 m/s^2", turning, ""), 0.01);
+    near(found.largest_tension_n, 0.5 * BAR_KG * 300.0_f64.powi(2) * LENGTH_M);
+    assert!(found.largest_compression_n < 1e-9 && found.largest_angle_rad < 1e-9, "{found:?}");
+}
+
 /// ½ m ω² L of a bar that turns, whose largest pull is at its root.
 #[test]
 fn analytic_pull_of_a_turning_bar() {

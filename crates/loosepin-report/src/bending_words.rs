@@ -1,0 +1,123 @@
+//! How flexible bodies start and bend, in sentences, and what to do where their formulation does not fit that.
+
+use super::number::NumberWriter;
+use loosepin_result::simulation::{BendingRecord, OtherFormulation};
+use loosepin_text::units::SiUnit;
+
+/// Sentences of all flexible bodies of a run.
+pub(super) fn bending_sentences(bending: &[BendingRecord], writer: &NumberWriter) -> Vec<String> {
+    let mut sentences: Vec<String> = bending.iter().map(start_sentence).collect();
+    sentences.extend(bending.iter().filter_map(|bending| condensed_sentence(bending, writer)));
+    sentences.extend(bending.iter().filter_map(|bending| bending_sentence(bending, writer)));
+    sentences
+}
+
+/// How a flexible body starts.
+fn start_sentence(BendingRecord { body, starts_settled, .. }: &BendingRecord) -> String {
+    match starts_settled {
+        true => format!("The {body} starts settled: bent and stretched as inertia, weight and loads hold it."),
+        false => format!("The {body} starts undeformed, and rings from there."),
+    }
+}
+
+/// Which shapes of a flexible body are condensed.
+fn condensed_sentence(BendingRecord { body, condensed, .. }: &BendingRecord, writer: &NumberWriter) -> Option<String> {
+    let condensed = condensed.filter(|condensed| condensed.shapes > 0)?;
+    let shapes = if condensed.shapes == 1 { "shape is" } else { "shapes are" };
+    Some(format!(
+        "Of the {body} {} {shapes} condensed: static flexibility is kept, waves above {} Hz are not.",
+        condensed.shapes,
+        writer.value_trimmed(condensed.above_hz, &SiUnit::NONE),
+    ))
+}
+
+/// That a body bends further than its floating frame is meant for, with what to do that can be done; or so little that absolute nodal
+/// coordinates may not be needed.
+fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<String> {
+    /// Angle at which foreshortening to second order is off by half a percent, rad.
+    const LARGEST_RAD: f64 = 0.1;
+    let BendingRecord { body, largest_angle_rad, is_nodal, other_formulation, .. } = bending;
+    let most = writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE);
+    if *is_nodal {
+        let may_float = *largest_angle_rad < LARGEST_RAD && *other_formulation != OtherFormulation::FreeAtTo;
+        return may_float.then(|| {
+            format!(
+                "The {body} turns by at most {} from the line through its ends. formulation = \"floating-frame\" does up to {most}, with fewer \
+                 coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
+                writer.value(*largest_angle_rad, &SiUnit::ANGLE),
+            )
+        });
+    }
+    let way_out = match other_formulation {
+        OtherFormulation::RetardationTime => {
+            "Take formulation = \"absolute-nodal\", with retardation_time in place of damping_ratio."
+        }
+        OtherFormulation::EndsAlone | OtherFormulation::FreeAtTo => {
+            "Take a stiffer section; or formulation = \"absolute-nodal\", without lumps and points between the ends."
+        }
+        OtherFormulation::AsItIs => "Take formulation = \"absolute-nodal\".",
+    };
+    // Not a number is no small angle.
+    (!(*largest_angle_rad <= LARGEST_RAD)).then(|| {
+        format!(
+            "The {body} bends too far for its model: its sections turn by up to {}, and above {most} lengths are off by more than 0.5 % of what \
+             bending shortens. {way_out}",
+            writer.value(*largest_angle_rad, &SiUnit::ANGLE),
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bending_sentence;
+    use crate::number::NumberWriter;
+    use loosepin_result::simulation::{BendingRecord, OtherFormulation};
+    use loosepin_text::units::DisplayUnits;
+
+    fn said(largest_angle_rad: f64, is_nodal: bool, other_formulation: OtherFormulation) -> Option<String> {
+        let bending = BendingRecord {
+            body: "rod".to_owned(),
+            largest_angle_rad,
+            starts_settled: false,
+            is_nodal,
+            other_formulation,
+            condensed: None,
+        };
+        bending_sentence(&bending, &NumberWriter::for_page(&DisplayUnits::default()))
+    }
+
+    #[test]
+    fn a_floating_frame_that_bends_too_far_is_told_what_can_be_done() {
+        assert_eq!(said(0.099, false, OtherFormulation::AsItIs), None);
+        for (other, way_out) in [
+            (OtherFormulation::AsItIs, " Take formulation = \"absolute-nodal\"."),
+            (
+                OtherFormulation::RetardationTime,
+                " Take formulation = \"absolute-nodal\", with retardation_time in place of damping_ratio.",
+            ),
+            (
+                OtherFormulation::EndsAlone,
+                " Take a stiffer section; or formulation = \"absolute-nodal\", without lumps and points between the ends.",
+            ),
+        ] {
+            for angle_rad in [0.101, f64::NAN] {
+                let said = said(angle_rad, false, other).expect("it bends too far");
+                assert!(said.starts_with("The rod bends too far for its model: ") && said.ends_with(way_out), "{said}");
+            }
+        }
+    }
+
+    #[test]
+    fn absolute_nodal_coordinates_are_advised_to_nobody_who_has_them() {
+        for angle_rad in [0.101, 2.0, f64::NAN] {
+            assert_eq!(said(angle_rad, true, OtherFormulation::AsItIs), None);
+        }
+        let small = said(0.02, true, OtherFormulation::AsItIs).expect("a floating frame may do");
+        assert!(
+            small.contains("formulation = \"floating-frame\" does up to") && !small.contains("absolute"),
+            "{small}"
+        );
+        // Held at `to` it has no floating frame.
+        assert_eq!(said(0.02, true, OtherFormulation::FreeAtTo), None);
+    }
+}
