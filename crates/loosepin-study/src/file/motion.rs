@@ -12,7 +12,7 @@ use loosepin_result::study::{Deviation, Reduction};
 use loosepin_simulate::measured::MeasuredTable;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, listed, read_beside};
-use loosepin_text::units::{Dimension, Rule, SiUnit};
+use loosepin_text::units::{Dimension, Rule, SiUnit, format_number};
 use std::f64::consts::TAU;
 
 /// Share of a turn by which a table may end early: its last sample stands one sample before the end.
@@ -52,8 +52,12 @@ problems! {
         TooHigh { entry: String, order: usize, samples: usize } => Code::AskNotPossible,
             says("{entry}: order {order} needs more than {} samples a turn; there are {samples}", 2 * order),
             hint("write a larger samples_per_turn under [cycle] of the study");
-        TooShort { entry: String, found: f64, due: f64 } => Code::AskNotPossible,
-            says("{entry}: the table holds {found:.6} turns; the study records {due}"),
+        TooShort { entry: String, found: f64, due: f64, turns: f64, samples: usize } => Code::AskNotPossible,
+            says(
+                "{entry}: the span of the table in turns is {}; must be at least {}: {turns} recorded turns of {samples} samples, the first to the last",
+                format_number(*found),
+                format_number(*due)
+            ),
             hint("record fewer turns under [cycle] of the study, or measure longer");
         NoColumn { entry: String, output: String, known: Vec<String> } => Code::UnknownReference,
             says("{entry}: the table has no column '{output}'"),
@@ -79,7 +83,8 @@ problems! {
             says("{entry} is another common error than that of an earlier value of the instrument '{instrument}'"),
             hint("write the same error, or instrument = \"another sensor\" beside it");
         NotPositive { entry: String } => Code::AskNotPossible,
-            says("{entry}: no value with this sign is possible for the feature");
+            says("{entry}: no value with this sign is possible for the feature"),
+            hint("write its magnitude");
     }
 }
 
@@ -239,9 +244,10 @@ impl StudyReader {
             None => None,
         };
         let repeats = stated.unwrap_or(values_si.len().max(1));
-        if repeats as u64 > MOST_STRETCHES {
-            let problem = MotionProblem::TooManyStretches { entry: table.path.describe(), found: repeats };
-            return self.refused(&problem, table.span);
+        // More than so many `repeats` are refused where these are read, and more stretches of a file are left out.
+        if let Some(entry) = table.get("value").filter(|_| repeats as u64 > MOST_STRETCHES) {
+            let problem = MotionProblem::TooManyStretches { entry: entry.path.describe(), found: repeats };
+            return self.refused(&problem, entry.span);
         }
         let is_magnitude = match subject {
             MotionSubject::Impacts { .. } => true,
@@ -251,8 +257,12 @@ impl StudyReader {
             }
             MotionSubject::Sampled { .. } => true,
         };
-        if is_magnitude && values_si.iter().any(|value_si| *value_si < 0.0) {
-            return self.refused(&MotionProblem::NotPositive { entry: table.path.describe() }, table.span);
+        // Those of a file are magnitudes.
+        if let Some(entry) = table.get("value")
+            && is_magnitude
+            && values_si.iter().any(|value_si| *value_si < 0.0)
+        {
+            return self.refused(&MotionProblem::NotPositive { entry: entry.path.describe() }, entry.span);
         }
         Some((values_si, repeats))
     }
@@ -306,11 +316,13 @@ impl StudyReader {
         let turns = cycle.recorded_turns;
         let (first, last) = (table.at_si.first()?, table.at_si.last()?);
         let samples = cycle.samples_per_turn;
+        let found = (last - first) / turn;
         // The sample at the end of the last turn is that at the start of the next one.
-        let found = (last - first) / turn + 1.0 / samples as f64;
-        let stretches = (found / turns + ROUND_OFF).floor() as usize;
+        let interval = 1.0 / samples as f64;
+        let stretches = ((found + interval) / turns + ROUND_OFF).floor() as usize;
         if stretches == 0 {
-            return self.refused(&MotionProblem::TooShort { entry: words(), found, due: turns }, entry.span);
+            let problem = MotionProblem::TooShort { entry: words(), found, due: turns - interval, turns, samples };
+            return self.refused(&problem, entry.span);
         }
         let stretches = stretches.min(MOST_STRETCHES as usize);
         let whole = turns as usize;
