@@ -9,6 +9,8 @@ pub mod known_bounds;
 pub mod known_case;
 pub mod known_pairings;
 pub mod precision;
+pub mod precision_cases;
+pub mod precision_page;
 pub mod processor_time;
 pub mod worn_pin;
 pub mod worn_pin_reference;
@@ -31,9 +33,28 @@ pub fn case_file(name: &str, file: &str) -> PathBuf {
 /// # Panics
 /// Where the case is not there or is no mechanism.
 pub fn compiled(name: &str) -> (Mechanism, Values, f64) {
-    let model = Model::from_path(&case_file(name, "model.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
+    compiled_with(&format!("cases/{name}/model.toml"), &[])
+}
+
+/// A file of the repository with parts of its text replaced, as [`compiled`].
+///
+/// # Panics
+/// Where it is not there, does not have one of the parts or is no mechanism.
+pub fn compiled_with(file: &str, changes: &[(&str, &str)]) -> (Mechanism, Values, f64) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
+    let model = if changes.is_empty() {
+        Model::from_path(&path)
+    } else {
+        let mut text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{file}: {error}"));
+        for (part, other) in changes {
+            assert!(text.contains(part), "{file} does not have {part:?}");
+            text = text.replace(part, other);
+        }
+        Model::from_text(file, &text)
+    };
+    let model = model.unwrap_or_else(|complaints| panic!("{complaints}"));
     let nominal = model.quantities.nominal();
-    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{file}: {error}"));
     let turn_s = model.cycle_input(&nominal).turn_s();
     (mechanism, nominal, turn_s)
 }

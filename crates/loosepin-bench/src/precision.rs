@@ -1,19 +1,24 @@
 //! Work against error: runs of a reference case with one method at one tolerance, held against finer runs.
 
-use crate::compiled;
+use crate::compiled_with;
+use loosepin::integrate::Tableau;
 use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
 use loosepin::model::{Axis, BodyId, Model, PointId, Position, QuantityId, Relative};
 use loosepin::simulate::{
-    Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
-    Step, Window, conduct,
+    Arms, Counters, Execution, Follow, FollowedRun, Integrator, Observer, Queue, Reading, Run, RunFailure, RunReport,
+    Settings, Step, Window, conduct,
 };
 
-/// A folder of `cases/` and what is watched in it.
+/// A model and what is watched in it.
 #[derive(Debug, Clone, Copy)]
 pub struct Case {
-    /// Name of the folder.
+    /// Name of the case.
     pub name: &'static str,
+    /// File of the model, from the root of the repository.
+    pub file: &'static str,
+    /// Parts of its text, and what stands in their place.
+    pub changes: &'static [(&'static str, &'static str)],
     /// What makes it a case of its own.
     pub about: &'static str,
     /// The point whose position is watched, `body.point`.
@@ -22,9 +27,26 @@ pub struct Case {
     pub varied: &'static [(&'static str, f64)],
     /// Tolerance of the reference runs, m: tight, and yet so that steps are not lost in rounding.
     pub reference_m: f64,
+    /// Samples of it.
+    pub samples: usize,
+    /// The methods compared.
+    pub methods: &'static [Method],
 }
 
-/// Times within the half turn at which positions are compared.
+/// A method, and the tolerances with which it is measured.
+#[derive(Debug, Clone, Copy)]
+pub struct Method {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// The embedded pair; of implicit steps that in contact.
+    pub pair: &'static Tableau,
+    /// Explicit or implicit steps.
+    pub integrator: Integrator,
+    /// First and last tolerance, in half decades below 1 m.
+    pub half_decades: (i32, i32),
+}
+
+/// Times within the run at which positions are compared.
 pub const TIMES: usize = 32;
 
 /// One run: the watched point's coordinates at [`TIMES`] times, m, x and y in turn; and what they cost.
@@ -45,8 +67,10 @@ pub struct Samples {
 pub struct Point {
     /// The tolerance asked for, m.
     pub tolerance_m: f64,
-    /// Right-hand sides of a run, the median; repeated and rejected steps included.
+    /// Right-hand sides of a run, the median; repeated and rejected steps included, and those for the Jacobians of implicit steps.
     pub evaluations: u64,
+    /// Factorizations of a run, the median: of a real and of a complex matrix each.
+    pub factorizations: u64,
     /// Error of a run: the watched point's largest distance from the reference at any of the times. Median, m.
     pub median_m: f64,
     /// Its 90 % quantile, m; infinite where more than a tenth of the runs failed.
@@ -58,20 +82,20 @@ pub struct Point {
 }
 
 impl Samples {
-    /// Reads and compiles `case` with `count` samples: the varied quantities fill their box evenly (multiples of the square
+    /// Reads and compiles `case` with its samples: the varied quantities fill their box evenly (multiples of the square
     /// roots of the primes), so that a few samples already see different sequences of contacts.
     ///
     /// # Panics
     /// When the case, the point or a quantity does not exist: a mistake in this crate.
-    pub fn new(case: &Case, count: usize) -> Self {
-        let (mechanism, nominal, turn_s) = compiled(case.name);
+    pub fn new(case: &Case) -> Self {
+        let (mechanism, nominal, turn_s) = compiled_with(case.file, case.changes);
         let model = &mechanism.model;
         let varied: Vec<(QuantityId, f64)> = case
             .varied
             .iter()
             .map(|(path, share)| (model.quantities.id(path).expect("the case has this quantity"), *share))
             .collect();
-        let samples = (0..count)
+        let samples = (0..case.samples)
             .map(|k| {
                 let place = |root: f64| ((k + 1) as f64 * root.sqrt()).fract();
                 let set: Vec<(QuantityId, f64)> = varied
@@ -85,21 +109,23 @@ impl Samples {
             })
             .collect();
         let point = watched(model, case.point).expect("the case has this point");
-        let half_turn_s = 0.5 * turn_s;
+        let end_s = 0.5 * turn_s;
         Self {
             name: case.name,
             readings: [Axis::X, Axis::Y]
                 .map(|axis| Reading::Position(Position::Point(Relative::to_ground(point), axis))),
             mechanism,
             samples,
-            window: Window { start_s: 0.0, end_s: half_turn_s },
-            times_s: (1..=TIMES).map(|k| half_turn_s * k as f64 / TIMES as f64).collect(),
+            window: Window { start_s: 0.0, end_s },
+            times_s: (1..=TIMES).map(|k| end_s * k as f64 / TIMES as f64).collect(),
         }
     }
 
-    /// Runs all samples over the first half turn, on the widest lanes of this processor, which does not show in the numbers.
+    /// Runs all samples over half of the cycle of the model, on the widest lanes of this processor, which does not show in the numbers.
     pub fn run(&self, settings: &Settings) -> Vec<Outcome> {
-        let mut waiting = Waiting { samples: self, next: 0, outcomes: self.samples.iter().map(|_| None).collect() };
+        let is_implicit = settings.integrator == Integrator::Implicit;
+        let outcomes = self.samples.iter().map(|_| None).collect();
+        let mut waiting = Waiting { samples: self, next: 0, is_implicit, outcomes };
         conduct(&self.mechanism, &Follow::readings(&self.readings), settings, Execution::best(), &mut waiting);
         waiting.outcomes.into_iter().map(|outcome| outcome.expect("every run comes back")).collect()
     }
@@ -110,7 +136,11 @@ impl Samples {
     /// When a run of the reference failed.
     pub fn measure(&self, settings: &Settings, reference: &[Outcome]) -> Point {
         let outcomes = self.run(settings);
-        let mut evaluations: Vec<u64> = outcomes.iter().flatten().map(|(_, counters)| counters.evaluations).collect();
+        let median = |count: fn(&Counters) -> u64| {
+            let mut counts: Vec<u64> = outcomes.iter().flatten().map(|(_, counters)| count(counters)).collect();
+            counts.sort_unstable();
+            quantile(&counts, 0.5)
+        };
         let mut errors_m: Vec<f64> = outcomes
             .iter()
             .zip(reference)
@@ -120,14 +150,14 @@ impl Samples {
             })
             .collect();
         for (k, failure) in outcomes.iter().enumerate().filter_map(|(k, outcome)| Some((k, outcome.as_ref().err()?))) {
-            let Settings { method, tolerance_m, .. } = settings;
-            eprintln!("{}: {} at {tolerance_m:.1e} m, sample {k}: {failure}", self.name, method.name);
+            let Settings { tolerance_m, .. } = settings;
+            eprintln!("{}: {} at {tolerance_m:.1e} m, sample {k}: {failure}", self.name, settings.method_name());
         }
-        evaluations.sort_unstable();
         errors_m.sort_by(f64::total_cmp);
         Point {
             tolerance_m: settings.tolerance_m,
-            evaluations: quantile(&evaluations, 0.5),
+            evaluations: median(|counters| counters.evaluations),
+            factorizations: median(|counters| counters.factorizations),
             median_m: quantile(&errors_m, 0.5),
             quantile_m: quantile(&errors_m, 0.9),
             worst_m: errors_m.iter().copied().filter(|error_m| error_m.is_finite()).fold(0.0, f64::max),
@@ -136,20 +166,35 @@ impl Samples {
     }
 }
 
+/// Work at an error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorkAt {
+    /// The tolerance that gives the error, m.
+    pub tolerance_m: f64,
+    /// Right-hand sides.
+    pub evaluations: f64,
+    /// Factorizations; 0 with explicit steps.
+    pub factorizations: f64,
+}
+
 /// The tolerance at which the 90 % quantile of the error meets `error_m`, and the work there, between the measured points in
 /// logarithms: at the loosest place beyond which no finer point errs more. None where that lies outside the points.
-pub fn work_at(points: &[Point], error_m: f64) -> Option<(f64, f64)> {
+pub fn work_at(points: &[Point], error_m: f64) -> Option<WorkAt> {
     let mut points: Vec<&Point> = points.iter().collect();
     points.sort_by(|a, b| a.tolerance_m.total_cmp(&b.tolerance_m));
     let above = points.iter().position(|point| point.quantile_m > error_m)?;
     let (low, high) = (points[above.checked_sub(1)?], points[above]);
-    if !high.quantile_m.is_finite() {
-        return Some((low.tolerance_m, low.evaluations as f64));
-    }
-    let share = (error_m / low.quantile_m).ln() / (high.quantile_m / low.quantile_m).ln();
-    let between = |from: f64, to: f64| from * (to / from).powf(share);
-    let work = between(low.evaluations as f64, high.evaluations as f64);
-    Some((between(low.tolerance_m, high.tolerance_m), work))
+    let share = if high.quantile_m.is_finite() {
+        (error_m / low.quantile_m).ln() / (high.quantile_m / low.quantile_m).ln()
+    } else {
+        0.0
+    };
+    let between = |from: f64, to: f64| if from > 0.0 { from * (to / from).powf(share) } else { from };
+    Some(WorkAt {
+        tolerance_m: between(low.tolerance_m, high.tolerance_m),
+        evaluations: between(low.evaluations as f64, high.evaluations as f64),
+        factorizations: between(low.factorizations as f64, high.factorizations as f64),
+    })
 }
 
 /// The smallest of the sorted `values` that a share `level` of them does not exceed; zero where there are none.
@@ -174,6 +219,7 @@ fn watched(model: &Model, path: &str) -> Option<PointId> {
 struct Waiting<'s> {
     samples: &'s Samples,
     next: usize,
+    is_implicit: bool,
     outcomes: Vec<Option<Outcome>>,
 }
 
@@ -182,8 +228,13 @@ impl<'s> Queue for Waiting<'s> {
 
     fn next(&mut self) -> Option<Run<Watch<'s>>> {
         let (sample, arms) = self.samples.samples.get(self.next)?;
-        let observer =
-            Watch { index: self.next, times_s: &self.samples.times_s, positions_m: Vec::with_capacity(2 * TIMES) };
+        let observer = Watch {
+            index: self.next,
+            samples: self.samples,
+            arms: arms.clone(),
+            is_implicit: self.is_implicit,
+            positions_m: Vec::with_capacity(2 * TIMES),
+        };
         self.next += 1;
         Some(Run {
             sample: sample.clone(),
@@ -199,19 +250,27 @@ impl<'s> Queue for Waiting<'s> {
     }
 }
 
-/// Reads the watched point at the times, as studies read their outputs.
+/// Reads the watched point at the times, as studies read their outputs; in implicit steps as single runs do, by their cubics.
 struct Watch<'s> {
     index: usize,
-    times_s: &'s [f64],
+    samples: &'s Samples,
+    arms: Arms,
+    is_implicit: bool,
     positions_m: Vec<f64>,
 }
 
 impl Observer for Watch<'_> {
     fn step(&mut self, step: &mut Step<'_, '_>) {
-        while let Some(&time_s) = self.times_s.get(self.positions_m.len() / 2).filter(|time_s| **time_s <= step.end_s) {
+        let Self { samples, arms, positions_m, .. } = self;
+        while let Some(&time_s) = samples.times_s.get(positions_m.len() / 2).filter(|time_s| **time_s <= step.end_s) {
+            if self.is_implicit {
+                let dynamics = step.set_state(time_s);
+                positions_m.extend(samples.readings.map(|reading| reading.value(arms, dynamics)));
+                continue;
+            }
             let share = step.share(time_s);
             for [start, end] in step.outputs {
-                self.positions_m.push(Quintic::new(*start, *end, step.length).value(share));
+                positions_m.push(Quintic::new(*start, *end, step.length).value(share));
             }
         }
     }

@@ -594,6 +594,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
             html! {
                 (count(counters.steps, writer)) " steps, " (count(counters.rejections, writer)) " rejected, "
                 (count(counters.evaluations, writer)) " evaluations of the equations of motion, "
+                @if counters.factorizations > 0 { (count(counters.factorizations, writer)) " factorizations, " }
                 (count(counters.contact_changes, writer)) " contact changes located"
             },
         ),

@@ -210,8 +210,12 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         text.push_str("residual: measured minus computed\n");
     }
     let counters = &record.counters;
+    let factorizations = match counters.factorizations {
+        0 => String::new(),
+        number => format!("{}, ", counted(number, "factorization", &writer)),
+    };
     text.push_str(&format!(
-        "\n{}, {} rejected, {}, {}\n",
+        "\n{}, {} rejected, {}, {factorizations}{}\n",
         counted(counters.steps, "step", &writer),
         count(counters.rejections, &writer),
         counted(counters.evaluations, "evaluation", &writer),

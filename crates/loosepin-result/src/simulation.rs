@@ -231,8 +231,15 @@ pub struct RunCounters {
     pub rejections: u64,
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
+    /// Factorizations of implicit steps, each of a real and of a complex matrix; not written where there are none.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub factorizations: u64,
     /// Located onsets and ends of contact.
     pub contact_changes: u64,
+}
+
+fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 /// The values of one output over time, and how far they are from the ideal motion.

@@ -280,6 +280,13 @@ impl<'a> Core<'a> {
     pub fn evaluations(&self, lane: usize) -> u64 {
         self.number(lane, LaneLayout::EVALUATIONS) as u64
     }
+    /// Factorizations of implicit steps in the run so far: there is one lane then.
+    pub fn factorizations(&self) -> u64 {
+        match &self.way {
+            Way::Plain(plain) => plain.factorizations(),
+            Way::Recorded(_) => 0,
+        }
+    }
     /// Counts further evaluations of the run of a lane.
     pub fn add_evaluations(&mut self, lane: usize, evaluations: u64) {
         self.set_number(lane, LaneLayout::EVALUATIONS, self.number(lane, LaneLayout::EVALUATIONS) + evaluations as f64);

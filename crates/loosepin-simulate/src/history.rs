@@ -480,6 +480,7 @@ impl<'a> Recorder<'a> {
                 steps: report.counters.steps,
                 rejections: report.counters.rejections,
                 evaluations: report.counters.evaluations,
+                factorizations: report.counters.factorizations,
                 contact_changes: report.counters.events,
             },
             extremes,

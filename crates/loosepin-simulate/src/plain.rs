@@ -65,6 +65,7 @@ impl<'a> Plain<'a> {
     pub fn load(&mut self, sample: &Sample<f64>, arms: &Arms) {
         if let Some(implicit) = &mut self.implicit {
             implicit.radau.restart();
+            implicit.factorizations = 0;
         }
         self.motion.dynamics.sample_mut().clone_from(sample);
         self.arms.clone_from(arms);
@@ -93,7 +94,7 @@ impl<'a> Plain<'a> {
             let is_implicit = self.motion.states.iter().all(|state| state.contact == 0.0);
             implicit.begin(is_implicit);
             if is_implicit {
-                self.attempt_implicitly(&mut implicit.radau, pass, &mut named);
+                implicit.factorizations += self.attempt_implicitly(&mut implicit.radau, pass, &mut named);
             }
             self.implicit = Some(implicit);
             if is_implicit {
@@ -107,8 +108,8 @@ impl<'a> Plain<'a> {
         pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
     }
 
-    /// Tries an implicit step.
-    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) {
+    /// Tries an implicit step; gives the factorizations that it took.
+    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) -> u64 {
         let (end_row, weights) = (pass.stepper.end_row(), named.lane[pass.lane.weights()].to_vec());
         let step_s = named.lane[LaneLayout::STEP];
         let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));
@@ -119,6 +120,12 @@ impl<'a> Plain<'a> {
         }
         // Those of an explicit step are counted for every attempt.
         named.lane[LaneLayout::EVALUATIONS] += found.evaluations as f64 - pass.stepper.evaluations_per_attempt() as f64;
+        found.factorizations
+    }
+
+    /// Factorizations of implicit steps in the run so far.
+    pub fn factorizations(&self) -> u64 {
+        self.implicit.as_ref().map_or(0, |implicit| implicit.factorizations)
     }
 
     /// Holds the loops of ideal joints.

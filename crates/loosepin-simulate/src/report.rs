@@ -22,6 +22,8 @@ pub struct Counters {
     pub rejections: u64,
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
+    /// Factorizations of implicit steps, each of a real and of a complex matrix; none with explicit steps.
+    pub factorizations: u64,
     /// Contacts that began or ended.
     pub events: u64,
 }

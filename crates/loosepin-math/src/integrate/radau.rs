@@ -48,6 +48,8 @@ pub struct RadauAttempt {
     pub growth: f64,
     /// Evaluations of the system.
     pub evaluations: u64,
+    /// Factorizations, each of the real and of the complex matrix.
+    pub factorizations: u64,
 }
 
 /// Steps of the method.
@@ -123,7 +125,7 @@ impl Radau {
         weights: &[f64],
         system: &mut impl System,
     ) -> RadauAttempt {
-        let mut evaluations = 0;
+        let (mut evaluations, mut factorizations) = (0, 0);
         self.is_fresh = false;
         self.guess(rows, step);
         let guess = self.changes.clone();
@@ -135,6 +137,7 @@ impl Radau {
             }
             if self.factored != step {
                 self.factor(step);
+                factorizations += 1;
             }
             let found = self.iterate(rows, step, weights, system, &mut evaluations);
             if found || self.is_fresh {
@@ -144,7 +147,7 @@ impl Radau {
         };
         if !converged {
             self.last = None;
-            return RadauAttempt { error: 2.0, growth: SHORTER, evaluations };
+            return RadauAttempt { error: 2.0, growth: SHORTER, evaluations, factorizations };
         }
         for i in 0..self.dimension {
             rows.end[i] = rows.start[i] + self.changes[2][i];
@@ -179,7 +182,7 @@ impl Radau {
             growth = 1.0;
         }
         self.last = Some((rows.start[2 * self.freedoms] + step, step));
-        RadauAttempt { error, growth, evaluations }
+        RadauAttempt { error, growth, evaluations, factorizations }
     }
 
     /// x of (μ - J) x = (0, r) with the real factors of the last step, r/(μ² + ω²) of q in a direction of frequency ω: where ω² is far above μ² it takes a difference r between two

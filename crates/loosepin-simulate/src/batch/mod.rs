@@ -649,7 +649,8 @@ impl<'a> Batch<'a> {
     fn counters(&self, lane: usize, events: u64) -> Counters {
         let [steps, rejections] =
             [LaneLayout::STEPS, LaneLayout::REJECTIONS].map(|place| self.core.number(lane, place) as u64);
-        Counters { steps, rejections, evaluations: self.core.evaluations(lane), events }
+        let (evaluations, factorizations) = (self.core.evaluations(lane), self.core.factorizations());
+        Counters { steps, rejections, evaluations, factorizations, events }
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {

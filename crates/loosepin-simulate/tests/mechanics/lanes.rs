@@ -493,7 +493,7 @@ fn pinned_counts_of_reference_cases() {
         let sample = Sample::new(&case.mechanism, &case.mechanism.model.quantities.nominal()).expect("nominal");
         let window = Window { start_s: 0.0, end_s: turns * case.turn_s };
         let report = loosepin_simulate::run(&case.mechanism, &sample, &window, &Settings::for_study(), &mut Nobody);
-        let Counters { steps, rejections, evaluations, events } = report.expect("the cases run").counters;
+        let Counters { steps, rejections, evaluations, events, .. } = report.expect("the cases run").counters;
         found.push((name, [evaluations, steps, rejections, events]));
     }
     let expected = [

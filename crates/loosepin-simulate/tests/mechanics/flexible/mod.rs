@@ -8,6 +8,7 @@ mod laws;
 mod lumps;
 mod nodal;
 mod nodal_settled;
+mod nodal_turns;
 mod points;
 mod refusals;
 mod settled;

@@ -65,6 +65,7 @@ pub fn worn_pin() -> SimulationRecord {
             steps: 2381,
             rejections: 164,
             evaluations: 30_214,
+            factorizations: 0,
             contact_changes: 2 * (impacts.len() as u64 + 3),
         },
         extremes,
