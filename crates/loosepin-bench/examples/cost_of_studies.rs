@@ -1,4 +1,4 @@
-//! Processor time of planning and assembling of studies, as a share of that of their runs: `cost_of_studies [TEMPLATE | worn-pin ...]`.
+//! Processor time of planning and assembling of studies, as a share of that of their runs: `cost_of_studies [TEMPLATE | worn-pin | FILE.toml ...]`.
 //!
 //! Without names all templates and `cases/slider_crank_worn_pin`. The runs are made by a [`RunMaker`], so that what is used while it makes
 //! them is theirs. What is used before, between and after them is planning and assembling, less what it takes to compile the study, which
@@ -8,7 +8,7 @@ use loosepin::bounds::Failure;
 use loosepin::study::{AskedRuns, Means, Progress, RunMaker, RunRows, Study, conduct_elsewhere};
 use loosepin::templates::TEMPLATES;
 use loosepin_bench::{case_file, processor_time};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 const WORN_PIN: &str = "worn-pin";
@@ -47,6 +47,8 @@ fn study(name: &str) -> Study {
     let templates = Path::new(env!("CARGO_MANIFEST_DIR")).join("../loosepin-import/templates");
     let path = if name == WORN_PIN {
         case_file("slider_crank_worn_pin", "study.toml")
+    } else if name.ends_with(".toml") {
+        PathBuf::from(name)
     } else {
         templates.join(name).join("study.toml")
     };

@@ -171,6 +171,8 @@ impl Samples {
 pub struct WorkAt {
     /// The tolerance that gives the error, m.
     pub tolerance_m: f64,
+    /// Whether the loosest tolerance measured errs less: then this is the work with it, and a looser one may take less.
+    pub is_most: bool,
     /// Right-hand sides.
     pub evaluations: f64,
     /// Factorizations; 0 with explicit steps.
@@ -178,19 +180,21 @@ pub struct WorkAt {
 }
 
 /// The tolerance at which the 90 % quantile of the error meets `error_m`, and the work there, between the measured points in
-/// logarithms: at the loosest place beyond which no finer point errs more. None where that lies outside the points.
+/// logarithms: at the loosest place beyond which no finer point errs more. None where even the finest point errs more.
 pub fn work_at(points: &[Point], error_m: f64) -> Option<WorkAt> {
     let mut points: Vec<&Point> = points.iter().collect();
     points.sort_by(|a, b| a.tolerance_m.total_cmp(&b.tolerance_m));
-    let above = points.iter().position(|point| point.quantile_m > error_m)?;
-    let (low, high) = (points[above.checked_sub(1)?], points[above]);
-    let share = if high.quantile_m.is_finite() {
+    let above = points.iter().position(|point| point.quantile_m > error_m);
+    let low = points.get(above.unwrap_or(points.len()).checked_sub(1)?)?;
+    let high = above.map_or(low, |above| &points[above]);
+    let share = if above.is_some() && high.quantile_m.is_finite() {
         (error_m / low.quantile_m).ln() / (high.quantile_m / low.quantile_m).ln()
     } else {
         0.0
     };
     let between = |from: f64, to: f64| if from > 0.0 { from * (to / from).powf(share) } else { from };
     Some(WorkAt {
+        is_most: above.is_none(),
         tolerance_m: between(low.tolerance_m, high.tolerance_m),
         evaluations: between(low.evaluations as f64, high.evaluations as f64),
         factorizations: between(low.factorizations as f64, high.factorizations as f64),

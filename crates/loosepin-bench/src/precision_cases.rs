@@ -18,7 +18,14 @@ const TSITOURAS: Method = Method { name: TSITOURAS_5.name, pair: &TSITOURAS_5, .
 const RADAU: Method = Method { name: "Radau IIA 5", integrator: Integrator::Implicit, half_decades: (6, 16), ..DOP };
 
 static EXPLICIT: [Method; 3] = [DOP, DORMAND_PRINCE, TSITOURAS];
-static EXPLICIT_AND_IMPLICIT: [Method; 4] = [DOP, DORMAND_PRINCE, TSITOURAS, RADAU];
+/// Where the mesh limits explicit steps, looser tolerances hardly take less.
+static EXPLICIT_AND_IMPLICIT: [Method; 4] = [
+    Method { half_decades: LOOSE, ..DOP },
+    Method { half_decades: LOOSE, ..DORMAND_PRINCE },
+    Method { half_decades: LOOSE, ..TSITOURAS },
+    RADAU,
+];
+const LOOSE: (i32, i32) = (6, 16);
 
 /// A rigid mechanism of `cases/`, whose clearance and restitution vary.
 const RIGID: Case = Case {
@@ -108,6 +115,7 @@ pub const RIGID_CASES: [Case; 8] = [
 
 const SLIDER_CRANK: &str = "cases/flexible_slider_crank/model.toml";
 const SHAPES_OF_THE_ROD: &str = "lateral_shapes = 2\naxial_shapes = 2";
+const TEN_MS: &str = "duration = \"10 ms\"";
 const PLAY: &str = "radial_clearance = \"0.2 mm\"";
 const NO_PLAY: (&str, &str) = (PLAY, "radial_clearance = \"0 mm\"");
 
@@ -116,7 +124,8 @@ pub const FLEXIBLE_CASES: [Case; 6] = [
     Case {
         name: "flexible_slider_crank",
         file: SLIDER_CRANK,
-        about: "floating frame, 2 + 2 shapes, clearance, 5 ms; the slider",
+        changes: &[(TEN_MS, "duration = \"4 ms\"")],
+        about: "floating frame, 2 + 2 shapes, clearance, 2 ms; the slider",
         point: "slider.pin",
         varied: &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
         ..RIGID
@@ -145,13 +154,15 @@ pub const FLEXIBLE_CASES: [Case; 6] = [
         changes: &[
             NO_PLAY,
             (SHAPES_OF_THE_ROD, "formulation = \"absolute-nodal\"\nelements = 8\nstart = \"settled\""),
-            ("duration = \"10 ms\"", "duration = \"4 ms\""),
+            (TEN_MS, "duration = \"4 ms\""),
+            // At the dead centre the slider would hardly move.
+            ("start_angle = \"0 deg\"", "start_angle = \"70 deg\""),
         ],
         about: "8 elements of steel, settled, no clearance, 2 ms; the slider",
         point: "slider.pin",
         varied: &[("body.rod.beam.youngs_modulus", MODULUS)],
         reference_m: 1e-11,
-        samples: 8,
+        samples: 4,
         methods: &EXPLICIT_AND_IMPLICIT,
     },
     Case {
@@ -159,13 +170,13 @@ pub const FLEXIBLE_CASES: [Case; 6] = [
         file: SLIDER_CRANK,
         changes: &[
             (SHAPES_OF_THE_ROD, "formulation = \"absolute-nodal\"\nelements = 4"),
-            ("duration = \"10 ms\"", "duration = \"2 ms\""),
+            (TEN_MS, "duration = \"4 ms\""),
         ],
-        about: "4 elements of steel, clearance, 1 ms; the slider",
+        about: "4 elements of steel, clearance, 2 ms; the slider",
         point: "slider.pin",
         varied: &[("joint.gudgeon.radial_clearance", CLEARANCE), ("contact.steel_pin.restitution", RESTITUTION)],
         reference_m: 1e-11,
-        samples: 8,
+        samples: 4,
         methods: &EXPLICIT_AND_IMPLICIT,
     },
     Case {
@@ -176,7 +187,7 @@ pub const FLEXIBLE_CASES: [Case; 6] = [
         point: "rope.tip",
         varied: &[("body.rope.beam.youngs_modulus", MODULUS)],
         reference_m: 1e-11,
-        samples: 8,
+        samples: 4,
         methods: &EXPLICIT_AND_IMPLICIT,
     },
 ];

@@ -169,7 +169,8 @@ pub fn comparison(measured: &[Measured]) -> String {
                     Some(found) => {
                         let mark = if found.evaluations == least { "**" } else { "" };
                         let work = work(found.evaluations, found.factorizations);
-                        write!(text, " {mark}{work}{mark} | {:.1e} m |", found.tolerance_m)
+                        let [most, least] = if found.is_most { ["≤ ", "≥ "] } else { [""; 2] };
+                        write!(text, " {mark}{most}{work}{mark} | {least}{:.1e} m |", found.tolerance_m)
                     }
                     None => write!(text, " | |"),
                 };
