@@ -21,7 +21,7 @@ fn page(rigid: &[Measured], flexible: &[Measured]) -> String {
          Written by `cargo bench --package loosepin-bench --bench work_precision -- --write`; [Which integrator, and why](integrators.md) says what follows\n\
          from it.\n\n\
          64 samples of each rigid case, whose clearances differ by ±5 % and restitutions by ±2 %, over the first half turn; as many of links in the floating frame, and\n\
-         4 of links in absolute nodal coordinates, over the time stated, without clearance with Young's moduli that differ by ±5 %. Work: right-hand sides of a run, the median;\n\
+         3 of links in absolute nodal coordinates, over the time stated, without clearance with Young's moduli that differ by ±5 %. Work: right-hand sides of a run, the median;\n\
          repeated and rejected steps included. Implicit steps: those for Jacobians too, and behind \"and\" the factorizations, each of a real and of a complex matrix with as many\n\
          rows as the mechanism has coordinates. Error: the largest distance, at {TIMES} times,\n\
          of the watched point from its place in the reference runs, in m; median, 90 % quantile and worst of the samples.\n\n\
@@ -46,7 +46,7 @@ fn diagram(measured: &[Measured], description: &str) -> String {
         x_title: "error of the position, 90 % quantile, m".to_owned(),
         y_title: "right-hand sides, median".to_owned(),
         marked_x: PROMISED_M,
-        note: "A point for each half decade of the tolerance; ring: tolerance 1e-8 m; dashed: error 1e-8 m.".to_owned(),
+        note: "A point for each half decade of the tolerance, of nodal cases for each decade; ring: tolerance 1e-8 m; dashed: error 1e-8 m.".to_owned(),
         panels: measured.iter().map(Measured::panel).collect(),
     }
     .to_svg()

@@ -42,8 +42,8 @@ pub struct Method {
     pub pair: &'static Tableau,
     /// Explicit or implicit steps.
     pub integrator: Integrator,
-    /// First and last tolerance, in half decades below 1 m.
-    pub half_decades: (i32, i32),
+    /// First and last tolerance, in half decades below 1 m, and how many lie between two.
+    pub half_decades: (i32, i32, usize),
 }
 
 /// Times within the run at which positions are compared.

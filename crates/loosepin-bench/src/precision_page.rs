@@ -54,12 +54,13 @@ impl Measured {
     /// Where the case does not exist or a run of the reference fails: mistakes in this crate.
     pub fn new(case: &'static Case) -> Self {
         let samples = Samples::new(case);
-        let explicit = |pair| Method { name: "", pair, integrator: Integrator::Explicit, half_decades: (0, 0) };
+        let explicit = |pair| Method { name: "", pair, integrator: Integrator::Explicit, half_decades: (0, 0, 1) };
         let reference = samples.run(&settings(case.reference_m, &explicit(&DOP853)));
         let tightest_m = 0.99 * MARGIN * case.reference_m;
         let of_method = |method: &Method| {
-            let (first, last) = method.half_decades;
-            let tolerances = (first..=last).map(tolerance_m).filter(|tolerance_m| *tolerance_m >= tightest_m);
+            let (first, last, apart) = method.half_decades;
+            let tolerances =
+                (first..=last).step_by(apart).map(tolerance_m).filter(|tolerance_m| *tolerance_m >= tightest_m);
             tolerances.map(|tolerance_m| samples.measure(&settings(tolerance_m, method), &reference)).collect()
         };
         let points = case.methods.iter().map(of_method).collect();
@@ -85,7 +86,7 @@ impl Measured {
         }
         let _ = write!(text, "\n|---|{}\n", "--:|---|---|---|".repeat(methods.len()));
         let half_decades = methods.iter().map(|method| method.half_decades);
-        let (first, last) = half_decades.fold((i32::MAX, 0), |(first, last), (a, b)| (first.min(a), last.max(b)));
+        let (first, last) = half_decades.fold((i32::MAX, 0), |(first, last), (a, b, _)| (first.min(a), last.max(b)));
         for tolerance_m in (first..=last).filter(|half_decade| half_decade % 2 == 0).map(tolerance_m) {
             let of = |points: &Vec<Point>| points.iter().copied().find(|point| point.tolerance_m == tolerance_m);
             let row: Vec<Option<Point>> = self.points.iter().map(of).collect();
