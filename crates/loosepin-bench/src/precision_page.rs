@@ -38,13 +38,7 @@ fn tolerance_m(half_decade: i32) -> f64 {
 
 fn settings(tolerance_m: f64, method: &Method) -> Settings {
     let Method { pair, integrator, .. } = *method;
-    Settings {
-        tolerance_m,
-        method: pair,
-        integrator,
-        largest_evaluations: LARGEST_EVALUATIONS,
-        ..Settings::for_study()
-    }
+    Settings { tolerance_m, method: pair, integrator, largest_evaluations: LARGEST_EVALUATIONS }
 }
 
 impl Measured {

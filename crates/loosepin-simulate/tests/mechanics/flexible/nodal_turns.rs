@@ -137,6 +137,12 @@ fn loose(machine: &Machine) {
         let off = machine.early(&floating, &sixteen);
         println!("    {lateral} + {axial} shapes against 16 elements until {:e} s: {off:.1e}", machine.until_s);
     }
+    let explicit = machine.turn(&elements(16, "undeformed"), true, 1e-5, Integrator::Explicit);
+    println!(
+        "    explicit against implicit steps until {:e} s: {:.1e}",
+        machine.until_s,
+        machine.early(&explicit, &sixteen)
+    );
     let first = &sixteen.impacts[0];
     let (onset_s, peak_n) = machine.first;
     assert!((first.time_s - onset_s).abs() < 1e-9, "{:e} s for {onset_s:e}", first.time_s);
