@@ -39,6 +39,11 @@ impl Cholesky {
         is_definite.then_some(Self { order, factor: matrix })
     }
 
+    /// Number of rows.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
     /// ln det of the matrix.
     pub fn ln_determinant(&self) -> f64 {
         2.0 * (0..self.order).map(|i| libm::log(self.factor[i * self.order + i])).sum::<f64>()
@@ -219,16 +224,22 @@ pub fn multiply(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
     product
 }
 
-/// AᵀA of a matrix A with rows of `size` entries, its rows added in their order.
+/// AᵀA of a matrix A with rows of `size` entries, its rows added in their order; the lower triangle, as [`Cholesky::new`] wants it, the rest
+/// is zero.
 pub fn gram(rows: &[f64], size: usize) -> Vec<f64> {
     let mut gram = vec![0.0; size * size];
-    for row in rows.chunks(size) {
-        for i in 0..size {
-            for j in 0..size {
-                gram[i * size + j] += row[i] * row[j];
+    on_vectors(
+        #[inline(always)]
+        || {
+            for row in rows.chunks(size.max(1)) {
+                for (i, (factor, sums)) in row.iter().zip(gram.chunks_mut(size.max(1))).enumerate() {
+                    for (sum, entry) in sums[..=i].iter_mut().zip(row) {
+                        *sum += factor * entry;
+                    }
+                }
             }
-        }
-    }
+        },
+    );
     gram
 }
 

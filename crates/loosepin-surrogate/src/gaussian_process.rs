@@ -3,7 +3,7 @@
 //! Everything is whitened with W = L⁻¹, V = L Lᵀ the covariance of the values: B = W F. V itself is never inverted: its condition number is
 //! up to 1e13, that of L the square root of it.
 
-use loosepin_math::FourRows;
+use loosepin_math::{FourRows, beside_one_another};
 use std::sync::Arc;
 
 use loosepin_math::dense::{Cholesky, LowerTriangle};
@@ -46,12 +46,35 @@ impl Factor {
         Self { open: None, ..self }
     }
 
-    /// Factorises V, to whose first values, those of this one, others have been appended: the same bits as [`Self::try_new`] in less time.
+    /// How many of its values need no covariances where others are appended: all, or none where nothing can be appended.
+    pub fn known(&self) -> usize {
+        self.open.as_ref().map_or(0, Cholesky::order)
+    }
+
+    /// Factorises V, to whose first values, those of this one, others have been appended: the same bits as [`Self::try_new`] in less time. Of the [`Self::known`] values
+    /// no covariances with each other are looked at.
     pub fn appended(&self, covariance: Vec<f64>, order: usize) -> Option<Self> {
         let Some(open) = &self.open else { return Self::try_new(covariance, order) };
         let cholesky = open.appended(covariance, order)?;
         Some(Self::of(cholesky.inverse_factor_after(Some(&self.whitening)), cholesky))
     }
+}
+
+/// Columns of a trend that are worked out side by side: as many as there are numbers in two vectors.
+const COLUMNS_AT_ONCE: usize = 8;
+
+/// What `product` makes of each of `columns`, [`COLUMNS_AT_ONCE`] side by side.
+fn of_each<'c>(
+    columns: impl IntoIterator<Item = &'c Vec<f64>>,
+    product: impl Fn(&[[f64; COLUMNS_AT_ONCE]]) -> Vec<[f64; COLUMNS_AT_ONCE]>,
+) -> Vec<Vec<f64>> {
+    let columns: Vec<&[f64]> = columns.into_iter().map(Vec::as_slice).collect();
+    let mut products = Vec::with_capacity(columns.len());
+    for own in columns.chunks(COLUMNS_AT_ONCE) {
+        let found = product(&beside_one_another(own));
+        products.extend((0..own.len()).map(|column| found.iter().map(|entry| entry[column]).collect()));
+    }
+    products
 }
 
 /// V factorised, with the trend whitened.
@@ -79,8 +102,7 @@ impl Whitened {
 
     /// [`Self::try_new`] of a V that has been factorised.
     pub fn of_factor<'c>(factor: Arc<Factor>, order: usize, trend: impl IntoIterator<Item = &'c Vec<f64>>) -> Self {
-        let whitening = &factor.whitening;
-        let trend: Vec<Vec<f64>> = trend.into_iter().map(|column| whitening.multiply(column)).collect();
+        let trend = of_each(trend, |columns| factor.whitening.multiply_each::<COLUMNS_AT_ONCE>(columns));
         let by_point: Vec<f64> = (0..order).flat_map(|point| trend.iter().map(move |column| column[point])).collect();
         Self {
             by_point: FourRows::new(&by_point, trend.len()),
@@ -123,7 +145,7 @@ impl Whitened {
 
     /// Columns of Wᵀ B.
     pub fn projected_trend(&self) -> Vec<Vec<f64>> {
-        self.trend.iter().map(|column| self.whitening().multiply_transposed(column)).collect()
+        of_each(&self.trend, |columns| self.whitening().multiply_transposed_each::<COLUMNS_AT_ONCE>(columns))
     }
 
     /// c = W k and r = f - Bᵀc at a place with the covariances k and the terms f of the trend.

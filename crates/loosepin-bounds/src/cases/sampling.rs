@@ -6,7 +6,7 @@ use crate::data::problem::Sampling;
 use crate::data::statistic::Event;
 use crate::estimators::estimate::{Confidence, Estimate, standard_deviation};
 use crate::estimators::moments::{mean, variance};
-use crate::estimators::probability::probability;
+use crate::estimators::probability::{ShareLimits, probability};
 use crate::estimators::quantile::quantile;
 use crate::estimators::sample::Sample;
 use loosepin_uncertainty::{ScrambledSobol, hash, normal_quantile, uniform};
@@ -164,7 +164,8 @@ impl Family {
 fn estimates(sample: &Sample, limits: &[f64], confidence: &Confidence) -> Vec<Estimate> {
     let moments = [mean(sample, confidence), standard_deviation(variance(sample, confidence))];
     let quantiles = QUANTILES.map(|probability| quantile(sample, confidence, probability).low);
-    let shares = limits.iter().map(|&limit| probability(sample, Event::Above(limit), confidence).low);
+    let shares =
+        limits.iter().map(|&limit| probability(sample, Event::Above(limit), confidence, &ShareLimits::default()).low);
     moments.into_iter().chain(quantiles).chain(shares).collect()
 }
 

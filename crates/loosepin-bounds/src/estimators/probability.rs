@@ -1,5 +1,8 @@
 //! Shares of runs with their sampling errors, failed runs taken as unknown.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
 use super::sample::Sample;
 use crate::data::statistic::Event;
@@ -11,11 +14,29 @@ const LEAST_PER_REPLICATE: usize = 2;
 /// narrower of two intervals would always be taken, and miss twice as often as stated.
 const LEAST_GAIN: f64 = 2.0;
 
+/// Limits of shares that were counted, each of which is worked out once: samples of the same size have the same counts again and again.
+#[derive(Debug, Default)]
+pub(crate) struct ShareLimits(Mutex<BTreeMap<[u64; 3], [f64; 2]>>);
+
+impl ShareLimits {
+    /// Those of [`clopper_pearson`].
+    fn of(&self, runs: f64, hits: f64, miss: f64) -> [f64; 2] {
+        let list = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = [runs, hits, miss].map(f64::to_bits);
+        let known = list().get(&key).copied();
+        known.unwrap_or_else(|| {
+            let limits = clopper_pearson(runs, hits, miss);
+            list().insert(key, limits);
+            limits
+        })
+    }
+}
+
 /// The probability of `event`, by the polynomials of the sample where it has some, else by counting.
-pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence) -> EitherWay {
+pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence, limits: &ShareLimits) -> EitherWay {
     match sample.smooth() {
         Some(smooth) => EitherWay::both(smooth.probability(event, 0.0)),
-        None => share(sample, confidence, |value| event.holds(value)),
+        None => share_with(sample, confidence, limits, |value| event.holds(value)),
     }
 }
 
@@ -25,6 +46,16 @@ pub(crate) fn probability(sample: &Sample, event: Event, confidence: &Confidence
 /// show: it is not 0 when nothing was hit, and holds for a single hit. Where there are fewer than two hits or misses a replicate, or where
 /// the replicates are not clearly better than independent runs, n = N.
 pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f64) -> bool) -> EitherWay {
+    share_with(sample, confidence, &ShareLimits::default(), is_hit)
+}
+
+/// [`share`] with `limits` that may be known from other samples.
+fn share_with(
+    sample: &Sample,
+    confidence: &Confidence,
+    limits: &ShareLimits,
+    is_hit: impl Fn(f64) -> bool,
+) -> EitherWay {
     let count = |values: &[f64]| values.iter().filter(|&&value| is_hit(value)).count();
     let shares: Vec<f64> = sample.replicates().map(|values| count(values) as f64 / values.len() as f64).collect();
     let hits = count(sample.values());
@@ -38,7 +69,7 @@ pub(crate) fn share(sample: &Sample, confidence: &Confidence, is_hit: impl Fn(f6
         if runs == 1 {
             return Estimate::symmetric(value, 0.0);
         }
-        let [low, high] = clopper_pearson(effective, value * effective, confidence.miss_of_one_side());
+        let [low, high] = limits.of(effective, value * effective, confidence.miss_of_one_side());
         Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
     };
     EitherWay { low: at(hits), high: at(hits + sample.failed()) }

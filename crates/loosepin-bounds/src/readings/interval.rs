@@ -80,7 +80,8 @@ impl Experiment<'_> {
 
 impl<'a> Modelled<'a> {
     pub fn new(search: &'a Search<'a>, measure: &'a Measure, samples: &'a [&'a Sample]) -> Self {
-        Self::with(search, measure, samples, search.branches(&measure.target))
+        let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
+        Self::with(search, measure, samples, [search.branches(&measure.target), margin_branches])
     }
 
     /// [`Self::new`] of several measures, whose models are made together; nothing in the place of nothing.
@@ -89,19 +90,23 @@ impl<'a> Modelled<'a> {
         measures: &'a [Option<Measure>],
         samples: &'a [Vec<&'a Sample>],
     ) -> Vec<Option<Self>> {
-        let targets: Vec<&Target> = measures.iter().flatten().map(|measure| &measure.target).collect();
-        let mut branches = search.branches_of_all(&targets).into_iter();
+        let mut branches = branches_of_all(search, measures.iter().flatten());
         let own = measures.iter().zip(samples);
         own.map(|(measure, samples)| Some(Self::with(search, measure.as_ref()?, samples, branches.next()?))).collect()
+    }
+
+    /// [`Self::all`] of measures of the same `samples`.
+    pub fn of_column(search: &'a Search<'a>, measures: &'a [Measure], samples: &'a [&'a Sample]) -> Vec<Self> {
+        let own = measures.iter().zip(branches_of_all(search, measures.iter()));
+        own.map(|(measure, branches)| Self::with(search, measure, samples, branches)).collect()
     }
 
     fn with(
         search: &'a Search<'a>,
         measure: &'a Measure,
         samples: &'a [&'a Sample],
-        branches: Vec<Branch<'a>>,
+        [branches, margin_branches]: [Vec<Branch<'a>>; 2],
     ) -> Self {
-        let margin_branches = measure.margin.as_ref().map_or_else(Vec::new, |margin| search.branches(&margin.target));
         let lowest = smoothed(&measure.target, &branches, |point| measure.target_errors[point]);
         // Failed runs move the two estimates apart; the target is the low one.
         let gaps = measure.low.iter().zip(&measure.high).map(|(low, high)| high.value - low.value);
@@ -217,6 +222,21 @@ impl<'a> Modelled<'a> {
         }
         furthest
     }
+}
+
+/// Models of the target and of the margin of each of `measures`, those of all made together.
+fn branches_of_all<'a>(
+    search: &'a Search<'a>,
+    measures: impl Iterator<Item = &'a Measure> + Clone,
+) -> impl Iterator<Item = [Vec<Branch<'a>>; 2]> {
+    let targets: Vec<&Target> = measures.clone().flat_map(Measure::targets).collect();
+    let mut branches = search.branches_of_all(&targets).into_iter();
+    let mut next = move || branches.next().unwrap_or_default();
+    let of = move |measure: &Measure| {
+        let own = next();
+        [own, if measure.margin.is_some() { next() } else { Vec::new() }]
+    };
+    measures.map(of).collect::<Vec<_>>().into_iter()
 }
 
 /// The share of `sample`, moved by `shift`, for which `event` holds; failed runs count towards `direction`.

@@ -12,8 +12,9 @@ use crate::data::statistic::Event;
 use crate::data::table::Purpose;
 use crate::estimators::estimate::Estimate;
 use crate::estimators::pool::Pool;
-use crate::estimators::probability::probability;
+use crate::estimators::probability::{ShareLimits, probability};
 use crate::search::measure::Measure;
+use crate::search::models::TARGETS_AT_ONCE;
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
 const GRID_VALUES: usize = 101;
@@ -52,24 +53,28 @@ impl ProbabilityBox {
             let step = (high - low) / (GRID_VALUES - 1) as f64;
             (0..GRID_VALUES).map(|i| if i + 1 == GRID_VALUES { high } else { low + i as f64 * step }).collect()
         };
+        let limits = ShareLimits::default();
         let measures: Vec<Measure> = values
             .par_iter()
-            .map(|&value| Measure::probability(&samples, Event::UpTo(value), &setup.confidence))
+            .map(|&value| Measure::probability_with(&samples, Event::UpTo(value), &setup.confidence, &limits))
             .collect();
         let search = experiment.search(measures.iter());
         let elements = experiment.focal_elements(setup.structure.widest());
         let set = (setup.problem.reading == Reading::RandomSet).then(|| RandomSet::new(experiment, &elements, column));
-        let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = measures
-            .par_iter()
-            .zip(&values)
-            .map(|(measure, &value)| {
-                let [low, high] = Direction::BOTH.map(|direction| match &set {
-                    Some(set) => set.probability(experiment, Event::UpTo(value), direction),
-                    None => experiment.added(&Modelled::new(&search, measure, &samples), &elements, direction),
-                });
-                (low, high)
-            })
-            .unzip();
+        let ends: Vec<[Bound; 2]> = match &set {
+            Some(set) => {
+                let of = |&value: &f64, direction| set.probability(experiment, Event::UpTo(value), direction);
+                values.par_iter().map(|value| Direction::BOTH.map(|direction| of(value, direction))).collect()
+            }
+            None => {
+                let of = |modelled: Modelled<'_>| {
+                    Direction::BOTH.map(|direction| experiment.added(&modelled, &elements, direction))
+                };
+                let chunks = measures.par_chunks(TARGETS_AT_ONCE);
+                chunks.flat_map_iter(|own| Modelled::of_column(&search, own, &samples).into_iter().map(of)).collect()
+            }
+        };
+        let (mut lower, mut upper): (Vec<Bound>, Vec<Bound>) = ends.into_iter().map(<(Bound, Bound)>::from).unzip();
         // A distribution function increases, so a bound at one y holds on one side of it; of two, the wider one is kept.
         for i in 1..upper.len() {
             upper[i].widened = upper[i].widened.max(upper[i - 1].widened);
@@ -81,7 +86,7 @@ impl ProbabilityBox {
         let own = if setup.epistemic_box.is_a_point() { Purpose::DoubleLoop } else { Purpose::Mixture };
         let mixture = Pool::gather(experiment.table, own, [column]).with_polynomials(setup.mixture_basis());
         let estimates: Option<Vec<Estimate>> = mixture.samples(column).first().map(|sample| {
-            let share = |&value: &f64| probability(sample, Event::UpTo(value), &setup.confidence).low;
+            let share = |&value: &f64| probability(sample, Event::UpTo(value), &setup.confidence, &limits).low;
             values.iter().map(share).collect()
         });
         let probability_only_error = estimates.iter().flatten().map(|at| at.below.max(at.above)).fold(0.0, f64::max);

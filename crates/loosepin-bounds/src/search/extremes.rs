@@ -1,6 +1,6 @@
 //! Extremes that have been attained, with the models of their surroundings.
 
-use super::models::{Search, defined};
+use super::models::{Branch, Modelled, Search};
 use super::parts::Element;
 use super::search_box::Region;
 use super::target::Target;
@@ -16,22 +16,22 @@ pub(super) struct Extreme<'a> {
     pub region: &'a Region,
     pub resolution: f64,
     /// The model of its combination.
-    pub model: TargetModel<'a>,
+    pub model: &'a TargetModel<'a>,
 }
 
 impl Search<'_> {
-    /// The extremes of `targets` in each of `elements`.
+    /// The extremes of targets in each of `elements`.
     pub(super) fn extremes<'e>(
-        &'e self,
-        targets: &'e [(Target, Vec<Direction>)],
+        &self,
+        Modelled { targets, branches }: Modelled<'e>,
         elements: &'e [Element],
     ) -> Vec<Extreme<'e>> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
         let mut extremes = Vec::new();
-        for (target, directions) in targets {
+        for ((target, directions), branches) in targets.iter().zip(branches) {
             for (element, members) in elements.iter().zip(&members) {
                 for &direction in directions {
-                    extremes.extend(self.extreme(target, direction, element, members));
+                    extremes.extend(self.extreme((target, branches), direction, element, members));
                 }
             }
         }
@@ -40,17 +40,16 @@ impl Search<'_> {
 
     /// The extreme of `target` among `members` of `element`; nothing where there is none.
     fn extreme<'e>(
-        &'e self,
-        target: &'e Target,
+        &self,
+        (target, branches): (&'e Target, &'e [Branch<'e>]),
         direction: Direction,
         element: &'e Element,
         members: &[usize],
     ) -> Option<Extreme<'e>> {
         let point = extreme_among(&target.values, members.iter().copied(), direction)?;
-        let group = &self.groups[self.points[point].combination];
         let value = target.values[point];
         let resolution = target.resolution(direction, value) / element.mass;
-        let model = self.model(target, &defined(target, group))?;
+        let model = branches[self.points[point].combination].model.as_ref()?;
         Some(Extreme { target, direction, point, value, region: &element.region, resolution, model })
     }
 }

@@ -56,6 +56,26 @@ impl SeenPlaces {
     }
 }
 
+/// Distances of points from each other.
+pub(crate) struct Distances {
+    count: usize,
+    /// The lower triangle with its diagonal, row behind row.
+    triangle: Vec<f64>,
+}
+
+impl Distances {
+    /// Those of `points`.
+    pub fn new(points: &[Vec<f64>]) -> Self {
+        let of_row = |row: usize| points[..=row].iter().map(move |other| distance(&points[row], other));
+        Self { count: points.len(), triangle: (0..points.len()).flat_map(of_row).collect() }
+    }
+
+    /// Those of a point from the ones before it, and from itself.
+    fn row(&self, row: usize) -> &[f64] {
+        &self.triangle[row * (row + 1) / 2..(row + 1) * (row + 2) / 2]
+    }
+}
+
 /// The distance of two places.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
@@ -63,13 +83,14 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Kernel {
-    /// Correlations of `points` with each other, row by row, the lower triangle; the rest is zero.
-    pub fn covariance(&self, points: &[Vec<f64>]) -> Vec<f64> {
-        let mut covariance = Vec::with_capacity(points.len() * points.len());
-        for (i, point) in points.iter().enumerate() {
-            let distances: Vec<f64> = points[..=i].iter().map(|other| distance(point, other)).collect();
-            covariance.extend(self.at_distances(&distances));
-            covariance.resize((i + 1) * points.len(), 0.0);
+    /// Correlations of points at these `distances` from each other, row by row, the lower triangle from row `first` on; the rest is zero.
+    pub fn covariance(&self, distances: &Distances, first: usize) -> Vec<f64> {
+        let count = distances.count;
+        let mut covariance = Vec::with_capacity(count * count);
+        covariance.resize(first * count, 0.0);
+        for row in first..count {
+            covariance.extend(self.at_distances(distances.row(row)));
+            covariance.resize((row + 1) * count, 0.0);
         }
         covariance
     }
@@ -213,9 +234,11 @@ impl Model {
         // Rows of WᵀB give the part of P_ii that the polynomial takes away.
         let projected = whitened.projected_trend();
         let mut projection_diagonal = whitened.whitening().column_squares();
-        for (i, entry) in projection_diagonal.iter_mut().enumerate() {
-            let row: Vec<f64> = projected.iter().map(|column| column[i]).collect();
-            *entry -= dot(&row, &trend_covariance.multiply(&row));
+        for (first, entries) in (0..count).step_by(PLACES_AT_ONCE).zip(projection_diagonal.chunks_mut(PLACES_AT_ONCE)) {
+            let of = |column: &Vec<f64>| from_fn(|row| column.get(first + row).copied().unwrap_or(0.0));
+            let rows: Vec<[f64; PLACES_AT_ONCE]> = projected.iter().map(of).collect();
+            let taken = dots_of_each(&rows, &trend_covariance.multiply_each(&rows));
+            entries.iter_mut().zip(taken).for_each(|(entry, taken)| *entry -= taken);
         }
         Some(Self {
             place,
@@ -339,6 +362,41 @@ impl Model {
         (dot(&correlations, white) + dot(&rest, of_trend), variance.sqrt())
     }
 
+    /// [`Self::mean_and_deviation`] at each of `places`, which takes a third of the time and has the same bits.
+    pub fn means_and_deviations(&self, places: &[Vec<f64>], whitened: (&[f64], &[f64])) -> Vec<(f64, f64)> {
+        let of = |some: &[Vec<f64>]| {
+            if some.len() > PLACES_AT_ONCE / 2 {
+                self.predict_each::<PLACES_AT_ONCE>(some, whitened)
+            } else {
+                self.predict_each::<{ PLACES_AT_ONCE / 2 }>(some, whitened)
+            }
+        };
+        places.chunks(PLACES_AT_ONCE).flat_map(of).collect()
+    }
+
+    /// The same at N places at most.
+    fn predict_each<const N: usize>(
+        &self,
+        places: &[Vec<f64>],
+        (white, of_trend): (&[f64], &[f64]),
+    ) -> Vec<(f64, f64)> {
+        let distances: Vec<f64> = places.iter().flat_map(|place| self.distances(place)).collect();
+        let terms: Vec<f64> = places.iter().flat_map(|place| self.trend.terms(place)).collect();
+        let known = side_by_side::<N>(&self.kernel.at_distances(&distances), self.points.len());
+        let (own, rest) = self.whitened.at_places(&known, &side_by_side(&terms, self.whitened.trend.len()));
+        let of_rest = dots_of_each(&rest, &self.trend_covariance.multiply_each(&rest));
+        let of_own = dots_of_each(&own, &own);
+        let [of_white, of_polynomial] = [(&own, white), (&rest, of_trend)].map(|(own, values)| {
+            let values: Vec<[f64; N]> = values.iter().map(|value| [*value; N]).collect();
+            dots_of_each(own, &values)
+        });
+        let at = |place: usize| {
+            let variance = 1.0 - of_own[place] + of_rest[place];
+            (of_white[place] + of_polynomial[place], variance.max(0.0).sqrt())
+        };
+        (0..places.len()).map(at).collect()
+    }
+
     /// The mean of the process at `place` and so `many` of its deviations for σ = 1, from [`Self::whitened`] estimates, with how this sum
     /// changes along each coordinate. With m many deviations and s one of them,
     ///
@@ -453,7 +511,7 @@ fn is_zero(values: &[f64]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kernel, Model, Smoothness};
+    use super::{Distances, Kernel, Model, Smoothness};
     use crate::search::design::first_points;
     use crate::search::trend::Trend;
 
@@ -467,7 +525,7 @@ mod tests {
         let values: Vec<f64> = points.iter().map(|u| (5.0 * u[0]).sin() + (4.0 * u[1] * u[0]).cos()).collect();
         for smoothness in [Smoothness::Never, Smoothness::Once, Smoothness::Twice, Smoothness::FourTimes] {
             let kernel = Kernel { smoothness, length_scale: 0.45 };
-            let covariance = kernel.covariance(&points);
+            let covariance = kernel.covariance(&Distances::new(&points), 0);
             let model = Model::try_new(0, &points, covariance, (trend, &terms), kernel, 1e-4, None).unwrap();
             let (white, of_trend) = model.whitened(&values);
             for (place, many) in [([0.3, 0.2], 0.0), ([0.85, 0.95], 3.0), ([0.05, 0.6], -2.0)] {

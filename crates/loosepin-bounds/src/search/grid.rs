@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use rayon::prelude::*;
 
 use super::assessment::NOISE_RATIOS;
-use super::gaussian_process::{Kernel, MOST_APPENDED_TO, Model, Smoothness};
+use super::gaussian_process::{Distances, Kernel, MOST_APPENDED_TO, Model, Smoothness};
 use super::roughness::Regressors;
 use super::search_box::Axes;
 use super::trend::Trend;
@@ -32,6 +32,7 @@ pub(crate) struct Grid {
     normal_equations: Cholesky,
     /// The points in the coordinates of the models, by which a variance may differ, and their polynomial.
     pub seen: Vec<Vec<f64>>,
+    distances: Distances,
     pub(super) regressors: Regressors,
     pub trend: Trend,
     /// Correlations of the points by length scale, of the kernels that every noise ratio has.
@@ -56,7 +57,7 @@ impl Grid {
         let (trend, terms, normal_equations) = Trend::for_points(&seen, axes.circles())?;
         let ratios = if may_pass_beside { &NOISE_RATIOS[..] } else { &NOISE_RATIOS[..1] };
         let levels = ratios.iter().map(|_| OnceLock::new()).collect();
-        let regressors = Regressors::new(&seen);
+        let (distances, regressors) = (Distances::new(&seen), Regressors::new(&seen));
         let diagonal = (points[0].len() as f64).sqrt();
         let covariances = Default::default();
         let grid = Self {
@@ -64,6 +65,7 @@ impl Grid {
             terms,
             normal_equations,
             seen,
+            distances,
             regressors,
             trend,
             covariances,
@@ -93,7 +95,7 @@ impl Grid {
     pub fn with_kinks(&self) -> Option<&Model> {
         let prepare = || {
             let kernel = Kernel { smoothness: Smoothness::Never, length_scale: LENGTH_WITH_KINKS * self.diagonal };
-            let (trend, covariance) = ((self.trend, &self.terms[..]), kernel.covariance(&self.seen));
+            let (trend, covariance) = ((self.trend, &self.terms[..]), kernel.covariance(&self.distances, 0));
             let place = self.levels.len() * MOST_KERNELS;
             Model::try_new(place, &self.seen, covariance, trend, kernel, NOISE_RATIOS[0], None)
         };
@@ -139,11 +141,13 @@ impl Grid {
     fn model(&self, (place, kernel): (usize, Kernel), level: usize) -> Option<Model> {
         let diagonal = self.diagonal;
         let scale = LENGTH_SCALES.iter().position(|scale| scale * diagonal == kernel.length_scale);
-        let shared = scale.filter(|_| kernel.smoothness == Smoothness::Twice).map(|scale| &self.covariances[scale]);
-        let find = || kernel.covariance(&self.seen);
-        let covariance = shared.map_or_else(find, |shared| shared.get_or_init(find).clone());
         let place = level * MOST_KERNELS + place;
         let known = self.known.get(&place).map(|known| &**known);
+        // Where points are appended to a factor, what is known in it is not needed again.
+        let first = known.map_or(0, Factor::known);
+        let shared = scale.filter(|_| kernel.smoothness == Smoothness::Twice && first == 0);
+        let find = || kernel.covariance(&self.distances, first);
+        let covariance = shared.map_or_else(find, |scale| self.covariances[scale].get_or_init(find).clone());
         Model::try_new(place, &self.seen, covariance, (self.trend, &self.terms), kernel, NOISE_RATIOS[level], known)
     }
 

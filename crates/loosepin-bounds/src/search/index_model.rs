@@ -50,6 +50,11 @@ impl<'a> IndexModel<'a> {
         self.forecast(self.fit.at(place, allowance))
     }
 
+    /// [`Self::at`] each of `places`.
+    pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<IndexForecast> {
+        self.fit.at_each(places, allowance).into_iter().map(|found| self.forecast(found)).collect()
+    }
+
     /// As [`LocalFits::moved_and_slopes`], of x.
     pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
         let (moved, mut slopes) = self.fit.moved_and_slopes(place, allowance, sign);

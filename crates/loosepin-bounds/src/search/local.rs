@@ -238,6 +238,14 @@ impl<'a> LocalFits<'a> {
         self.fit_of(place).at(place, allowance)
     }
 
+    /// [`Self::at`] each of `places`.
+    pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Prediction> {
+        match &self.fits[..] {
+            [whole] => whole.at_each(places, allowance),
+            _ => places.iter().map(|place| self.at(place, allowance)).collect(),
+        }
+    }
+
     /// As [`Fit::moved_and_slopes`].
     pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
         self.fit_of(place).moved_and_slopes(place, allowance, sign)

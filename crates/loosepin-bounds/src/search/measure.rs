@@ -7,7 +7,7 @@ use crate::data::statistic::{Event, Statistic};
 use crate::estimators::estimate::{Confidence, EitherWay, Estimate, mean_of, standard_deviation};
 use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
-use crate::estimators::probability::probability;
+use crate::estimators::probability::{ShareLimits, probability};
 use crate::estimators::quantile::quantile_and_slope;
 use crate::estimators::replicates::{differences, differences_of_quantiles, variance_of_replicates};
 use crate::estimators::sample::Sample;
@@ -129,7 +129,12 @@ impl Measure {
 
     /// Measures the probability of `event`.
     pub fn probability(samples: &[&Sample], event: Event, confidence: &Confidence) -> Self {
-        let at = samples.iter().map(|sample| probability(sample, event, confidence));
+        Self::probability_with(samples, event, confidence, &ShareLimits::default())
+    }
+
+    /// [`Self::probability`] with `limits` that may be known from other events.
+    pub fn probability_with(samples: &[&Sample], event: Event, confidence: &Confidence, limits: &ShareLimits) -> Self {
+        let at = samples.iter().map(|sample| probability(sample, event, confidence, limits));
         let (low, high): (Vec<Estimate>, Vec<Estimate>) = at.map(|at| (at.low, at.high)).unzip();
         if let Some(target) = index_target(samples, event, &low, confidence) {
             let target_errors = vec![(0.0, 0.0); low.len()];

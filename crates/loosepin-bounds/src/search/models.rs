@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use super::grid::Grid;
 use super::local::LocalSmoothers;
 use super::prediction::Allowance;
@@ -82,6 +84,14 @@ impl Branch<'_> {
     pub fn at(&self, place: &[f64], allowance: Allowance) -> Option<Forecast> {
         self.model.as_ref().map(|model| model.at(place, allowance))
     }
+}
+
+/// Targets with the ends that are sought of each, and their models.
+#[derive(Clone, Copy)]
+pub(super) struct Modelled<'m> {
+    pub targets: &'m [(Target, Vec<Direction>)],
+    /// Those of each target: [`Search::branches_of_targets`].
+    pub branches: &'m [Vec<Branch<'m>>],
 }
 
 impl<'a> Search<'a> {
@@ -175,6 +185,14 @@ impl<'a> Search<'a> {
             }
         }
         branches
+    }
+
+    /// [`Self::branches`] of each of any number of `targets`, in parallel.
+    pub(super) fn branches_of_targets(&self, targets: &[(Target, Vec<Direction>)]) -> Vec<Vec<Branch<'_>>> {
+        let of = |targets: &[(Target, Vec<Direction>)]| {
+            self.branches_of_all(&targets.iter().map(|(target, _)| target).collect::<Vec<_>>())
+        };
+        targets.par_chunks(TARGETS_AT_ONCE).flat_map_iter(of).collect()
     }
 
     /// The model of `target` on the points at which it is `defined`; nothing where these are too few.

@@ -1,6 +1,6 @@
 //! The next points of a search.
 
-use super::models::Search;
+use super::models::{Modelled, Search};
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::search_box::Place;
@@ -12,15 +12,19 @@ impl Search<'_> {
     /// surroundings of what was attained and where most would be conceded.
     pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
         let mut places = self.kinks(targets, elements, count);
-        if places.len() < count {
-            places.extend(self.next_points(targets, elements, count - places.len(), Allowance::HOPED));
+        if places.len() == count {
+            return places;
         }
+        // Targets are modelled once for all that follows.
+        let branches = self.branches_of_targets(targets);
+        let modelled = Modelled { targets, branches: &branches };
+        places.extend(self.next_points(modelled, elements, count - places.len(), Allowance::HOPED));
         if !places.is_empty() {
             return places;
         }
         // Half each: points that are all far apart do not show what is rough, and points near an extreme nothing of the rest.
-        let near = self.surroundings(targets, elements, count.div_ceil(2));
-        let conceded = self.next_points(targets, elements, count - near.len(), Allowance::CONCEDED_TREND);
+        let near = self.surroundings(modelled, elements, count.div_ceil(2));
+        let conceded = self.next_points(modelled, elements, count - near.len(), Allowance::CONCEDED_TREND);
         self.new_places(near.into_iter().chain(conceded), count)
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Search, TARGETS_AT_ONCE, defined};
+use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::reach::{locate, reach};
@@ -14,26 +14,20 @@ use crate::data::direction::{Direction, extreme_among};
 const LOCATED_PER_POINT: usize = 2;
 
 impl Search<'_> {
-    /// At most `count` new points for the ends of `targets` that are sought in each of `elements`, most promising first, by what models
+    /// At most `count` new points for the ends of targets that are sought in each of `elements`, most promising first, by what models
     /// expect and by what they allow with `allowance`; none where no gain, times the mass of its element, exceeds the resolution.
-    pub fn next_points(
+    pub(super) fn next_points(
         &self,
-        targets: &[(Target, Vec<Direction>)],
+        Modelled { targets, branches }: Modelled<'_>,
         elements: &[Element],
         count: usize,
         allowance: Allowance,
     ) -> Vec<Place> {
         let members: Vec<Vec<usize>> = elements.iter().map(|element| element.region.members(self.points)).collect();
-        let mut promises: Vec<Promise> = targets
-            .par_chunks(TARGETS_AT_ONCE)
-            .enumerate()
-            .flat_map_iter(|(chunk, targets)| {
-                let branches = self.branches_of_all(&targets.iter().map(|(target, _)| target).collect::<Vec<_>>());
-                let own = (TARGETS_AT_ONCE * chunk..).zip(targets).zip(branches);
-                let promises = own.flat_map(|((index, (target, directions)), branches)| {
-                    self.promises((index, target), directions, &branches, (elements, &members), allowance)
-                });
-                promises.collect::<Vec<Promise>>()
+        let own = targets.par_iter().zip(branches).with_min_len(TARGETS_AT_ONCE).enumerate();
+        let mut promises: Vec<Promise> = own
+            .flat_map_iter(|(index, ((target, directions), branches))| {
+                promises((index, target), directions, branches, (elements, &members), allowance)
             })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
@@ -48,51 +42,49 @@ impl Search<'_> {
             .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
-                let target = &targets[promise.target].0;
                 let combination = promise.place.combination;
-                let model = self.model(target, &defined(target, &self.groups[combination]))?;
+                let model = branches[promise.target][combination].model.as_ref()?;
                 let region = &elements[promise.element].region;
                 Some(Place {
                     combination,
-                    at: locate(self.axes, &model, promise.direction, promise.allowance, promise.place.at, region),
+                    at: locate(self.axes, model, promise.direction, promise.allowance, promise.place.at, region),
                 })
             })
             .collect();
         self.new_places(located, count)
     }
+}
 
-    /// Where the models of a target promise more than has been attained in any combination, element by element.
-    fn promises(
-        &self,
-        (index, target): (usize, &Target),
-        directions: &[Direction],
-        branches: &[Branch<'_>],
-        (elements, members): (&[Element], &[Vec<usize>]),
-        allowed: Allowance,
-    ) -> Vec<Promise> {
-        let mut promises = Vec::new();
-        for (combination, branch) in branches.iter().enumerate() {
-            let Some(model) = &branch.model else { continue };
-            for (element, (part, members)) in elements.iter().zip(members).enumerate() {
-                for &direction in directions {
-                    let reach = reach(model, direction, &part.region, allowed);
-                    let attained = extreme_among(&target.values, members.iter().copied(), direction)
-                        .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
-                    let mut promise = |value: f64, allowance: Allowance, at: Vec<f64>| {
-                        let gain = part.mass * direction.sign() * (value - attained);
-                        let merit = gain / target.resolution(direction, attained);
-                        if merit > 1.0 {
-                            let place = Place { combination, at };
-                            promises.push(Promise { target: index, element, direction, allowance, merit, place });
-                        }
-                    };
-                    promise(reach.optimistic, allowed, reach.optimistic_at);
-                    promise(reach.expected, Allowance::NONE, reach.expected_at);
-                }
+/// Where the models of a target promise more than has been attained in any combination, element by element.
+fn promises(
+    (index, target): (usize, &Target),
+    directions: &[Direction],
+    branches: &[Branch<'_>],
+    (elements, members): (&[Element], &[Vec<usize>]),
+    allowed: Allowance,
+) -> Vec<Promise> {
+    let mut promises = Vec::new();
+    for (combination, branch) in branches.iter().enumerate() {
+        let Some(model) = &branch.model else { continue };
+        for (element, (part, members)) in elements.iter().zip(members).enumerate() {
+            for &direction in directions {
+                let reach = reach(model, direction, &part.region, allowed);
+                let attained = extreme_among(&target.values, members.iter().copied(), direction)
+                    .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
+                let mut promise = |value: f64, allowance: Allowance, at: Vec<f64>| {
+                    let gain = part.mass * direction.sign() * (value - attained);
+                    let merit = gain / target.resolution(direction, attained);
+                    if merit > 1.0 {
+                        let place = Place { combination, at };
+                        promises.push(Promise { target: index, element, direction, allowance, merit, place });
+                    }
+                };
+                promise(reach.optimistic, allowed, reach.optimistic_at);
+                promise(reach.expected, Allowance::NONE, reach.expected_at);
             }
         }
-        promises
     }
+    promises
 }
 
 struct Promise {
@@ -122,7 +114,7 @@ fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
 mod tests {
     use crate::data::direction::{Direction, extreme};
     use crate::search::design::{candidates, first_points};
-    use crate::search::models::Search;
+    use crate::search::models::{Modelled, Search};
     use crate::search::noise::Noise;
     use crate::search::parts::Element;
     use crate::search::prediction::Allowance;
@@ -142,7 +134,8 @@ mod tests {
             let search = Search::new(&axes, &points, &candidates, [&target]);
             let elements = [Element { mass: 1.0, region: Region::whole(dimensions) }];
             let targets = [(target, Direction::BOTH.to_vec())];
-            let next = search.next_points(&targets, &elements, 5.min(count - points.len()), Allowance::HOPED);
+            let modelled = Modelled { targets: &targets, branches: &search.branches_of_targets(&targets) };
+            let next = search.next_points(modelled, &elements, 5.min(count - points.len()), Allowance::HOPED);
             if next.is_empty() {
                 return (extreme(&values, Direction::Minimum), extreme(&values, Direction::Maximum));
             }

@@ -7,7 +7,6 @@ use super::local::LocalFits;
 use super::models::{Branch, Search};
 use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
-use super::smoother::{Fit, Kinked};
 use super::target::Target;
 use super::target_model::TargetModel;
 use crate::data::direction::Direction;
@@ -202,13 +201,14 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
 /// kink.
 fn with_kinks(fits: &LocalFits<'_>, direction: Direction, region: &Region) -> impl Iterator<Item = f64> {
     let sign = direction.sign();
-    let kinked = fits.parts().iter().filter_map(Fit::with_kinks);
-    kinked.filter_map(move |Kinked { fit, largest_miss }| {
+    fits.parts().iter().filter_map(move |fit| {
+        let kinked = fit.with_kinks()?;
         let all_in = fit.are_all_in(region);
-        let held = fit.places().iter().zip(fit.smooth_at_places()).filter(|(place, _)| all_in || region.holds(place));
+        let at_places = fit.places().iter().zip(fit.kinked_at_places(kinked));
+        let held = at_places.filter(|(place, _)| all_in || region.holds(place));
         let most = |at: Prediction| {
             let miss = Allowance::HOPED.deviations() * at.deviation;
-            at.mean + sign * miss.min(largest_miss)
+            at.mean + sign * miss.min(kinked.largest_miss)
         };
         held.map(|(_, at)| most(at)).reduce(|furthest, own| direction.further(furthest, own))
     })
@@ -255,25 +255,34 @@ pub(super) fn locate(
     const FACE_THICKNESS: f64 = 1e-4;
     let sign = direction.sign();
     let value = |place: &[f64]| sign * model.at(place, allowance).moved(allowance, sign);
+    let values = |places: &[Vec<f64>]| -> Vec<f64> {
+        model.at_each(places, allowance).into_iter().map(|at| sign * at.moved(allowance, sign)).collect()
+    };
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;
     while step >= LAST_STEP && moves < MOST_MOVES {
         let before = place.clone();
-        let mut has_moved = false;
-        for axis in 0..place.len() {
-            for signed in [step, -step] {
-                let mut trial = place.clone();
-                trial[axis] = inside(axis, trial[axis] + signed);
-                if trial[axis] == place[axis] {
-                    continue;
-                }
-                let found = value(&trial);
-                if found > best {
-                    (best, place, has_moved) = (found, trial, true);
-                    break;
+        let (mut has_moved, mut first) = (false, 0);
+        // Trials along all axes that are left are worked out side by side; behind one that is better they begin anew from there.
+        while first < place.len() {
+            let mut trials: Vec<Vec<f64>> = Vec::with_capacity(2 * place.len());
+            let mut axes_of_trials = Vec::with_capacity(2 * place.len());
+            for axis in first..place.len() {
+                for signed in [step, -step] {
+                    let moved = inside(axis, place[axis] + signed);
+                    if moved != place[axis] {
+                        let mut trial = place.clone();
+                        trial[axis] = moved;
+                        trials.push(trial);
+                        axes_of_trials.push(axis);
+                    }
                 }
             }
+            let found = values(&trials);
+            let Some(better) = found.iter().position(|found| *found > best) else { break };
+            (best, place, has_moved) = (found[better], trials.swap_remove(better), true);
+            first = axes_of_trials[better] + 1;
         }
         if has_moved {
             moves += 1;

@@ -70,6 +70,7 @@ pub(crate) struct Fit<'a> {
     nugget: f64,
     roughness: Option<Rough>,
     suspected_kinks: Option<SuspectedKinks<'a>>,
+    kinked: OnceLock<Option<Kinked>>,
     /// -2 ln likelihood for each degree of freedom.
     misfit: f64,
 }
@@ -187,6 +188,7 @@ impl Smoother {
             misfit: (own.misfit + scatter.price) / freedom,
             roughness: None,
             suspected_kinks: None,
+            kinked: OnceLock::new(),
         };
         let noise_deviation = noise.variance.sqrt();
         fit.suspected_kinks =
@@ -315,35 +317,42 @@ impl Rough {
     }
 }
 
-/// A fit of a process with kinks everywhere.
-pub(crate) struct Kinked<'a> {
-    pub fit: Fit<'a>,
+/// A process with kinks everywhere, fitted to the values of a [`Fit`].
+pub(crate) struct Kinked {
+    /// At every place of the fit.
+    means: Vec<f64>,
+    /// σ
+    deviation: f64,
     /// The most that the values may lie beside it.
     pub largest_miss: f64,
 }
 
-impl<'a> Fit<'a> {
-    /// That of a process with kinks everywhere to the same values; nothing where they are known to be smooth, or noisy.
-    pub fn with_kinks(&self) -> Option<Kinked<'a>> {
+impl Fit<'_> {
+    /// That of a process with kinks everywhere to the same values, worked out when it is first asked for; nothing where they are known to be smooth,
+    /// or noisy.
+    pub fn with_kinks(&self) -> Option<&Kinked> {
+        self.kinked.get_or_init(|| self.find_with_kinks()).as_ref()
+    }
+
+    fn find_with_kinks(&self) -> Option<Kinked> {
         let suspected = self.suspected_kinks.as_ref().filter(|suspected| suspected.are_confirmed())?;
         let model = self.smoother.grid.with_kinks()?;
-        let fit = Self {
-            smoother: self.smoother,
-            model,
-            whitened: model.whitened(suspected.values()),
-            means: OnceLock::new(),
-            centre: self.centre,
-            deviation: suspected.deviation(model),
-            nugget: 0.0,
-            misfit: f64::NAN,
-            roughness: None,
-            suspected_kinks: None,
-        };
-        Some(Kinked { fit, largest_miss: suspected.largest_miss() })
+        let (white, of_trend) = model.whitened(suspected.values());
+        let means = self.smoother.at_places(model).means((&white, &of_trend));
+        Some(Kinked { means, deviation: suspected.deviation(model), largest_miss: suspected.largest_miss() })
     }
-}
 
-impl Fit<'_> {
+    /// What `kinked` of this fit expects at every one of [`Self::places`].
+    pub fn kinked_at_places<'s>(&'s self, kinked: &'s Kinked) -> impl Iterator<Item = Prediction> + 's {
+        let deviations = self.smoother.grid.with_kinks().map(|model| self.smoother.at_places(model).deviations());
+        let of = |(mean, deviation): (&f64, &f64)| Prediction {
+            mean: self.centre + mean,
+            deviation: kinked.deviation * deviation,
+            roughness: Roughness::default(),
+        };
+        kinked.means.iter().zip(deviations.into_iter().flatten()).map(of)
+    }
+
     /// Whether it passes beside the values rather than through them.
     pub fn is_beside(&self) -> bool {
         self.nugget > 0.0
@@ -429,6 +438,18 @@ impl Fit<'_> {
         let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
         let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(&seen));
         Prediction { mean: self.centre + found.0, deviation: self.deviation * found.1, roughness }
+    }
+
+    /// [`Self::at`] each of `places`.
+    pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Prediction> {
+        let seen: Vec<Vec<f64>> = places.iter().map(|place| self.smoother.axes.seen(place)).collect();
+        let found = self.model.means_and_deviations(&seen, (&self.whitened.0, &self.whitened.1));
+        let rough = self.roughness.as_ref().filter(|_| allowance.concedes_roughness());
+        let of = |(seen, found): (&Vec<f64>, (f64, f64))| {
+            let roughness = rough.map_or_else(Roughness::default, |rough| rough.part(self).at(seen));
+            Prediction { mean: self.centre + found.0, deviation: self.deviation * found.1, roughness }
+        };
+        seen.iter().zip(found).map(of).collect()
     }
 
     /// The smooth part of S at `place` where its model errs by `allowance` towards `sign`, with how this changes along each axis.

@@ -104,6 +104,7 @@ mod tests {
     use super::Search;
     use crate::data::direction::Direction;
     use crate::search::design::candidates;
+    use crate::search::models::Modelled;
     use crate::search::noise::Noise;
     use crate::search::parts::Element;
     use crate::search::search_box::{Axes, Place, Region};
@@ -119,7 +120,9 @@ mod tests {
         let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-8; 2] };
         let search = Search::new(axes, &points, &candidates(2).unwrap(), [&target]);
         let elements = [Element { mass: 1.0, region: Region::whole(2) }];
-        let mut places = search.surroundings(&[(target, vec![Direction::Maximum])], &elements, 1);
+        let targets = [(target, vec![Direction::Maximum])];
+        let modelled = Modelled { targets: &targets, branches: &search.branches_of_targets(&targets) };
+        let mut places = search.surroundings(modelled, &elements, 1);
         places.remove(0).at
     }
 

@@ -1,12 +1,10 @@
 //! The surroundings of what has been attained, looked at where the models promise nothing more.
 
 use super::extremes::Extreme;
-use super::models::Search;
+use super::models::{Modelled, Search};
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::search_box::Place;
-use super::target::Target;
-use crate::data::direction::Direction;
 use loosepin_uncertainty::{hash, normal};
 
 /// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in
@@ -26,14 +24,14 @@ const TURNS: u64 = 0x7475_726e;
 const SLOPE_RATIO: f64 = 8.0;
 
 impl Search<'_> {
-    /// At most `count` places near the extremes of `targets` in each of `elements`, where their models promise nothing more than has
+    /// At most `count` places near the extremes of targets in each of `elements`, where their models promise nothing more than has
     /// been attained: the summits that are expected beside them; where there are none, [`Self::confirming_points`]. None where there
     /// are many targets: the poses of a curve.
-    pub fn surroundings(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
+    pub(super) fn surroundings(&self, modelled: Modelled<'_>, elements: &[Element], count: usize) -> Vec<Place> {
         if self.is_of_curves() {
             return Vec::new();
         }
-        let extremes = self.extremes(targets, elements);
+        let extremes = self.extremes(modelled, elements);
         let summits = self.summits(&extremes, count);
         if summits.is_empty() { self.confirming_points(&extremes, count) } else { summits }
     }
@@ -60,7 +58,7 @@ impl Search<'_> {
 
     /// Adds the places at `distance` around one extreme that tell something.
     fn confirm(&self, extreme: &Extreme<'_>, distance: f64, is_turned: bool, chosen: &mut Vec<Place>) {
-        let &Extreme { point, value, region, resolution, ref model, .. } = extreme;
+        let &Extreme { point, value, region, resolution, model, .. } = extreme;
         let Place { combination, at } = &self.points[point];
         // What a model takes for noise does not end however near it looks.
         if is_turned && model.is_beside() {

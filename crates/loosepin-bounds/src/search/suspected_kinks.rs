@@ -147,12 +147,12 @@ mod tests {
         let of = |phase: u32| {
             let phase = f64::from(phase) / f64::from(PHASES);
             let values: Vec<f64> = points.iter().map(|u| function(u, phase)).collect();
-            let kinked = smoother.fit(&values, &Noise::NONE).with_kinks();
-            let reach = kinked.map(|kinked| {
+            let fit = smoother.fit(&values, &Noise::NONE);
+            let reach = fit.with_kinks().map(|kinked| {
                 let most = |at: crate::search::prediction::Prediction| {
                     at.mean - (Allowance::HOPED.deviations() * at.deviation).min(kinked.largest_miss)
                 };
-                kinked.fit.smooth_at_places().map(most).fold(f64::INFINITY, f64::min)
+                fit.kinked_at_places(kinked).map(most).fold(f64::INFINITY, f64::min)
             });
             let grid = (0..=200).flat_map(|i| (0..=200).map(move |j| [i, j].map(|x| f64::from(x) / 200.0)));
             (reach, grid.map(|u| function(&u, phase)).fold(f64::INFINITY, f64::min))

@@ -100,6 +100,19 @@ impl<'a> TargetModel<'a> {
         }
     }
 
+    /// [`Self::at`] each of `places`, worked out side by side with the same bits.
+    pub fn at_each(&self, places: &[Vec<f64>], allowance: Allowance) -> Vec<Forecast> {
+        match self {
+            Self::Plain(fit) => fit.at_each(places, allowance).into_iter().map(Forecast::Plain).collect(),
+            Self::Index(model) => model.at_each(places, allowance).into_iter().map(Forecast::Index).collect(),
+            Self::Either(models) => {
+                let [a, b] = &**models;
+                let sides = a.at_each(places, allowance).into_iter().zip(b.at_each(places, allowance));
+                sides.map(|(a, b)| Forecast::Either([a, b])).collect()
+            }
+        }
+    }
+
     /// The smooth part of the target at `place` where its model, or that of each event, errs by `allowance` towards `sign`, with how this
     /// changes along each axis.
     pub fn moved_and_slopes(&self, place: &[f64], allowance: Allowance, sign: f64) -> (f64, Vec<f64>) {
