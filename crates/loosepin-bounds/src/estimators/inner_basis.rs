@@ -23,6 +23,7 @@ use super::basis::Basis;
 use super::orthogonal::Axis;
 use super::preintegration::{Conditional, Rest};
 use loosepin_math::dense::{Cholesky, dot, gram};
+use loosepin_math::on_vectors;
 
 /// Highest degree of a polynomial.
 const MOST_DEGREE: usize = 12;
@@ -114,12 +115,17 @@ impl DesignMatrix {
         let block = size * self.per_replicate;
         let right = |(rows, values): (&[f64], &[f64])| {
             let mut right = vec![0.0; size];
-            for (row, value) in rows.chunks(size).zip(values) {
-                let value = value - centre;
-                for (entry, term) in right.iter_mut().zip(row) {
-                    *entry += term * value;
-                }
-            }
+            on_vectors(
+                #[inline(always)]
+                || {
+                    for (row, value) in rows.chunks(size).zip(values) {
+                        let value = value - centre;
+                        for (entry, term) in right.iter_mut().zip(row) {
+                            *entry += term * value;
+                        }
+                    }
+                },
+            );
             right
         };
         let rights: Vec<Vec<f64>> = self.rows.chunks(block).zip(values.chunks(self.per_replicate)).map(right).collect();

@@ -168,6 +168,11 @@ impl<'a> Modelled<'a> {
     /// How far the statistic may go in `direction` where `value` is attained at `point`.
     fn furthest(&self, direction: Direction, (point, value): (usize, f64), focal: &Focal<'_>) -> f64 {
         let target = &self.measure.target;
+        let is_probability = !matches!(self.measure.kind, MeasureKind::Plain | MeasureKind::Deviation);
+        // What is certain at a point is no more than certain between the points.
+        if is_probability && direction.of(value <= 0.0, value >= 1.0) {
+            return value;
+        }
         let least = target.values[point] + target.conceded(direction);
         let most = || {
             let reach = self.search.furthest_reach(target, &self.branches, direction, focal.region);

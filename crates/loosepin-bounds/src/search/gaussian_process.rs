@@ -42,18 +42,30 @@ pub(crate) struct Kernel {
 /// Places at which predictions are wanted, with what all models of the same points share there.
 pub(crate) struct SeenPlaces {
     pub places: Vec<Vec<f64>>,
-    /// Distances from the points, and the terms of the polynomial, place by place.
-    distances: Vec<f64>,
-    terms: Vec<f64>,
+    /// Distances from the points, and the terms of the polynomial, of [`PLACES_AT_ONCE`] places side by side.
+    distances: Vec<Vec<[f64; PLACES_AT_ONCE]>>,
+    terms: Vec<Vec<[f64; PLACES_AT_ONCE]>>,
 }
 
 impl SeenPlaces {
     /// What models on `points` share at `places`.
     pub fn new(places: Vec<Vec<f64>>, points: &[Vec<f64>], trend: Trend) -> Self {
-        let distances = places.iter().flat_map(|place| points.iter().map(|point| distance(point, place))).collect();
-        let terms = places.iter().flat_map(|place| trend.terms(place)).collect();
+        let distances = places.chunks(PLACES_AT_ONCE).map(|own| distances_of_each(own, points)).collect();
+        let terms = places.chunks(PLACES_AT_ONCE).map(|own| terms_of_each(own, trend)).collect();
         Self { places, distances, terms }
     }
+}
+
+/// Distances of at most N `places` side by side from each of `points`; those of places that are missing are zero.
+fn distances_of_each<const N: usize>(places: &[Vec<f64>], points: &[Vec<f64>]) -> Vec<[f64; N]> {
+    let of = |point: &Vec<f64>| from_fn(|place| places.get(place).map_or(0.0, |place| distance(point, place)));
+    points.iter().map(of).collect()
+}
+
+/// Terms of the polynomial at no more than N `places` side by side; those of places that are missing are zero.
+fn terms_of_each<const N: usize>(places: &[Vec<f64>], trend: Trend) -> Vec<[f64; N]> {
+    let terms: Vec<Vec<f64>> = places.iter().map(|place| trend.terms(place)).collect();
+    beside_one_another(&terms.iter().map(Vec::as_slice).collect::<Vec<_>>())
 }
 
 /// Distances of points from each other.
@@ -380,10 +392,8 @@ impl Model {
         places: &[Vec<f64>],
         (white, of_trend): (&[f64], &[f64]),
     ) -> Vec<(f64, f64)> {
-        let distances: Vec<f64> = places.iter().flat_map(|place| self.distances(place)).collect();
-        let terms: Vec<f64> = places.iter().flat_map(|place| self.trend.terms(place)).collect();
-        let known = side_by_side::<N>(&self.kernel.at_distances(&distances), self.points.len());
-        let (own, rest) = self.whitened.at_places(&known, &side_by_side(&terms, self.whitened.trend.len()));
+        let known = self.kernel.at_distances(distances_of_each::<N>(places, &self.points).as_flattened());
+        let (own, rest) = self.whitened.at_places(known.as_chunks().0, &terms_of_each::<N>(places, self.trend));
         let of_rest = dots_of_each(&rest, &self.trend_covariance.multiply_each(&rest));
         let of_own = dots_of_each(&own, &own);
         let [of_white, of_polynomial] = [(&own, white), (&rest, of_trend)].map(|(own, values)| {
@@ -448,15 +458,14 @@ impl Model {
         let mut correlations = Vec::with_capacity(places.div_ceil(4) * count);
         let mut rest = Vec::with_capacity(places.div_ceil(4) * size);
         let mut deviations = Vec::with_capacity(places);
-        for (distances, terms) in
-            seen.distances.chunks(PLACES_AT_ONCE * count).zip(seen.terms.chunks(PLACES_AT_ONCE * size))
-        {
-            let known = side_by_side::<PLACES_AT_ONCE>(&self.kernel.at_distances(distances), count);
-            let (own, own_rest) = self.whitened.at_places(&known, &side_by_side(terms, size));
+        let at_once = seen.distances.iter().zip(&seen.terms);
+        for ((distances, terms), first) in at_once.zip((0..places).step_by(PLACES_AT_ONCE)) {
+            let known = self.kernel.at_distances(distances.as_flattened());
+            let (own, own_rest) = self.whitened.at_places(known.as_chunks().0, terms);
             let of_rest = dots_of_each(&own_rest, &self.trend_covariance.multiply_each(&own_rest));
             let of_own = dots_of_each(&own, &own);
             let variances = of_own.into_iter().zip(of_rest).map(|(own, rest)| 1.0 - own + rest);
-            let own_places = distances.len() / count;
+            let own_places = (places - first).min(PLACES_AT_ONCE);
             deviations.extend(variances.take(own_places).map(|variance| variance.max(0.0).sqrt()));
             for first in (0..own_places).step_by(4) {
                 let four = |entry: &[f64; PLACES_AT_ONCE]| from_fn(|place| entry[first + place]);
@@ -497,11 +506,6 @@ impl AtPlaces {
     pub fn deviations(&self) -> &[f64] {
         &self.deviations
     }
-}
-
-/// At most N `rows` of `length` numbers side by side; those that are missing are zero.
-fn side_by_side<const N: usize>(rows: &[f64], length: usize) -> Vec<[f64; N]> {
-    beside_one_another(&rows.chunks_exact(length).collect::<Vec<_>>())
 }
 
 /// Whether there is nothing to be whitened, as of a quantity that is the same everywhere.

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
 use super::parts::Element;
 use super::prediction::Allowance;
-use super::reach::{locate, reach};
+use super::reach::{locate, reach, reach_with_kinks};
 use super::search_box::{Axes, Place};
 use super::target::Target;
 use crate::data::direction::{Direction, extreme_among};
@@ -27,23 +27,30 @@ impl Search<'_> {
         let own = targets.par_iter().zip(branches).with_min_len(TARGETS_AT_ONCE).enumerate();
         let mut promises: Vec<Promise> = own
             .flat_map_iter(|(index, ((target, directions), branches))| {
-                promises((index, target), directions, branches, (elements, &members), allowance)
+                promises((index, target), directions, branches, (elements, &members), (allowance, self.is_of_curves()))
             })
             .collect();
         promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
-        let (expected, allowed): (Vec<Promise>, Vec<Promise>) =
-            promises.into_iter().partition(|promise| promise.allowance == Allowance::NONE);
+        let (expected, others): (Vec<Promise>, Vec<Promise>) =
+            promises.into_iter().partition(|promise| promise.kind == Kind::Expected);
+        let (kinked, allowed): (Vec<Promise>, Vec<Promise>) =
+            others.into_iter().partition(|promise| promise.kind == Kind::WithKinks);
         let most = LOCATED_PER_POINT * count;
-        let (mut expected, mut allowed) =
-            (distinct(self.axes, expected, most).into_iter(), distinct(self.axes, allowed, most).into_iter());
-        let turns = (0..most).flat_map(|_| [expected.next(), allowed.next()]).flatten();
+        let [mut expected, mut allowed, mut kinked] =
+            [expected, allowed, kinked].map(|own| distinct(self.axes, own, most).into_iter());
+        // Where kinks are conceded most, half of the points go: nothing else makes these concessions less.
+        let turns = (0..most).flat_map(|_| [kinked.next(), kinked.next(), expected.next(), allowed.next()]).flatten();
         let located: Vec<Place> = turns
             .collect::<Vec<Promise>>()
             .into_par_iter()
             .filter_map(|promise| {
                 let combination = promise.place.combination;
                 let model = branches[promise.target][combination].model.as_ref()?;
+                // A smooth model does not know where a kink leads.
+                if promise.kind == Kind::WithKinks {
+                    return Some(promise.place);
+                }
                 let region = &elements[promise.element].region;
                 Some(Place {
                     combination,
@@ -55,13 +62,14 @@ impl Search<'_> {
     }
 }
 
-/// Where the models of a target promise more than has been attained in any combination, element by element.
+/// Where the models of a target promise more than has been attained in any combination, element by element; also where kinks do, if it
+/// `may_have_kinks` that no point shows.
 fn promises(
     (index, target): (usize, &Target),
     directions: &[Direction],
     branches: &[Branch<'_>],
     (elements, members): (&[Element], &[Vec<usize>]),
-    allowed: Allowance,
+    (allowed, may_have_kinks): (Allowance, bool),
 ) -> Vec<Promise> {
     let mut promises = Vec::new();
     for (combination, branch) in branches.iter().enumerate() {
@@ -69,28 +77,44 @@ fn promises(
         for (element, (part, members)) in elements.iter().zip(members).enumerate() {
             for &direction in directions {
                 let reach = reach(model, direction, &part.region, allowed);
+                let kinked = if may_have_kinks { reach_with_kinks(model, direction, &part.region) } else { None };
                 let attained = extreme_among(&target.values, members.iter().copied(), direction)
                     .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
-                let mut promise = |value: f64, allowance: Allowance, at: Vec<f64>| {
+                let mut promise = |value: f64, (kind, allowance): (Kind, Allowance), at: Vec<f64>| {
                     let gain = part.mass * direction.sign() * (value - attained);
                     let merit = gain / target.resolution(direction, attained);
                     if merit > 1.0 {
                         let place = Place { combination, at };
-                        promises.push(Promise { target: index, element, direction, allowance, merit, place });
+                        promises.push(Promise { target: index, element, direction, kind, allowance, merit, place });
                     }
                 };
-                promise(reach.optimistic, allowed, reach.optimistic_at);
-                promise(reach.expected, Allowance::NONE, reach.expected_at);
+                promise(reach.optimistic, (Kind::Allowed, allowed), reach.optimistic_at);
+                promise(reach.expected, (Kind::Expected, Allowance::NONE), reach.expected_at);
+                if let Some((value, at)) = kinked {
+                    promise(value, (Kind::WithKinks, allowed), at.clone());
+                }
             }
         }
     }
     promises
 }
 
+/// By what a promise is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// What a model expects.
+    Expected,
+    /// What it allows.
+    Allowed,
+    /// What is conceded to values of curves that may have kinks.
+    WithKinks,
+}
+
 struct Promise {
     target: usize,
     element: usize,
     direction: Direction,
+    kind: Kind,
     allowance: Allowance,
     merit: f64,
     place: Place,

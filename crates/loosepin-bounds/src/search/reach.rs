@@ -172,7 +172,8 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
         return direction.further(coarse.optimistic, climb.concession_above(&hoped.optimistic_at));
     };
     let furthest = direction.further(coarse.optimistic, climb.concession_above(&coarse.optimistic_at));
-    let mut furthest = with_kinks(fits, direction, region).fold(furthest, |most, own| direction.further(most, own));
+    let reach_of_kinks = with_kinks(fits, direction, region).map(|(most, _)| most);
+    let mut furthest = reach_of_kinks.fold(furthest, |most, own| direction.further(most, own));
     // Beside what is noisy or rough a summit that is a little higher than the best candidate says nothing.
     if model.is_beside() {
         return furthest;
@@ -197,9 +198,13 @@ fn climbed_reach(axes: &Axes, model: &TargetModel<'_>, direction: Direction, reg
     furthest
 }
 
-/// How far values that may have kinks let a target go, part by part of the box: the points of curves are nowhere so dense that they show a
-/// kink.
-fn with_kinks(fits: &LocalFits<'_>, direction: Direction, region: &Region) -> impl Iterator<Item = f64> {
+/// How far values that may have kinks let a target go, and where, part by part of the box: the points of curves are nowhere so dense that they
+/// show a kink.
+fn with_kinks<'f>(
+    fits: &'f LocalFits<'_>,
+    direction: Direction,
+    region: &'f Region,
+) -> impl Iterator<Item = (f64, &'f Vec<f64>)> {
     let sign = direction.sign();
     fits.parts().iter().filter_map(move |fit| {
         let kinked = fit.with_kinks()?;
@@ -210,8 +215,19 @@ fn with_kinks(fits: &LocalFits<'_>, direction: Direction, region: &Region) -> im
             let miss = Allowance::HOPED.deviations() * at.deviation;
             at.mean + sign * miss.min(kinked.largest_miss)
         };
-        held.map(|(_, at)| most(at)).reduce(|furthest, own| direction.further(furthest, own))
+        let most = held.map(|(place, at)| (most(at), place));
+        most.reduce(|furthest, own| if direction.is_beyond(own.0, furthest.0) { own } else { furthest })
     })
+}
+
+/// The furthest that values that may have kinks let the target of `model` go, and where.
+pub(super) fn reach_with_kinks<'m>(
+    model: &'m TargetModel<'_>,
+    direction: Direction,
+    region: &'m Region,
+) -> Option<(f64, &'m Vec<f64>)> {
+    let TargetModel::Plain(fits) = model else { return None };
+    with_kinks(fits, direction, region).reduce(|a, b| if direction.is_beyond(b.0, a.0) { b } else { a })
 }
 
 /// How far the model lets its target go over the whole region: the most that it concedes, located from the best of the places in what
@@ -258,17 +274,20 @@ pub(super) fn locate(
     let values = |places: &[Vec<f64>]| -> Vec<f64> {
         model.at_each(places, allowance).into_iter().map(|at| sign * at.moved(allowance, sign)).collect()
     };
+    // Whether the last step led nowhere: then half of it hardly leads further along the first axes.
+    let mut has_ended = false;
     let mut best = value(&place);
     let mut step = FIRST_STEP;
     let mut moves = 0;
     while step >= LAST_STEP && moves < MOST_MOVES {
         let before = place.clone();
         let (mut has_moved, mut first) = (false, 0);
-        // Trials along all axes that are left are worked out side by side; behind one that is better they begin anew from there.
+        // Where no trial is expected to be better, those along all axes are worked out side by side; behind one that is they begin anew.
         while first < place.len() {
             let mut trials: Vec<Vec<f64>> = Vec::with_capacity(2 * place.len());
             let mut axes_of_trials = Vec::with_capacity(2 * place.len());
-            for axis in first..place.len() {
+            let last = if has_ended { place.len() } else { first + 1 };
+            for axis in first..last {
                 for signed in [step, -step] {
                     let moved = inside(axis, place[axis] + signed);
                     if moved != place[axis] {
@@ -279,11 +298,18 @@ pub(super) fn locate(
                     }
                 }
             }
-            let found = values(&trials);
-            let Some(better) = found.iter().position(|found| *found > best) else { break };
-            (best, place, has_moved) = (found[better], trials.swap_remove(better), true);
-            first = axes_of_trials[better] + 1;
+            first = last;
+            let better = if has_ended {
+                values(&trials).into_iter().enumerate().find(|(_, found)| *found > best)
+            } else {
+                trials.iter().map(|trial| value(trial)).enumerate().find(|(_, found)| *found > best)
+            };
+            if let Some((better, found)) = better {
+                (best, place, has_moved) = (found, trials.swap_remove(better), true);
+                first = axes_of_trials[better] + 1;
+            }
         }
+        has_ended = !has_moved;
         if has_moved {
             moves += 1;
             let ahead = place.iter().zip(&before).enumerate();

@@ -4,15 +4,15 @@
 //! a kink with the distance itself. Two signs tell that values may have kinks, both in -2 ln likelihood of the models without noise:
 //!
 //! ```text
-//! least of those with one derivative - least of all < 20, or
-//! the same < 60, and the likeliest model with four derivatives predicts some estimate from the others 2.75 of its deviations off
+//! least of those with one derivative - least of all < 30, or
+//! the same < 80, and the likeliest model with four derivatives predicts some estimate from the others 2.75 of its deviations off
 //! ```
 //!
 //! Smooth curves of 32 points over a square have 70 to 145 and no such error, curves with kinks 0 to 130. What is conceded to them is that of a process
 //! with kinks everywhere, Matérn 1/2, whose deviation s(u) grows with the root of the distance:
 //!
 //! ```text
-//! mean(u) ± min(2.5 s(u), 2 max |e_i|),   e_i: errors of predicting each estimate from the others by the likeliest model with four derivatives
+//! mean(u) ± min(2.5 s(u), 2.5 max |e_i|),   e_i: errors of predicting each estimate from the others by the likeliest model with four derivatives
 //! ```
 
 use super::assessment::Assessed;
@@ -21,8 +21,8 @@ use super::roughness::Scatter;
 use loosepin_math::dense::dot;
 
 /// Below the first difference values may have kinks whatever their errors, from the second on they are taken for smooth.
-const DOUBTFUL: f64 = 20.0;
-const SMOOTH: f64 = 60.0;
+const DOUBTFUL: f64 = 30.0;
+const SMOOTH: f64 = 80.0;
 
 /// The largest error of predicting an estimate from the others that is expected of smooth values, over the 2.5 deviations of [`Scatter`].
 const EXPECTED_DISTRUST: f64 = 1.1;
@@ -32,8 +32,8 @@ const EXPECTED_DISTRUST: f64 = 1.1;
 const LARGEST_SHARE_OF_NOISE: f64 = 0.01;
 
 /// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
-/// where an estimate is left out the gap is twice as wide.
-const MARGIN: f64 = 2.0;
+/// where an estimate is left out the gap is twice as wide. Chosen by curves, as the signs above.
+const MARGIN: f64 = 2.5;
 
 /// Values that may have kinks by the likelihoods of their models.
 pub(super) struct SuspectedKinks<'m> {

@@ -45,7 +45,8 @@ impl Trend {
 
     /// 1, t_i, t_i t_j with t = 2u - 1; without the square of a sine, which those of the cosine and of 1 hold already.
     pub fn terms(self, point: &[f64]) -> Vec<f64> {
-        let mut terms = vec![1.0];
+        let mut terms = Vec::with_capacity(self.size(point.len()));
+        terms.push(1.0);
         if self.degree != Degree::Constant {
             terms.extend(point.iter().map(|x| 2.0 * x - 1.0));
         }
