@@ -12,7 +12,7 @@
 //! with kinks everywhere, Matérn 1/2, whose deviation s(u) grows with the root of the distance:
 //!
 //! ```text
-//! mean(u) ± min(2.5 s(u), 2.5 max |e_i|),   e_i: errors of predicting each estimate from the others by the likeliest model with four derivatives
+//! mean(u) ± min(2.5 s(u), 2 max |e_i|),   e_i: errors of predicting each estimate from the others by the likeliest model with four derivatives
 //! ```
 
 use super::assessment::Assessed;
@@ -32,8 +32,8 @@ const EXPECTED_DISTRUST: f64 = 1.1;
 const LARGEST_SHARE_OF_NOISE: f64 = 0.01;
 
 /// Between the points values with kinks may lie beside a model by this many times the largest error of predicting an estimate from the others:
-/// where an estimate is left out the gap is twice as wide. Chosen by curves, as the signs above.
-const MARGIN: f64 = 2.5;
+/// where an estimate is left out the gap is twice as wide.
+const MARGIN: f64 = 2.0;
 
 /// Values that may have kinks by the likelihoods of their models.
 pub(super) struct SuspectedKinks<'m> {
