@@ -18,14 +18,22 @@ problems! {
         /// A position, a velocity or what a person has written as an expression is not a number.
         NotFinite {
             time_s: f64,
-            /// Path of the drive, load or control whose expression has no value.
+            /// Path of the drive, load or control whose expression has no value, or of the beam that no step follows.
             element: Option<String>,
         } => Code::RunNotFinite,
             says("at {} {} is not a finite number", time(*time_s), match element {
-                Some(path) => describe_path(path),
+                Some(path) => match of_beam(path) {
+                    Some(body) => {
+                        format!("the beam of {} swings faster than the smallest step: a position or velocity", describe_path(body))
+                    }
+                    None => describe_path(path),
+                },
                 None => "a position or velocity".to_owned(),
             }),
             hint("{}", match element {
+                Some(path) if of_beam(path).is_some() => {
+                    "look for a modulus, a density or a section far from those of a real part"
+                }
                 Some(_) => {
                     "its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside, for example \
                      log(max(x, 1e-6))"
@@ -232,6 +240,11 @@ const CODES: [&str; 31] = [
     "implicit_without_nodes",
     "settled_open",
 ];
+
+/// Path of the body where a path is that of its beam.
+fn of_beam(path: &str) -> Option<&str> {
+    path.strip_suffix(".beam").filter(|body| body.starts_with("body."))
+}
 
 impl RunFailure {
     /// A short name for tables.

@@ -35,6 +35,27 @@ impl Batch<'_> {
         None
     }
 
+    /// Path of the beam that swings fastest, where no step that is allowed follows it: k/m of stretching or bending in the time of the smallest step.
+    pub(super) fn beam_beyond_steps(&self, lane: usize, smallest_s: f64) -> Option<String> {
+        let sample = &self.runs[lane].as_ref()?.sample.real;
+        let floating = sample.beams.iter().map(|numbers| {
+            let beam = &numbers.beam;
+            [beam.mass_kg, beam.length_m, beam.axial_stiffness_n_m, beam.bending_stiffness_n_m]
+        });
+        let nodal = sample.nodal_beams.iter().map(|numbers| {
+            let beam = &numbers.beam;
+            [beam.mass_kg, beam.length_m, beam.axial_stiffness_n_m, beam.bending_stiffness_n_m]
+        });
+        let square_1_s2 = |[mass_kg, length_m, axial_n_m, bending_n_m]: [f64; 4]| {
+            axial_n_m.max(bending_n_m / (length_m * length_m)) / mass_kg
+        };
+        let bodies = self.mechanism.real.flexible_bodies();
+        let rates_1_s2 = bodies.zip(floating.chain(nodal).map(square_1_s2));
+        let (body, fastest_1_s2) = rates_1_s2.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let is_beyond = !(fastest_1_s2.sqrt() * smallest_s < 1.0);
+        is_beyond.then(|| format!("body.{}.beam", self.mechanism.model.bodies[body.0].name))
+    }
+
     /// No contact may be pressed deeper than its limit allows, at the end of a step or, where it may be deepest, within.
     pub(super) fn check_bearings(&self, lane: usize) -> Result<(), RunFailure> {
         let Some(run) = &self.runs[lane] else { return Ok(()) };

@@ -503,7 +503,7 @@ impl<'a> Batch<'a> {
         } else if next_s < smallest_s && error.is_finite() {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {
-            RunFailure::NotFinite { time_s, element: None }
+            RunFailure::NotFinite { time_s, element: self.beam_beyond_steps(lane, smallest_s) }
         } else if let Some(failure) = self.too_many_evaluations(lane) {
             failure
         } else {

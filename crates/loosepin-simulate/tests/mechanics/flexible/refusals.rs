@@ -1,8 +1,10 @@
 //! What a flexible body cannot have is refused where it stands.
 
 use super::case_text;
+use crate::elements::build;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Model;
+use loosepin_simulate::{Plan, simulate};
 
 /// The complaints about a text, without place and colour: first lines.
 fn complaints(text: &str) -> String {
@@ -119,4 +121,24 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         assert!(found.contains(due), "{due}\nis not said:\n{found}");
     }
     assert_eq!(complaints(&text), "");
+}
+
+/// A beam that no step can follow is named where it stands, in either formulation: the only number that is far from those of a real part.
+#[test]
+fn messages_of_a_run_that_a_beam_takes_beyond_finite_numbers() {
+    let shapes = "lateral_shapes = 2\naxial_shapes = 2";
+    for keys in [shapes, "formulation = \"absolute-nodal\"\nelements = 4"] {
+        for (from, to) in [("200 GPa", "1e150 Pa"), ("7870 kg/m^3", "1e-200 kg/m^3")] {
+            let text = case_text("flexible_slider_crank").replace(shapes, keys).replacen(from, to, 1);
+            let built = build(&text);
+            let plan = Plan::of_model(&built.mechanism.model);
+            let failure = simulate(&built.mechanism, &built.values, &plan).expect_err("no step follows it");
+            let said = failure.complaint(&built.mechanism.model).to_string();
+            assert_eq!(
+                said,
+                "model.toml:20:11: error[E0803]: at 0 ms the beam of body 'rod' swings faster than the smallest step: a position or velocity is \
+                     not a finite number\nhint: look for a modulus, a density or a section far from those of a real part"
+            );
+        }
+    }
 }
