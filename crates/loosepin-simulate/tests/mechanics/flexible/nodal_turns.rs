@@ -19,8 +19,8 @@ struct Machine {
     force: &'static str,
     /// With 16 elements: first onset, s, and its peak, N.
     first: (f64, f64),
-    /// Distance of 2 + 2 and of 5 + 5 shapes from 16 elements until then, m or rad.
-    off: [f64; 2],
+    /// Distance of 2 + 2 shapes from 16 elements until then, m or rad.
+    off: f64,
 }
 
 const SLIDER_CRANK: Machine = Machine {
@@ -32,7 +32,7 @@ const SLIDER_CRANK: Machine = Machine {
     until_s: 1.5e-3,
     force: "gudgeon_force",
     first: (2.84637e-4, 4085.4),
-    off: [7.9e-5, 2.5e-6],
+    off: 7.9e-5,
 };
 
 const FOUR_BAR: Machine = Machine {
@@ -44,7 +44,7 @@ const FOUR_BAR: Machine = Machine {
     until_s: 2.5e-3,
     force: "coupler_pin_force",
     first: (9.942158e-4, 1399.6),
-    off: [9.8e-5, 4.0e-6],
+    off: 9.8e-5,
 };
 
 /// Rows of a turn.
@@ -142,13 +142,15 @@ fn loose(machine: &Machine) {
     let nodal = |count| machine.turn(&elements(count, "undeformed"), true, 1e-5, Integrator::Implicit);
     let [sixteen, eight] = [16, 8].map(nodal);
     println!("    8 against 16 elements until {:e} s: {:.1e}", machine.until_s, machine.early(&eight, &sixteen));
-    for (count, known) in [2, 5].into_iter().zip(machine.off) {
+    let [two, five] = [2, 5].map(|count| {
         let floating = machine.turn(&shapes(count, count, "undeformed"), true, 1e-9, Integrator::Explicit);
         let off = machine.early(&floating, &sixteen);
         println!("    {count} + {count} shapes against 16 elements until {:e} s: {off:.1e}", machine.until_s);
-        // The known distance has two digits, and was taken at other instants.
-        assert!((off / known - 1.0).abs() < 0.1, "{off:e} for {known:e}");
-    }
+        off
+    });
+    // The known distance has two digits. That of 5 + 5 shapes depends on the waves at the second contact.
+    assert!((two / machine.off - 1.0).abs() < 0.02, "{two:e} for {:e}", machine.off);
+    assert!(five < 0.1 * two, "{five:e} beside {two:e}");
     let explicit = machine.turn(&elements(16, "undeformed"), true, 1e-5, Integrator::Explicit);
     println!(
         "    explicit against implicit steps until {:e} s: {:.1e}",
