@@ -83,11 +83,12 @@ pub fn identify(study: &Study, options: &Options, heard: Heard<'_>) -> Result<Id
         let place = Place::new(study.source(), 0..0);
         return Err(Complaint::error(&IdentifyProblem::Conditioned, Some(place)).into());
     }
-    if options.with_lengths && study.motion.is_empty() {
+    let wanted = specimens(study, options)?;
+    let is_wanted = |specimen: &Option<String>| options.specimen.is_none() || options.specimen == *specimen;
+    if options.with_lengths && !study.motion.iter().any(|feature| is_wanted(&feature.specimen)) {
         let place = Place::new(study.source(), 0..0);
         return Err(Complaint::error(&IdentifyProblem::NoMotion, Some(place)).into());
     }
-    let wanted = specimens(study, options)?;
     let asked = MotionValues {
         confidence,
         points: options.points,

@@ -40,9 +40,10 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
     let most = writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE);
     if *is_nodal {
         let may_float = *largest_angle_rad < LARGEST_RAD && *other_formulation != OtherFormulation::FreeAtTo;
+        let frame = if *other_formulation == OtherFormulation::TangentFrame { " with frame = \"tangent\"" } else { "" };
         return may_float.then(|| {
             format!(
-                "The {body} turns by at most {} from the line through its ends. formulation = \"floating-frame\" does up to {most}, with fewer \
+                "The {body} turns by at most {} from the line through its ends. formulation = \"floating-frame\"{frame} does up to {most}, with fewer \
                  coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
                 writer.value(*largest_angle_rad, &SiUnit::ANGLE),
             )
@@ -52,10 +53,12 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
         OtherFormulation::RetardationTime => {
             "Take formulation = \"absolute-nodal\", with retardation_time in place of damping_ratio."
         }
-        OtherFormulation::EndsAlone | OtherFormulation::FreeAtTo => {
-            "Take a stiffer section; or formulation = \"absolute-nodal\", without lumps and points between the ends."
+        OtherFormulation::EndsAlone => {
+            "Take a stiffer section; or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio."
         }
-        OtherFormulation::AsItIs => "Take formulation = \"absolute-nodal\".",
+        OtherFormulation::AsItIs | OtherFormulation::TangentFrame | OtherFormulation::FreeAtTo => {
+            "Take formulation = \"absolute-nodal\"."
+        }
     };
     // Not a number is no small angle.
     (!(*largest_angle_rad <= LARGEST_RAD)).then(|| {
@@ -97,7 +100,7 @@ mod tests {
             ),
             (
                 OtherFormulation::EndsAlone,
-                " Take a stiffer section; or formulation = \"absolute-nodal\", without lumps and points between the ends.",
+                " Take a stiffer section; or formulation = \"absolute-nodal\", without lumps, points between the ends and damping_ratio.",
             ),
         ] {
             for angle_rad in [0.101, f64::NAN] {
@@ -117,6 +120,8 @@ mod tests {
             small.contains("formulation = \"floating-frame\" does up to") && !small.contains("absolute"),
             "{small}"
         );
+        let held = said(0.02, true, OtherFormulation::TangentFrame).expect("a tangent frame may do");
+        assert!(held.contains("formulation = \"floating-frame\" with frame = \"tangent\" does up to"), "{held}");
         // Held at `to` it has no floating frame.
         assert_eq!(said(0.02, true, OtherFormulation::FreeAtTo), None);
     }

@@ -2,7 +2,7 @@
 
 use super::number::{NumberWriter, Rounding};
 use loosepin_result::motion_identification::{
-    LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength,
+    LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedTogether,
 };
 use loosepin_text::units::SiUnit;
 
@@ -35,22 +35,34 @@ pub(super) fn length_words(
         SpecimenLengths::Refused(refusal) => return vec![format!("no mechanisms that agree: {refusal}")],
         SpecimenLengths::Given(rows) => rows,
     };
-    let known = |share: f64| writer.percent(2.0 * (share * (1.0 - share) / rows.effective).sqrt(), Rounding::Up);
+    let known = |share: f64| writer.percent(2.0 * (share * (1.0 - share) / rows.effective_rows).sqrt(), Rounding::Up);
     let mut words = vec![
         format!(
-            "{} mechanisms were run with values of the unknowns anywhere in the consistent set, and weighed by the likelihood of what was \
+            "{} mechanisms were run with values of the unknowns in the consistent set and beside it, and weighed by the likelihood of what was \
              measured: they say as much as {} equally probable ones",
             rows.runs,
             rows.effective.floor()
         ),
         format!(
-            "a share of 95 % of them is known to ± {}, one of a half to ± {} (2 standard deviations)",
+            "{} rows are drawn of them, which say as much as {} mechanisms: a share of 95 % is known to ± {}, one of a half to ± {} (2 standard deviations)",
+            rows.rows_si.len(),
+            rows.effective_rows.floor(),
             known(0.95),
             known(0.5)
         ),
     ];
     words.extend(rows.tied.iter().filter_map(|tied| tied_words(specimen, rows, tied, writer)));
+    words.extend(rows.tied_together.iter().filter_map(|tied| tied_together_words(specimen, tied, writer)));
     words
+}
+
+fn tied_together_words(specimen: &MotionSpecimen, tied: &TiedTogether, writer: &NumberWriter<'_>) -> Option<String> {
+    Some(format!(
+        "{} goes with all random inputs together (multiple rank correlation {}), though with none of them by itself: the measurement knows one only with \
+         the others, and a study draws them apart, so that its band may be too narrow. Measure lengths, or write those that matter under [epistemic]",
+        specimen.unknowns.get(tied.unknown)?.name,
+        writer.rounded(tied.rank_correlation, &SiUnit::NONE, 2, Rounding::Nearest),
+    ))
 }
 
 fn tied_words(

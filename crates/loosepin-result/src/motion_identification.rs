@@ -65,8 +65,13 @@ pub struct MechanismRows {
     pub failed: usize,
     /// Number of equally probable mechanisms that would say as much: (Σ w)²/Σ w².
     pub effective: f64,
+    /// The same of the rows, n²/Σ m² where a mechanism is there m times.
+    pub effective_rows: f64,
     /// Lengths that trade off against an unknown.
     pub tied: Vec<TiedLength>,
+    /// Unknowns that trade off against lengths together, though none of these by itself is told.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tied_together: Vec<TiedTogether>,
 }
 
 /// A random input of the series, and of the specimen.
@@ -92,6 +97,15 @@ pub struct TiedLength {
     /// Place of the unknown.
     pub unknown: usize,
     /// Their rank correlation (Spearman) over the mechanisms.
+    pub rank_correlation: f64,
+}
+
+/// An unknown that the measurement knows only with all lengths together.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TiedTogether {
+    /// Place of the unknown.
+    pub unknown: usize,
+    /// Multiple correlation of its rank with those of all lengths, over the mechanisms.
     pub rank_correlation: f64,
 }
 
@@ -236,8 +250,9 @@ impl fmt::Display for LengthsRefusal {
             }
             Self::FewMechanisms { effective, runs, least } => write!(
                 formatter,
-                "the {runs} that were run say as much as {effective:.0} equally probable ones, and {least:.0} are needed; more runs \
-                 (--points) or a larger scatter of the features give more"
+                "the {runs} that were run say as much as {} equally probable ones, and {least:.0} are needed; more runs \
+                 (--points) or a larger scatter of the features give more",
+                effective.floor()
             ),
         }
     }

@@ -125,8 +125,10 @@ pub enum OtherFormulation {
     AsItIs,
     /// A retardation time in place of the damping ratio.
     RetardationTime,
-    /// Neither lumps nor points between the ends.
+    /// Neither lumps nor points between the ends, and no damping ratio.
     EndsAlone,
+    /// A tangent frame: a drive or a rigid joint holds it at `from`.
+    TangentFrame,
     /// No drive and no rigid joint at `to`.
     FreeAtTo,
 }

@@ -73,8 +73,12 @@ impl BendingRecorder {
 pub fn other_formulation(model: &Model, body: BodyId) -> OtherFormulation {
     let Body { points, beam: Some(beam), .. } = &model.bodies[body.0] else { return OtherFormulation::AsItIs };
     if beam.is_nodal() {
-        let to = PointId { body, point: beam.ends[1] };
-        return if model.holds_section(to) { OtherFormulation::FreeAtTo } else { OtherFormulation::AsItIs };
+        let [is_held_at_from, is_held_at_to] = beam.ends.map(|point| model.holds_section(PointId { body, point }));
+        return match (is_held_at_from, is_held_at_to) {
+            (_, true) => OtherFormulation::FreeAtTo,
+            (true, false) => OtherFormulation::TangentFrame,
+            (false, false) => OtherFormulation::AsItIs,
+        };
     }
     let has_points_between = (0..points.len()).any(|point| !beam.ends.contains(&point));
     if has_points_between || !beam.lumps.is_empty() {

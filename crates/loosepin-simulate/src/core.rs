@@ -98,6 +98,9 @@ impl<'a> Core<'a> {
         energy_j: f64,
     ) {
         self.load_numbers(lane, sample, arms);
+        if let Way::Plain(plain) = &mut self.way {
+            plain.begin_run();
+        }
         let tolerances = tolerances(self.mechanism, &self.pass.layout, sample, self.pass.local_m, rate_1_s, energy_j);
         for (place, tolerance) in self.pass.lane.weights().zip(tolerances) {
             self.memory.set(Block::Lane, place, lane, 1.0 / tolerance);

@@ -65,7 +65,6 @@ impl<'a> Plain<'a> {
     pub fn load(&mut self, sample: &Sample<f64>, arms: &Arms) {
         if let Some(implicit) = &mut self.implicit {
             implicit.radau.restart();
-            implicit.factorizations = 0;
         }
         self.motion.dynamics.sample_mut().clone_from(sample);
         self.arms.clone_from(arms);
@@ -121,6 +120,13 @@ impl<'a> Plain<'a> {
         // Those of an explicit step are counted for every attempt.
         named.lane[LaneLayout::EVALUATIONS] += found.evaluations as f64 - pass.stepper.evaluations_per_attempt() as f64;
         found.factorizations
+    }
+
+    /// Counts the factorizations of another run.
+    pub fn begin_run(&mut self) {
+        if let Some(implicit) = &mut self.implicit {
+            implicit.factorizations = 0;
+        }
     }
 
     /// Factorizations of implicit steps in the run so far.

@@ -39,7 +39,7 @@ impl Search<'_> {
         let most = LOCATED_PER_POINT * count;
         let [mut expected, mut allowed, mut kinked] =
             [expected, allowed, kinked].map(|own| distinct(self.axes, own, most).into_iter());
-        // Where kinks are conceded most, half of the points go: nothing else makes these concessions less.
+        // Where kinks are conceded most, half of the points go, and all where nothing else is expected: nothing else makes these concessions less.
         let turns = (0..most).flat_map(|_| [kinked.next(), kinked.next(), expected.next(), allowed.next()]).flatten();
         let located: Vec<Place> = turns
             .collect::<Vec<Promise>>()

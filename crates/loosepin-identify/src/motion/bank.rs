@@ -127,8 +127,7 @@ impl<'s> Bank<'s> {
                 new.push(point);
             }
         }
-        let width = self.columns.iter().map(Vec::len).sum::<usize>() + 64;
-        let together = (MOST_NUMBERS / (width * self.runs)).max(1);
+        let together = (MOST_NUMBERS / (self.width() * self.runs)).max(1);
         for batch in new.chunks(together) {
             let made = self.made(batch)?;
             all_made(made.len(), batch.len())?;
@@ -139,6 +138,11 @@ impl<'s> Bank<'s> {
             known.ok_or_else(|| StudyError::NotMade { reason: "a value of the unknowns has no runs".to_owned() })
         };
         points.iter().map(of_point).collect()
+    }
+
+    /// Numbers of a run, about.
+    fn width(&self) -> usize {
+        self.columns.iter().map(Vec::len).sum::<usize>() + 64
     }
 
     fn made(&self, points: &[&Vec<f64>]) -> Result<Vec<Runs>, StudyError> {
@@ -172,7 +176,11 @@ impl<'s> Bank<'s> {
             .enumerate()
             .map(|(index, point)| [self.random(point, key(first + index)), point.clone()])
             .collect();
-        let features = self.without_errors(&inputs, self.before + self.known.len() + first / self.runs)?;
+        let mut features = Vec::with_capacity(inputs.len());
+        for part in inputs.chunks((MOST_NUMBERS / self.width()).max(1)) {
+            let already = self.before + self.known.len() + (first + features.len()) / self.runs;
+            features.extend(self.without_errors(part, already)?);
+        }
         all_made(features.len(), inputs.len())?;
         let mechanism =
             |([random, epistemic], features): ([Vec<f64>; 2], Vec<f64>)| Mechanism { random, epistemic, features };

@@ -38,19 +38,15 @@ pub(super) struct Distribution {
 impl Distribution {
     /// Nothing where no tested value has a likelihood.
     pub fn new(grid: &Grid, values: &[Weighed]) -> Option<Self> {
-        let most = values.iter().map(|value| value.log_likelihood).fold(f64::NEG_INFINITY, f64::max);
-        if most == f64::NEG_INFINITY {
-            return None;
-        }
         let pieces: Vec<Option<Piece>> = values.iter().map(|value| Piece::new(grid, values, value)).collect();
         let counts = fine_counts(&grid.axes, &grid.counts);
         let cells: usize = counts.iter().product();
         let mut marginals: Vec<Vec<f64>> = counts.iter().map(|count| vec![0.0; *count]).collect();
         let mut weights = vec![0.0; values.len()];
-        for cell in 0..cells {
+        let log_likelihood = |cell: usize| {
             let at = place(&counts, cell);
             let test = grid.tests[grid.index_of(&at, &counts)];
-            let Some(piece) = &pieces[test] else { continue };
+            let Some(piece) = &pieces[test] else { return f64::NEG_INFINITY };
             let middle: Vec<f64> = at
                 .iter()
                 .zip(&counts)
@@ -60,7 +56,18 @@ impl Distribution {
                     Axis::Members(_) => *at as f64,
                 })
                 .collect();
-            let weight = (piece.log_likelihood(&values[test], &middle) - most).exp();
+            piece.log_likelihood(&values[test], &middle)
+        };
+        let logs: Vec<f64> = (0..cells).map(log_likelihood).collect();
+        // Of the cells alone: a value all of whose cells others have taken over may be far more probable than any that is left.
+        let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if most == f64::NEG_INFINITY {
+            return None;
+        }
+        for (cell, log) in logs.iter().enumerate() {
+            let at = place(&counts, cell);
+            let test = grid.tests[grid.index_of(&at, &counts)];
+            let weight = (log - most).exp();
             weights[test] += weight;
             for (marginal, at) in marginals.iter_mut().zip(&at) {
                 marginal[*at] += weight;

@@ -1,7 +1,7 @@
 //! Mechanisms that agree with what was measured: the random inputs, given the measurement.
 //!
 //! ```text
-//! p(x, u | y) ∝ p(y | f(x, u)) p(x | u) p(u)
+//! p(x, u | y) ∝ p(y | f(x, u)) p(x) p(u)
 //! ```
 //!
 //! u is drawn evenly from the cells of the consistent set and those beside them, x from the distributions of the study, and each pair is
@@ -15,8 +15,9 @@ use super::bank::{Bank, Mechanism};
 use super::grid::{Axis, Grid};
 use super::scatter::Observation;
 use super::unknowns::value;
+use loosepin_math::solve_square;
 use loosepin_result::motion_identification::{
-    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength,
+    LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedTogether,
 };
 use loosepin_study::{LEAST_SPECIMEN_ROWS, RandomInput, StudyError};
 use loosepin_uncertainty::{hash, uniform};
@@ -107,8 +108,11 @@ fn drawn(
     if effective < LEAST {
         return Ok(Err(LengthsRefusal::FewMechanisms { effective, runs: all.len(), least: LEAST }));
     }
-    let mut rows: Vec<&Mechanism> =
-        resampled(&shares, ROWS, uniform(hash(study.seed, ROWS_DRAWN), 0)).into_iter().map(|at| &all[at]).collect();
+    let places = resampled(&shares, ROWS, uniform(hash(study.seed, ROWS_DRAWN), 0));
+    let mut times = vec![0.0; all.len()];
+    places.iter().for_each(|at| times[*at] += 1.0 / ROWS as f64);
+    let effective_rows = self::effective(&times);
+    let mut rows: Vec<&Mechanism> = places.into_iter().map(|at| &all[at]).collect();
     // Neighbours in the file are alike: points that fill the unit interval evenly fill the rows evenly.
     rows.sort_by(|a, b| {
         a.random
@@ -118,6 +122,7 @@ fn drawn(
             .find(|order| order.is_ne())
             .unwrap_or(std::cmp::Ordering::Equal)
     });
+    let tied = tied(&rows, grid, effective);
     let columns = study.random.iter().enumerate().map(|(input, known)| column(bank, known, input, &all, &shares));
     Ok(Ok(MechanismRows {
         columns: columns.collect(),
@@ -125,7 +130,9 @@ fn drawn(
         runs: all.len(),
         failed,
         effective,
-        tied: tied(&rows, grid, effective),
+        effective_rows,
+        tied_together: tied_together(&rows, grid, effective, &tied),
+        tied,
     }))
 }
 
@@ -194,6 +201,40 @@ fn tied(rows: &[&Mechanism], grid: &Grid, effective: f64) -> Vec<TiedLength> {
     found
 }
 
+/// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
+fn tied_together(rows: &[&Mechanism], grid: &Grid, effective: f64, tied: &[TiedLength]) -> Vec<TiedTogether> {
+    let Some(first) = rows.first() else { return Vec::new() };
+    let count = first.random.len();
+    let ranks_of = |of: &dyn Fn(&Mechanism) -> f64| ranks(&rows.iter().map(|row| of(row)).collect::<Vec<f64>>());
+    let lengths: Vec<Vec<f64>> = (0..count).map(|column| ranks_of(&|row| row.random[column])).collect();
+    let is_told = |unknown: &usize| tied.iter().any(|tied| tied.unknown == *unknown);
+    // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
+    let chance = (count as f64 + CHANCE * (2.0 * count as f64).sqrt()) / effective;
+    let least = TIED.max(chance.sqrt());
+    (0..first.epistemic.len())
+        .filter(|unknown| count > 1 && grid.axes[*unknown] == Axis::Continuous && !is_told(unknown))
+        .filter_map(|unknown| {
+            let rank_correlation = multiple_correlation(&lengths, &ranks_of(&|row| row.epistemic[unknown]));
+            (rank_correlation >= least).then_some(TiedTogether { unknown, rank_correlation })
+        })
+        .collect()
+}
+
+/// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 where these do not tell it.
+fn multiple_correlation(columns: &[Vec<f64>], of: &[f64]) -> f64 {
+    /// Added to the diagonal: columns that go exactly together are no equations of their own.
+    const ROUND_OFF: f64 = 1e-9;
+    let count = columns.len();
+    let mut matrix: Vec<f64> = columns.iter().flat_map(|a| columns.iter().map(|b| correlation(a, b))).collect();
+    (0..count).for_each(|at| matrix[at * count + at] = 1.0 + ROUND_OFF);
+    let right: Vec<f64> = columns.iter().map(|column| correlation(column, of)).collect();
+    let mut factors = right.clone();
+    if solve_square(&mut matrix, count, &mut factors) == 0.0 {
+        return 0.0;
+    }
+    right.iter().zip(&factors).map(|(right, factor)| right * factor).sum::<f64>().clamp(0.0, 1.0).sqrt()
+}
+
 /// Ranks of values; those that are equal have the middle of their ranks.
 fn ranks(values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
@@ -224,7 +265,7 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{correlation, effective, ranks, resampled, weights};
+    use super::{correlation, effective, multiple_correlation, ranks, resampled, weights};
 
     #[test]
     fn analytic_rows_come_out_as_often_as_their_shares_say() {
@@ -243,6 +284,16 @@ mod tests {
         // 1/(1/16 + 9/16).
         assert!((effective(&shares) - 1.6).abs() < 1e-12);
         assert_eq!(effective(&weights(&[f64::NEG_INFINITY])), 0.0);
+    }
+
+    /// Of y = a + b with columns that do not go together, each has the share 1/2 of the square; a column twice tells nothing more.
+    #[test]
+    fn analytic_multiple_correlation_of_a_sum() {
+        let [a, b] = [[-1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, 1.0, 1.0]].map(Vec::from);
+        let sum: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a + b).collect();
+        assert!((correlation(&a, &sum) - 0.5_f64.sqrt()).abs() < 1e-15);
+        assert!((multiple_correlation(&[a.clone(), b], &sum) - 1.0).abs() < 1e-8);
+        assert!((multiple_correlation(&[a.clone(), a], &sum) - 0.5_f64.sqrt()).abs() < 1e-8);
     }
 
     #[test]

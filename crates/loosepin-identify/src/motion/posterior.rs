@@ -94,7 +94,8 @@ fn shown<E>(
         };
         let few = (0..grid.axes.len()).find_map(|unknown| {
             let effective = found.effective_along(unknown, &values);
-            (grid.axes[unknown] == Axis::Continuous && effective < LEAST_VALUES).then_some((unknown, effective))
+            // What is no number is no reason to go on.
+            (grid.axes[unknown] == Axis::Continuous && !(effective >= LEAST_VALUES)).then_some((unknown, effective))
         });
         let Some((unknown, effective)) = few else { return Ok(Ok((grid, found))) };
         let carrying = carrying(&grid, &values, &found, unknown);
@@ -126,7 +127,7 @@ fn carried(grid: &Grid, values: &[Weighed], least: usize) -> Result<Distribution
     let failed = |share: f64| PosteriorRefusal::Failed { share, most: MOST_FAILED };
     let found = Distribution::new(grid, values).ok_or_else(|| failed(1.0))?;
     let share: f64 = found.weights.iter().zip(values).map(|(weight, value)| weight * value.failed).sum();
-    if share > MOST_FAILED { Err(failed(share)) } else { Ok(found) }
+    if share <= MOST_FAILED { Ok(found) } else { Err(failed(share)) }
 }
 
 /// The values that carry nearly all of the probability, as far as they belong to the set and can be halved along an unknown; none where the
@@ -225,6 +226,25 @@ mod tests {
         };
         let found = shown(grid, values, 10, points, &mut test).unwrap_or_else(|never| match never {});
         found.map(|(_, distribution)| distribution)
+    }
+
+    /// A value that is met exactly, by the middle of one cell, and of which its halves know nothing: either there are too few values, or numbers.
+    #[test]
+    fn analytic_a_summit_that_only_a_value_whose_halves_took_over_has_seen() {
+        let mut refused = 0;
+        for summit in
+            (1..128).step_by(2).map(|number| f64::from(number) / 128.0).chain([0.5, 0.25, 0.375, 0.4375, 0.46875])
+        {
+            for points in [2, 4, 8, 16] {
+                let log = |at: &[f64]| -0.5 * ((at[0] - summit) / 1e-5).powi(2);
+                match distribution(&[Axis::Continuous], -1e12, points, log) {
+                    Err(PosteriorRefusal::FewValues { .. }) => refused += 1,
+                    Err(why) => panic!("{summit} {points}: {why:?}"),
+                    Ok(found) => assert!(found.weights.iter().all(|weight| weight.is_finite()), "{summit} {points}"),
+                }
+            }
+        }
+        assert!(refused > 0);
     }
 
     #[test]

@@ -100,7 +100,9 @@ class Identification:
         return any(of_readings) or any(of_motion)
 
     def narrowed(self) -> Study:
-        """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit."""
+        """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit.
+
+        With `lengths=True` the text names a file of mechanisms, which `--write` of the command writes too; the study has it in memory."""
         from ._study import Study
 
         return Study(_loosepin.Study.from_texts(self._native.narrowed()))

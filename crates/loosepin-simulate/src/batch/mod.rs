@@ -55,6 +55,8 @@ pub(super) struct Kept<'a> {
     core: Option<Core<'a>>,
     /// Evaluations of all of them.
     evaluations: u64,
+    /// Whether there is no machine code for them.
+    is_refused: bool,
 }
 
 #[cfg(test)]
@@ -167,12 +169,10 @@ impl<'a> Batch<'a> {
             batch.refill(queue);
             if let Some((execution, kept)) = &mut later
                 && !is_by_later
+                && !kept.is_refused
                 && kept.evaluations + batch.core.evaluations(0) > EVALUATIONS_ALONE
             {
                 is_by_later = batch.go_on_later(*execution, kept);
-                if !is_by_later {
-                    later = None;
-                }
             }
             if batch.is_exhausted {
                 batch.draw_together();
@@ -193,6 +193,7 @@ impl<'a> Batch<'a> {
         let new = || Core::new(self.mechanism, sample, arms, &Follow::default(), &self.settings, execution);
         let mut core = kept.core.take().unwrap_or_else(new);
         if !core.is_machine_code() {
+            kept.is_refused = true;
             return false;
         }
         core.use_lanes(execution.lanes());

@@ -74,7 +74,7 @@ problems! {
                 text if text.starts_with('#') => TAKE_COMMENT_AWAY,
                 text if text.contains('\u{2212}') => "the minus sign of numbers is the hyphen of the keyboard",
                 text if text.contains(',') => "decimal numbers have a point",
-                _ => "leave a cell empty where nothing was measured",
+                _ => "write a number; a cell of a measured curve may be empty where nothing was measured",
             });
         /// A row that does not lie behind the one before.
         NotIncreasing {

@@ -84,7 +84,9 @@ impl StudyReader {
             self.reader.complain(&problem, place_of("epistemic"));
             return;
         }
-        for index in 0..self.random.len() {
+        // Rows of a specimen were looked at whole: a value that is impossible beside others may be possible in its row.
+        let alone = if root.get("specimen").is_some() { 0 } else { self.random.len() };
+        for index in 0..alone {
             if let Some(problem) = self.impossible_share(index) {
                 let path = self.random[index].path.clone();
                 let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
@@ -97,7 +99,9 @@ impl StudyReader {
     /// Warns of lengths and angles that are elsewhere in the model. A clearance changes no ideal motion, and what it is in the model plays
     /// no part.
     fn check_model_values(&mut self, root: &Table<'_>) {
-        let random = self.random.iter().map(|input| {
+        // A specimen may be anywhere in its series, and the model stays that of the series.
+        let is_series = root.get("specimen").is_none();
+        let random = self.random.iter().filter(|_| is_series).map(|input| {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();

@@ -239,6 +239,9 @@ fn read(
     let together = file.together(&root, &allowances);
     let promise = file.promise(&root, &asks, &requirements);
     let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
+    if root.get("specimen").is_some() && surrogate.is_some() {
+        file.refuse_surrogate(&root);
+    }
     file.check_whole(&root);
     if !file.reader.complaints.has_errors() {
         file.check_tolerance(&root, sampling.tolerance_m);

@@ -78,14 +78,17 @@ impl StudyReader {
 
     /// Refuses what has no answer for a joint sample.
     fn refuse_beside_rows(&mut self, root: &Table<'_>) {
-        if let Some(entry) = root.get("surrogate") {
-            self.reader.complain(&SpecimenProblem::Beside { what: "a surrogate" }, entry.key_span);
-        }
         if let Some(input) = self.random.iter().find(|input| !input.parameters.is_empty()) {
             let path = input.path.clone();
             let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
             self.reader.complain(&SpecimenProblem::UncertainParameter { path }, span);
         }
+    }
+
+    /// Refuses a surrogate beside a joint sample.
+    pub(super) fn refuse_surrogate(&mut self, root: &Table<'_>) {
+        let span = root.get("surrogate").map(|entry| entry.key_span).unwrap_or_default();
+        self.reader.complain(&SpecimenProblem::Beside { what: "a surrogate" }, span);
     }
 
     /// Of each random input its column.

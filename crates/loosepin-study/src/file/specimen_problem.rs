@@ -50,15 +50,18 @@ problems! {
         Finite { rows: usize, effective: f64 } => Code::BadSample,
             says("{rows} rows of the specimen say as much as {} mechanisms: a share of 95 % of them is known to ± {} %, \
                   a share of one half to ± {} % (2 standard deviations); no bound holds this error",
-                effective.floor(), percent(0.95, *effective), percent(0.5, *effective)),
-            hint("more rows: loosepin identify with more --points");
+                effective.floor(), percent(0.95, *effective), percent(0.5, *effective));
     }
 }
 
-/// Two standard deviations of a share of independent rows, percent, two digits.
+/// Two standard deviations of a share of independent rows, percent, two digits, upwards.
 fn percent(share: f64, effective: f64) -> String {
+    /// Below this share of its last digit a number is round.
+    const ROUND_OFF: f64 = 1e-9;
     let error = 200.0 * (share * (1.0 - share) / effective).sqrt();
-    format_number(format!("{error:.1e}").parse().unwrap_or(error))
+    let last_digit = 10.0_f64.powf(error.log10().floor() - 1.0);
+    let up = (error / last_digit - ROUND_OFF).ceil() * last_digit;
+    format_number(format!("{up:.1e}").parse().unwrap_or(up))
 }
 
 #[cfg(test)]
@@ -69,5 +72,7 @@ mod tests {
     fn analytic_two_standard_deviations_of_a_share() {
         // 2 √(0.25/400) = 5 %; 2 √(0.0475/400) = 2.179 %.
         assert_eq!((percent(0.5, 400.0).as_str(), percent(0.95, 400.0).as_str()), ("5", "2.2"));
+        // 2.248 %.
+        assert_eq!(percent(0.95, 376.0), "2.3");
     }
 }

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::NormalContact;
 use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
 use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
-use loosepin::simulate::estimate_bending;
+use loosepin::result::simulation::OtherFormulation;
+use loosepin::simulate::{estimate_bending, other_formulation};
 use loosepin::units::{Dimension, format_value, listed};
 
 use super::bending::push_bending;
@@ -172,11 +173,17 @@ fn push_nodal(
         start_of(mechanism, place.body),
     );
     if evaluations_1_s > MANY_EVALUATIONS_1_S {
+        let or_floating = match other_formulation(&mechanism.model, place.body) {
+            OtherFormulation::FreeAtTo => "",
+            OtherFormulation::TangentFrame => {
+                ", or formulation = \"floating-frame\" with frame = \"tangent\" where its sections turn by less than 0.1 rad"
+            }
+            _ => ", or formulation = \"floating-frame\" where its sections turn by less than 0.1 rad",
+        };
         let _ = writeln!(
             text,
             "{indent}warning: its mesh takes {evaluations_1_s:.1e} evaluations for a second of motion\n\
-             {indent}hint: take fewer elements or a smaller retardation_time, simulate with --integrator implicit where contacts are rare, or \
-             formulation = \"floating-frame\" where its sections turn by less than 0.1 rad"
+             {indent}hint: take fewer elements or a smaller retardation_time, simulate with --integrator implicit where contacts are rare{or_floating}"
         );
     }
     push_contacts(text, &indent, (mechanism, sample), place.body, beam.axial_stiffness_n_m);

@@ -66,10 +66,13 @@ fn warnings(
         return if is_needless {
             let warning =
                 format!("absolute nodal coordinates are not needed: its loads turn sections by {angle} rad only");
-            vec![(
-                warning,
-                "formulation = \"floating-frame\" does up to 0.1 rad, with fewer coordinates and longer steps",
-            )]
+            let hint = match other {
+                OtherFormulation::TangentFrame => {
+                    "formulation = \"floating-frame\" with frame = \"tangent\" does up to 0.1 rad, with fewer coordinates and longer steps"
+                }
+                _ => "formulation = \"floating-frame\" does up to 0.1 rad, with fewer coordinates and longer steps",
+            };
+            vec![(warning, hint)]
         } else {
             Vec::new()
         };
@@ -105,12 +108,14 @@ fn warnings(
 /// The way to absolute nodal coordinates.
 fn towards_nodal(other: OtherFormulation) -> &'static str {
     match other {
-        OtherFormulation::AsItIs => "write formulation = \"absolute-nodal\"",
+        OtherFormulation::AsItIs | OtherFormulation::TangentFrame | OtherFormulation::FreeAtTo => {
+            "write formulation = \"absolute-nodal\""
+        }
         OtherFormulation::RetardationTime => {
             "write formulation = \"absolute-nodal\", and retardation_time in place of damping_ratio"
         }
-        OtherFormulation::EndsAlone | OtherFormulation::FreeAtTo => {
-            "absolute nodal coordinates would do, and take neither lumps nor points between the ends: leave these out with \
+        OtherFormulation::EndsAlone => {
+            "absolute nodal coordinates would do, and take no lumps, no points between the ends and no damping_ratio: leave these out with \
              formulation = \"absolute-nodal\", or take a stiffer section"
         }
     }
@@ -200,7 +205,7 @@ mod tests {
         for hint in [lumped, found(&with_point, &estimate(0.2345, 0.1, 1e-4), true).swap_remove(0)] {
             assert!(
                 hint.ends_with(
-                    "; absolute nodal coordinates would do, and take neither lumps nor points between the ends: leave these out with \
+                    "; absolute nodal coordinates would do, and take no lumps, no points between the ends and no damping_ratio: leave these out with \
                      formulation = \"absolute-nodal\", or take a stiffer section"
                 ),
                 "{hint}"
