@@ -126,7 +126,7 @@ fn wrong_tables_are_told_with_their_places() {
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\r\n0, 1\r\n\r\n1, 2x\r\n"),
-        "m.csv:4:4: error[E1001]: '2x' is no finite number\nhint: leave a cell empty where nothing was measured"
+        "m.csv:4:4: error[E1001]: '2x' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured"
     );
     assert_eq!(
         refused("x [mm], slider [mm]\n0, 1\n"),
@@ -135,9 +135,9 @@ fn wrong_tables_are_told_with_their_places() {
     assert_eq!(
         refused("angle [deg], slider [mm], slider [mm]\n0, 1x, 2\n1, 2\n0.5, 3, inf\n"),
         "m.csv:1:27: error[E1001]: the column 'slider' is there twice\n\
-         m.csv:2:4: error[E1001]: '1x' is no finite number\nhint: leave a cell empty where nothing was measured\n\
+         m.csv:2:4: error[E1001]: '1x' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured\n\
          m.csv:3:1: error[E1001]: the row has 2 cells; the header has 3\n\
-         m.csv:4:9: error[E1001]: 'inf' is no finite number\nhint: leave a cell empty where nothing was measured"
+         m.csv:4:9: error[E1001]: 'inf' is no finite number\nhint: write a number; a cell of a measured curve may be empty where nothing was measured"
     );
     assert_eq!(
         refused("angle [deg], slider [mm]\n10, 1\n5, 2\n"),
