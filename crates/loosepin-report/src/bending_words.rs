@@ -39,15 +39,12 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
     let BendingRecord { body, largest_angle_rad, is_nodal, other_formulation, .. } = bending;
     let most = writer.value_trimmed(LARGEST_RAD, &SiUnit::ANGLE);
     if *is_nodal {
-        let may_float = *largest_angle_rad < LARGEST_RAD && *other_formulation != OtherFormulation::FreeAtTo;
-        let frame = if *other_formulation == OtherFormulation::TangentFrame { " with frame = \"tangent\"" } else { "" };
-        return may_float.then(|| {
-            format!(
-                "The {body} turns by at most {} from the line through its ends. formulation = \"floating-frame\"{frame} does up to {most}, with fewer \
-                 coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
-                writer.value(*largest_angle_rad, &SiUnit::ANGLE),
-            )
-        });
+        let keys = other_formulation.floating_frame().filter(|_| *largest_angle_rad < LARGEST_RAD)?;
+        return Some(format!(
+            "The {body} turns by at most {} from the line through its ends. {keys} does up to {most}, with fewer \
+             coordinates, where its loads stretch it by less than 1 % and push by less than half of its buckling load (loosepin check).",
+            writer.value(*largest_angle_rad, &SiUnit::ANGLE),
+        ));
     }
     let way_out = match other_formulation {
         OtherFormulation::RetardationTime => {

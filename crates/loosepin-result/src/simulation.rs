@@ -9,6 +9,7 @@ mod spectrum;
 mod wear;
 
 use crate::repeat::Repeat;
+use crate::study::accuracy::is_zero_count;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
@@ -133,6 +134,17 @@ pub enum OtherFormulation {
     FreeAtTo,
 }
 
+impl OtherFormulation {
+    /// Keys with which a body in absolute nodal coordinates can have a floating frame; nothing where it can have none.
+    pub fn floating_frame(self) -> Option<&'static str> {
+        match self {
+            Self::FreeAtTo => None,
+            Self::TangentFrame => Some("formulation = \"floating-frame\" with frame = \"tangent\""),
+            Self::AsItIs | Self::RetardationTime | Self::EndsAlone => Some("formulation = \"floating-frame\""),
+        }
+    }
+}
+
 /// Condensed shapes of a flexible body: they keep their static flexibility.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CondensedRecord {
@@ -234,14 +246,10 @@ pub struct RunCounters {
     /// Evaluations of the equations of motion.
     pub evaluations: u64,
     /// Factorizations of implicit steps, each of a real and of a complex matrix; not written where there are none.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    #[serde(default, skip_serializing_if = "is_zero_count")]
     pub factorizations: u64,
     /// Located onsets and ends of contact.
     pub contact_changes: u64,
-}
-
-fn is_zero(count: &u64) -> bool {
-    *count == 0
 }
 
 /// The values of one output over time, and how far they are from the ideal motion.

@@ -98,9 +98,6 @@ impl<'a> Core<'a> {
         energy_j: f64,
     ) {
         self.load_numbers(lane, sample, arms);
-        if let Way::Plain(plain) = &mut self.way {
-            plain.begin_run();
-        }
         let tolerances = tolerances(self.mechanism, &self.pass.layout, sample, self.pass.local_m, rate_1_s, energy_j);
         for (place, tolerance) in self.pass.lane.weights().zip(tolerances) {
             self.memory.set(Block::Lane, place, lane, 1.0 / tolerance);
@@ -282,13 +279,6 @@ impl<'a> Core<'a> {
     /// Evaluations of the equations of motion in the run of a lane so far.
     pub fn evaluations(&self, lane: usize) -> u64 {
         self.number(lane, LaneLayout::EVALUATIONS) as u64
-    }
-    /// Factorizations of implicit steps in the run so far: there is one lane then.
-    pub fn factorizations(&self) -> u64 {
-        match &self.way {
-            Way::Plain(plain) => plain.factorizations(),
-            Way::Recorded(_) => 0,
-        }
     }
     /// Counts further evaluations of the run of a lane.
     pub fn add_evaluations(&mut self, lane: usize, evaluations: u64) {

@@ -25,8 +25,6 @@ pub struct Implicit {
     pub radau: Radau,
     /// Whether the step at hand is one of it.
     pub is_at_hand: bool,
-    /// Factorizations of the run so far.
-    pub factorizations: u64,
     /// The last look inside the step at hand: its share and the corrected coordinates and rates there.
     looked: Option<(f64, Vec<f64>)>,
 }
@@ -34,7 +32,7 @@ pub struct Implicit {
 impl Implicit {
     /// No step yet.
     pub fn new(radau: Radau) -> Self {
-        Self { radau, is_at_hand: false, factorizations: 0, looked: None }
+        Self { radau, is_at_hand: false, looked: None }
     }
 
     /// Begins another attempt, an implicit one or not.

@@ -110,7 +110,9 @@ impl LaneLayout {
     pub const IS_FIRST: usize = 25;
     /// That step, after an end as long as its error would have allowed; 0 until there is one.
     pub const FIRST_STEP: usize = 26;
-    const CONTACTS: usize = 27;
+    /// Factorizations of implicit steps in the run so far, each of a real and of a complex matrix.
+    pub const FACTORIZATIONS: usize = 27;
+    const CONTACTS: usize = 28;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run, and how far it may go.
     const PER_CONTACT: usize = 8;

@@ -93,7 +93,7 @@ impl<'a> Plain<'a> {
             let is_implicit = self.motion.states.iter().all(|state| state.contact == 0.0);
             implicit.begin(is_implicit);
             if is_implicit {
-                implicit.factorizations += self.attempt_implicitly(&mut implicit.radau, pass, &mut named);
+                self.attempt_implicitly(&mut implicit.radau, pass, &mut named);
             }
             self.implicit = Some(implicit);
             if is_implicit {
@@ -107,8 +107,8 @@ impl<'a> Plain<'a> {
         pass.judge_attempt(self.motion.dynamics.sample(), &mut named);
     }
 
-    /// Tries an implicit step; gives the factorizations that it took.
-    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) -> u64 {
+    /// Tries an implicit step.
+    fn attempt_implicitly(&mut self, radau: &mut Radau, pass: &Pass, named: &mut Named<'_, f64>) {
         let (end_row, weights) = (pass.stepper.end_row(), named.lane[pass.lane.weights()].to_vec());
         let step_s = named.lane[LaneLayout::STEP];
         let found = radau.attempt(&mut named.rows, end_row, step_s, &weights, &mut self.reading(named.end_reads));
@@ -119,19 +119,7 @@ impl<'a> Plain<'a> {
         }
         // Those of an explicit step are counted for every attempt.
         named.lane[LaneLayout::EVALUATIONS] += found.evaluations as f64 - pass.stepper.evaluations_per_attempt() as f64;
-        found.factorizations
-    }
-
-    /// Counts the factorizations of another run.
-    pub fn begin_run(&mut self) {
-        if let Some(implicit) = &mut self.implicit {
-            implicit.factorizations = 0;
-        }
-    }
-
-    /// Factorizations of implicit steps in the run so far.
-    pub fn factorizations(&self) -> u64 {
-        self.implicit.as_ref().map_or(0, |implicit| implicit.factorizations)
+        named.lane[LaneLayout::FACTORIZATIONS] += found.factorizations as f64;
     }
 
     /// Holds the loops of ideal joints.

@@ -43,10 +43,11 @@ impl Distribution {
         let cells: usize = counts.iter().product();
         let mut marginals: Vec<Vec<f64>> = counts.iter().map(|count| vec![0.0; *count]).collect();
         let mut weights = vec![0.0; values.len()];
-        let log_likelihood = |cell: usize| {
+        // Of each cell the tested value that it belongs to, and its likelihood.
+        let weighed = |cell: usize| {
             let at = place(&counts, cell);
             let test = grid.tests[grid.index_of(&at, &counts)];
-            let Some(piece) = &pieces[test] else { return f64::NEG_INFINITY };
+            let Some(piece) = &pieces[test] else { return (test, f64::NEG_INFINITY) };
             let middle: Vec<f64> = at
                 .iter()
                 .zip(&counts)
@@ -56,21 +57,19 @@ impl Distribution {
                     Axis::Members(_) => *at as f64,
                 })
                 .collect();
-            piece.log_likelihood(&values[test], &middle)
+            (test, piece.log_likelihood(&values[test], &middle))
         };
-        let logs: Vec<f64> = (0..cells).map(log_likelihood).collect();
+        let logs: Vec<(usize, f64)> = (0..cells).map(weighed).collect();
         // Of the cells alone: a value all of whose cells others have taken over may be far more probable than any that is left.
-        let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let most = logs.iter().map(|(_, log)| *log).fold(f64::NEG_INFINITY, f64::max);
         if most == f64::NEG_INFINITY {
             return None;
         }
-        for (cell, log) in logs.iter().enumerate() {
-            let at = place(&counts, cell);
-            let test = grid.tests[grid.index_of(&at, &counts)];
+        for (cell, (test, log)) in logs.iter().enumerate() {
             let weight = (log - most).exp();
-            weights[test] += weight;
-            for (marginal, at) in marginals.iter_mut().zip(&at) {
-                marginal[*at] += weight;
+            weights[*test] += weight;
+            for (marginal, at) in marginals.iter_mut().zip(place(&counts, cell)) {
+                marginal[at] += weight;
             }
         }
         let sum: f64 = weights.iter().sum();

@@ -20,7 +20,7 @@ use loosepin_result::motion_identification::{
     LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedTogether,
 };
 use loosepin_study::{LEAST_SPECIMEN_ROWS, RandomInput, StudyError};
-use loosepin_uncertainty::{hash, uniform};
+use loosepin_uncertainty::{hash, sample_correlation, uniform};
 
 /// Rows that are written.
 const ROWS: usize = 1000;
@@ -122,7 +122,8 @@ fn drawn(
             .find(|order| order.is_ne())
             .unwrap_or(std::cmp::Ordering::Equal)
     });
-    let tied = tied(&rows, grid, effective);
+    let ranks = Ranks::new(&rows, grid);
+    let tied = ranks.tied(effective);
     let columns = study.random.iter().enumerate().map(|(input, known)| column(bank, known, input, &all, &shares));
     Ok(Ok(MechanismRows {
         columns: columns.collect(),
@@ -131,7 +132,7 @@ fn drawn(
         failed,
         effective,
         effective_rows,
-        tied_together: tied_together(&rows, grid, effective, &tied),
+        tied_together: ranks.tied_together(effective, &tied),
         tied,
     }))
 }
@@ -183,41 +184,57 @@ fn column(bank: &Bank<'_>, input: &RandomInput, place: usize, all: &[Mechanism],
     }
 }
 
-/// Lengths that trade off against an unknown; those of a list are not looked at.
-fn tied(rows: &[&Mechanism], grid: &Grid, effective: f64) -> Vec<TiedLength> {
-    let least = TIED.max(CHANCE / effective.sqrt());
-    let Some(first) = rows.first() else { return Vec::new() };
-    let ranks_of = |of: &dyn Fn(&Mechanism) -> f64| ranks(&rows.iter().map(|row| of(row)).collect::<Vec<f64>>());
-    let mut found = Vec::new();
-    for unknown in (0..first.epistemic.len()).filter(|unknown| grid.axes[*unknown] == Axis::Continuous) {
-        let of_unknown = ranks_of(&|row| row.epistemic[unknown]);
-        for column in 0..first.random.len() {
-            let rank_correlation = correlation(&ranks_of(&|row| row.random[column]), &of_unknown);
-            if rank_correlation.abs() >= least {
-                found.push(TiedLength { column, unknown, rank_correlation });
-            }
-        }
-    }
-    found
+/// Ranks of the rows by what the pairs were drawn of.
+struct Ranks {
+    lengths: Vec<Vec<f64>>,
+    /// Of the unknowns that are no list, each with its place.
+    unknowns: Vec<(usize, Vec<f64>)>,
 }
 
-/// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
-fn tied_together(rows: &[&Mechanism], grid: &Grid, effective: f64, tied: &[TiedLength]) -> Vec<TiedTogether> {
-    let Some(first) = rows.first() else { return Vec::new() };
-    let count = first.random.len();
-    let ranks_of = |of: &dyn Fn(&Mechanism) -> f64| ranks(&rows.iter().map(|row| of(row)).collect::<Vec<f64>>());
-    let lengths: Vec<Vec<f64>> = (0..count).map(|column| ranks_of(&|row| row.random[column])).collect();
-    let is_told = |unknown: &usize| tied.iter().any(|tied| tied.unknown == *unknown);
-    // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
-    let chance = (count as f64 + CHANCE * (2.0 * count as f64).sqrt()) / effective;
-    let least = TIED.max(chance.sqrt());
-    (0..first.epistemic.len())
-        .filter(|unknown| count > 1 && grid.axes[*unknown] == Axis::Continuous && !is_told(unknown))
-        .filter_map(|unknown| {
-            let rank_correlation = multiple_correlation(&lengths, &ranks_of(&|row| row.epistemic[unknown]));
-            (rank_correlation >= least).then_some(TiedTogether { unknown, rank_correlation })
-        })
-        .collect()
+impl Ranks {
+    fn new(rows: &[&Mechanism], grid: &Grid) -> Self {
+        let of = |values: &dyn Fn(&Mechanism) -> f64| ranks(&rows.iter().map(|row| values(row)).collect::<Vec<f64>>());
+        let [lengths, unknowns] = rows.first().map_or([0; 2], |row| [row.random.len(), row.epistemic.len()]);
+        let is_between = |unknown: &usize| grid.axes[*unknown] == Axis::Continuous;
+        Self {
+            lengths: (0..lengths).map(|column| of(&|row| row.random[column])).collect(),
+            unknowns: (0..unknowns)
+                .filter(is_between)
+                .map(|unknown| (unknown, of(&|row| row.epistemic[unknown])))
+                .collect(),
+        }
+    }
+
+    /// Lengths that trade off against an unknown.
+    fn tied(&self, effective: f64) -> Vec<TiedLength> {
+        let least = TIED.max(CHANCE / effective.sqrt());
+        let mut found = Vec::new();
+        for (unknown, of_unknown) in &self.unknowns {
+            for (column, of_length) in self.lengths.iter().enumerate() {
+                let rank_correlation = sample_correlation(of_length, of_unknown);
+                if rank_correlation.abs() >= least {
+                    found.push(TiedLength { column, unknown: *unknown, rank_correlation });
+                }
+            }
+        }
+        found
+    }
+
+    /// Unknowns of which no single length is told, and with which all of them together go: many lengths of which each takes a small part.
+    fn tied_together(&self, effective: f64, tied: &[TiedLength]) -> Vec<TiedTogether> {
+        // By chance R² of `count` lengths is count/n, with the variance 2 count/n².
+        let count = self.lengths.len() as f64;
+        let least = TIED.max(((count + CHANCE * (2.0 * count).sqrt()) / effective).sqrt());
+        let is_told = |unknown: usize| tied.iter().any(|tied| tied.unknown == unknown);
+        self.unknowns
+            .iter()
+            .filter(|(unknown, _)| self.lengths.len() > 1 && !is_told(*unknown))
+            .filter_map(|(unknown, of_unknown)| {
+                let rank_correlation = multiple_correlation(&self.lengths, of_unknown);
+                (rank_correlation >= least).then_some(TiedTogether { unknown: *unknown, rank_correlation })
+            })
+            .collect()
+    }
 }
 
 /// Multiple correlation √(rᵀ C⁻¹ r) of `of` with all `columns`; 0 where these do not tell it.
@@ -225,9 +242,9 @@ fn multiple_correlation(columns: &[Vec<f64>], of: &[f64]) -> f64 {
     /// Added to the diagonal: columns that go exactly together are no equations of their own.
     const ROUND_OFF: f64 = 1e-9;
     let count = columns.len();
-    let mut matrix: Vec<f64> = columns.iter().flat_map(|a| columns.iter().map(|b| correlation(a, b))).collect();
+    let mut matrix: Vec<f64> = columns.iter().flat_map(|a| columns.iter().map(|b| sample_correlation(a, b))).collect();
     (0..count).for_each(|at| matrix[at * count + at] = 1.0 + ROUND_OFF);
-    let right: Vec<f64> = columns.iter().map(|column| correlation(column, of)).collect();
+    let right: Vec<f64> = columns.iter().map(|column| sample_correlation(column, of)).collect();
     let mut factors = right.clone();
     if solve_square(&mut matrix, count, &mut factors) == 0.0 {
         return 0.0;
@@ -251,21 +268,10 @@ fn ranks(values: &[f64]) -> Vec<f64> {
     ranks
 }
 
-/// Linear correlation; 0 where one of the two does not scatter.
-fn correlation(a: &[f64], b: &[f64]) -> f64 {
-    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-    let (mean_a, mean_b) = (mean(a), mean(b));
-    let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
-    for (a, b) in a.iter().zip(b) {
-        let (a, b) = (a - mean_a, b - mean_b);
-        (ab, aa, bb) = (ab + a * b, aa + a * a, bb + b * b);
-    }
-    if aa * bb > 0.0 { ab / (aa * bb).sqrt() } else { 0.0 }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{correlation, effective, multiple_correlation, ranks, resampled, weights};
+    use super::{effective, multiple_correlation, ranks, resampled, weights};
+    use loosepin_uncertainty::sample_correlation;
 
     #[test]
     fn analytic_rows_come_out_as_often_as_their_shares_say() {
@@ -291,15 +297,13 @@ mod tests {
     fn analytic_multiple_correlation_of_a_sum() {
         let [a, b] = [[-1.0, 1.0, -1.0, 1.0], [-1.0, -1.0, 1.0, 1.0]].map(Vec::from);
         let sum: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a + b).collect();
-        assert!((correlation(&a, &sum) - 0.5_f64.sqrt()).abs() < 1e-15);
+        assert!((sample_correlation(&a, &sum) - 0.5_f64.sqrt()).abs() < 1e-15);
         assert!((multiple_correlation(&[a.clone(), b], &sum) - 1.0).abs() < 1e-8);
         assert!((multiple_correlation(&[a.clone(), a], &sum) - 0.5_f64.sqrt()).abs() < 1e-8);
     }
 
     #[test]
-    fn analytic_ranks_of_ties_and_their_correlation() {
+    fn analytic_ranks_of_ties() {
         assert_eq!(ranks(&[3.0, 1.0, 3.0, 2.0]), [2.5, 0.0, 2.5, 1.0]);
-        assert_eq!(correlation(&[0.0, 1.0, 2.0], &[5.0, 3.0, 1.0]), -1.0);
-        assert_eq!(correlation(&[0.0, 1.0], &[2.0, 2.0]), 0.0);
     }
 }

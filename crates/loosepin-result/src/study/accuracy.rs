@@ -134,6 +134,6 @@ fn is_zero(value: &f64) -> bool {
 }
 
 /// Whether there are none: then a file says nothing of them.
-pub(super) fn is_zero_count(count: &u64) -> bool {
+pub(crate) fn is_zero_count(count: &u64) -> bool {
     *count == 0
 }

@@ -1,6 +1,6 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
 
-mod accuracy;
+pub(crate) mod accuracy;
 mod allowances;
 mod bound;
 mod contributors;

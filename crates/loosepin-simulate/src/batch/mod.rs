@@ -324,6 +324,7 @@ impl<'a> Batch<'a> {
             (LaneLayout::EVALUATIONS, 0.0),
             (LaneLayout::STEPS, 0.0),
             (LaneLayout::REJECTIONS, 0.0),
+            (LaneLayout::FACTORIZATIONS, 0.0),
             (LaneLayout::IS_FIRST, 0.0),
             (LaneLayout::FIRST_STEP, 0.0),
         ] {
@@ -648,10 +649,9 @@ impl<'a> Batch<'a> {
     }
 
     fn counters(&self, lane: usize, events: u64) -> Counters {
-        let [steps, rejections] =
-            [LaneLayout::STEPS, LaneLayout::REJECTIONS].map(|place| self.core.number(lane, place) as u64);
-        let (evaluations, factorizations) = (self.core.evaluations(lane), self.core.factorizations());
-        Counters { steps, rejections, evaluations, factorizations, events }
+        let counted = [LaneLayout::STEPS, LaneLayout::REJECTIONS, LaneLayout::FACTORIZATIONS];
+        let [steps, rejections, factorizations] = counted.map(|place| self.core.number(lane, place) as u64);
+        Counters { steps, rejections, evaluations: self.core.evaluations(lane), factorizations, events }
     }
 
     fn times(&self, lane: usize) -> [GapJet; 2] {

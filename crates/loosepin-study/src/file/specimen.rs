@@ -10,7 +10,7 @@ use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_simulate::measured::{JointColumn, JointSample};
 use loosepin_text::diagnostics::{Complaint, nearest_name};
 use loosepin_text::document::{Entry, Table, read_beside};
-use loosepin_uncertainty::{Copula, Distribution, EmpiricalCopula, RandomVariable};
+use loosepin_uncertainty::{Copula, Distribution, EmpiricalCopula, RandomVariable, sample_correlation};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -188,26 +188,17 @@ impl Study {
     pub(super) fn correlations_of_rows(&self) -> Vec<ScatterCorrelation> {
         let Some(rows) = &self.specimen else { return Vec::new() };
         let inputs = self.random.len();
+        let column = |input: usize| rows.rows_si.iter().map(|row| row[input]).collect::<Vec<f64>>();
+        let columns: Vec<Vec<f64>> = (0..inputs).map(column).collect();
         let pairs = (0..inputs).flat_map(|second| (0..second).map(move |first| (first, second)));
         pairs
             .map(|(first, second)| ScatterCorrelation {
                 first: self.random[first].quantity,
                 second: self.random[second].quantity,
-                linear: linear_correlation(&rows.rows_si, first, second),
+                linear: sample_correlation(&columns[first], &columns[second]),
             })
             .collect()
     }
-}
-
-/// Pearson's correlation of two columns; both scatter.
-fn linear_correlation(rows: &[Vec<f64>], first: usize, second: usize) -> f64 {
-    let mean = |column: usize| rows.iter().map(|row| row[column]).sum::<f64>() / rows.len() as f64;
-    let means = [first, second].map(mean);
-    let product = |[a, b]: [usize; 2]| {
-        let of = |column: usize| if column == first { means[0] } else { means[1] };
-        rows.iter().map(|row| (row[a] - of(a)) * (row[b] - of(b))).sum::<f64>()
-    };
-    product([first, second]) / (product([first, first]) * product([second, second])).sqrt()
 }
 
 /// Number of different rows, equally probable, that say as much: n²/Σ m², where a row is there m times.
@@ -223,7 +214,7 @@ fn effective_rows(rows: &[Vec<f64>]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{effective_rows, linear_correlation};
+    use super::effective_rows;
 
     #[test]
     fn analytic_rows_that_are_repeated_count_once() {
@@ -234,12 +225,5 @@ mod tests {
         assert_eq!(effective_rows(&rows(&[2; 8])), 8.0);
         // 100/(36 + 16).
         assert_eq!(effective_rows(&rows(&[6, 4])), 100.0 / 52.0);
-    }
-    #[test]
-    fn analytic_linear_correlation_of_three_rows() {
-        // Deviations (-1, 0, 1) and (-1, 2, -1) have the product 0; with (-4, -1, 5) it is 9/√(2 · 42).
-        let rows = [[1.0, 3.0, 0.0], [2.0, 6.0, 3.0], [3.0, 3.0, 9.0]].map(Vec::from);
-        assert!(linear_correlation(&rows, 0, 1).abs() < 1e-15);
-        assert!((linear_correlation(&rows, 0, 2) - 9.0 / 84.0_f64.sqrt()).abs() < 1e-15);
     }
 }

@@ -5,7 +5,6 @@ use std::fmt::Write;
 use loosepin::contact::NormalContact;
 use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
 use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
-use loosepin::result::simulation::OtherFormulation;
 use loosepin::simulate::{estimate_bending, other_formulation};
 use loosepin::units::{Dimension, format_value, listed};
 
@@ -173,13 +172,9 @@ fn push_nodal(
         start_of(mechanism, place.body),
     );
     if evaluations_1_s > MANY_EVALUATIONS_1_S {
-        let or_floating = match other_formulation(&mechanism.model, place.body) {
-            OtherFormulation::FreeAtTo => "",
-            OtherFormulation::TangentFrame => {
-                ", or formulation = \"floating-frame\" with frame = \"tangent\" where its sections turn by less than 0.1 rad"
-            }
-            _ => ", or formulation = \"floating-frame\" where its sections turn by less than 0.1 rad",
-        };
+        let floating = other_formulation(&mechanism.model, place.body).floating_frame();
+        let or_floating = floating
+            .map_or_else(String::new, |keys| format!(", or {keys} where its sections turn by less than 0.1 rad"));
         let _ = writeln!(
             text,
             "{indent}warning: its mesh takes {evaluations_1_s:.1e} evaluations for a second of motion\n\

@@ -56,43 +56,38 @@ fn warnings(
     other: OtherFormulation,
     estimate: &BendingEstimate,
     is_driven: bool,
-) -> Vec<(String, &'static str)> {
+) -> Vec<(String, String)> {
     let angle = angle_in_words(estimate);
     let share = estimate.largest_compression_n / estimate.buckling_load_n;
     if beam.is_nodal() {
         let is_small = estimate.largest_angle_rad < SMALL_ANGLE_RAD && share < LARGEST_PUSH;
-        let may_float = is_driven && other != OtherFormulation::FreeAtTo;
-        let is_needless = may_float && is_small && estimate.largest_strain < LARGEST_STRAIN;
-        return if is_needless {
+        let is_needless = is_driven && is_small && estimate.largest_strain < LARGEST_STRAIN;
+        let found = other.floating_frame().filter(|_| is_needless).map(|keys| {
             let warning =
                 format!("absolute nodal coordinates are not needed: its loads turn sections by {angle} rad only");
-            let hint = match other {
-                OtherFormulation::TangentFrame => {
-                    "formulation = \"floating-frame\" with frame = \"tangent\" does up to 0.1 rad, with fewer coordinates and longer steps"
-                }
-                _ => "formulation = \"floating-frame\" does up to 0.1 rad, with fewer coordinates and longer steps",
-            };
-            vec![(warning, hint)]
-        } else {
-            Vec::new()
-        };
+            (warning, format!("{keys} does up to 0.1 rad, with fewer coordinates and longer steps"))
+        });
+        return found.into_iter().collect();
     }
     let take_nodal = towards_nodal(other);
     let mut found = Vec::new();
     if estimate.largest_angle_rad > LARGEST_ANGLE_RAD {
         found.push((
             format!("its loads turn sections by {angle} rad, and a floating frame does up to 0.1 rad"),
-            take_nodal,
+            take_nodal.to_owned(),
         ));
     }
     if estimate.largest_strain > LARGEST_STRAIN {
         let strain = format_number(two_digits(100.0 * estimate.largest_strain));
-        found.push((format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"), take_nodal));
+        found.push((
+            format!("its loads stretch it by {strain} %, and a floating frame does up to 1 %"),
+            take_nodal.to_owned(),
+        ));
     }
     if share > LARGEST_PUSH {
         let load = format_value(two_digits(estimate.buckling_load_n), Dimension::FORCE);
         let share = format_number(two_digits(share));
-        found.push((format!("the push is {share} of the {load} under which it buckles"), take_nodal));
+        found.push((format!("the push is {share} of the {load} under which it buckles"), take_nodal.to_owned()));
     }
     let axial = estimate.largest_tension_n.max(estimate.largest_compression_n) / estimate.buckling_load_n;
     if !beam.foreshortening && axial > LARGEST_LEFT_OUT {
@@ -100,7 +95,7 @@ fn warnings(
         let warning = format!(
             "foreshortening = \"none\" leaves out that axial forces change its bending stiffness by about {percent} %"
         );
-        found.push((warning, "leave foreshortening out"));
+        found.push((warning, "leave foreshortening out".to_owned()));
     }
     found
 }
