@@ -144,7 +144,7 @@ fn unknowns(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) 
     let share = |share: f64| writer.percent(share, Rounding::Up);
     html! {
         @if let Some(misfit) = &specimen.misfit {
-            ul { @for words in motion_text::misfit_words(misfit, &specimen.features, writer) { li { (capitalised(&words)) "." } } }
+            (items(&motion_text::misfit_words(misfit, &specimen.features, writer)))
         } @else {
             p {
                 (share(specimen.share_of_box[0])) " of the box is consistent, " (share(specimen.share_of_box[1]))
@@ -207,8 +207,13 @@ fn lengths(specimen: &MotionSpecimen, writer: &NumberWriter<'_>) -> Markup {
         @if let SpecimenLengths::Given(rows) = lengths {
             (cards(LENGTH_HEADS, length_rows(rows, writer).into_iter().map(|row| row.map(|cell| html! { (cell) }))))
         }
-        (sentences(&length_words(specimen, lengths, writer)))
+        (items(&length_words(specimen, lengths, writer)))
     }
+}
+
+/// Words of the terminal as sentences of a list.
+fn items(words: &[String]) -> Markup {
+    html! { ul { @for words in words { li { (capitalised(words)) "." } } } }
 }
 
 /// The posterior distribution, or why there is none.
@@ -216,7 +221,7 @@ fn posterior(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>)
     let Some(posterior) = &specimen.posterior else { return Markup::default() };
     let words = posterior_words(specimen, posterior, writer);
     let MotionPosterior::Given(given) = posterior else {
-        return html! { ul { @for words in &words { li { (capitalised(words)) "." } } } };
+        return items(&words);
     };
     let heads = posterior_heads(given, writer);
     let rows = posterior_rows(specimen, given, writer).into_iter().map(|row| row.map(|cell| html! { (cell) }));
@@ -227,7 +232,7 @@ fn posterior(specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>)
             }
         }
         (cards(heads.each_ref().map(String::as_str), rows))
-        ul { @for words in &words { li { (capitalised(words)) "." } } }
+        (items(&words))
     }
 }
 
@@ -236,8 +241,7 @@ fn plays(specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) -> Markup
     let known = match &specimen.outcome {
         Outcome::Consistent(known) => known,
         Outcome::Misfit(misfit) => {
-            let words = misfit_words(misfit, &specimen.readings, writer);
-            return html! { ul { @for words in words { li { (capitalised(&words)) "." } } } };
+            return items(&misfit_words(misfit, &specimen.readings, writer));
         }
     };
     let rows: Vec<RangeRow> = known
@@ -275,7 +279,7 @@ fn plays(specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) -> Markup
         }
         @if !next.is_empty() {
             h3 { "What to measure next" }
-            ul { @for words in &next { li { (capitalised(words)) "." } } }
+            (items(&next))
         }
     }
 }
@@ -284,7 +288,7 @@ fn plays(specimen: &Specimen, index: usize, writer: &NumberWriter<'_>) -> Markup
 fn next(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Markup {
     html! {
         (shares(plan, "next.features".to_owned(), writer))
-        ul { @for words in plan_words(plan, writer) { li { (capitalised(&words)) "." } } }
+        (items(&plan_words(plan, writer)))
     }
 }
 
