@@ -4,6 +4,7 @@ pub mod batch;
 pub mod diagram;
 pub mod equations;
 pub mod fresh_runs;
+pub mod further_cases;
 pub mod hard_bounds;
 pub mod known_bounds;
 pub mod known_case;

@@ -5,9 +5,9 @@ use loosepin::integrate::{DOP853, DORMAND_PRINCE_5, TSITOURAS_5};
 use loosepin::simulate::Integrator;
 
 /// What differs from one sample to the next, as a share of its nominal value: enough for other sequences of contacts.
-const CLEARANCE: f64 = 0.05;
+pub const CLEARANCE: f64 = 0.05;
 /// Likewise.
-const RESTITUTION: f64 = 0.02;
+pub const RESTITUTION: f64 = 0.02;
 /// Young's modulus: other frequencies and another deflection.
 const MODULUS: f64 = 0.05;
 
@@ -28,7 +28,7 @@ static EXPLICIT_AND_IMPLICIT: [Method; 4] = [
 ];
 
 /// A rigid mechanism of `cases/`, whose clearance and restitution vary.
-const RIGID: Case = Case {
+pub const RIGID: Case = Case {
     name: "",
     file: "",
     changes: &[],

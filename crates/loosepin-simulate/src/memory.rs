@@ -112,7 +112,9 @@ impl LaneLayout {
     pub const FIRST_STEP: usize = 26;
     /// Factorizations of implicit steps in the run so far, each of a real and of a complex matrix.
     pub const FACTORIZATIONS: usize = 27;
-    const CONTACTS: usize = 28;
+    /// Minima of penetrations, the contacts holding, since one began or ended.
+    pub const MINIMA: usize = 28;
+    const CONTACTS: usize = 29;
     /// Numbers of a contact, from [`Self::contact`] on: 1 where it is closed, 1/v0, effective mass, 1 where the root of its
     /// penetration is an unknown; then the records of its run, and how far it may go.
     const PER_CONTACT: usize = 8;

@@ -23,6 +23,9 @@ const FASTEST_M_S: f64 = 1e100;
 const GROWTH: [f64; 2] = [0.2, 6.0];
 /// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
 const SHRINKAGE: [f64; 2] = [0.1, 0.9];
+/// Minima of penetrations since the last event from which on a contact that is closed counts as lasting. An impact has none; one that
+/// something presses on has a few.
+const LASTING_MINIMA: f64 = 4.0;
 /// Share of the longest step below which time hardly moves.
 pub const STALLED_SHARE: f64 = 1e-7;
 /// Residual of what an ideal joint with friction carries over its size: where Newton's method has not got there, there is no
@@ -44,6 +47,8 @@ pub struct Pass {
     pub stepper: Stepper,
     /// Local error allowed in lengths, m.
     pub local_m: f64,
+    /// How much more it may be in a lasting contact.
+    pub lasting_share: f64,
     /// Evaluations of a run after which it is given up.
     pub largest_evaluations: u64,
 }
@@ -59,6 +64,7 @@ impl Pass {
             follow,
             stepper: Stepper::new(settings.method, layout.dimension, layout.integrals()),
             local_m: settings.tolerance_m * STEP_SHARE,
+            lasting_share: settings.lasting_share(),
             largest_evaluations: settings.largest_evaluations,
             layout,
         }
@@ -75,7 +81,8 @@ impl Pass {
     pub fn attempt<T: Real>(&self, rows: &mut StepRows<'_, T>, lane: &mut [T], system: &mut impl System<T>) {
         self.set_root_weights(rows, lane);
         let error = self.stepper.attempt(rows, lane[LaneLayout::STEP], &lane[self.lane.weights()], system);
-        lane[LaneLayout::ERROR] = error;
+        let is_lasting = T::from_f64(LASTING_MINIMA - 0.5).less_than(lane[LaneLayout::MINIMA]);
+        lane[LaneLayout::ERROR] = T::select(is_lasting, error * T::from_f64(1.0 / self.lasting_share), error);
     }
 
     /// Makes a step in which a body turns by more than [`NEAR_RAD`] one that errs too much, since sines and cosines within a step are computed
@@ -111,6 +118,7 @@ impl Pass {
 
     /// Makes the end of the step the start of the next one, where the lane is chosen.
     pub fn accept<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        self.count_minima(blocks);
         self.take_evaluation(blocks);
         let lane = &mut *blocks.lane;
         lane[LaneLayout::STEPS] += lane[LaneLayout::CHOSEN];
@@ -125,6 +133,22 @@ impl Pass {
         for (start, end) in blocks.rows.start.iter_mut().zip(&*blocks.rows.end) {
             *start = T::select(is_chosen, *end, *start);
         }
+    }
+
+    /// Counts the step at hand, in the chosen lanes, where a penetration has its minimum in it and the contact holds: it falls at the start of the
+    /// step and rises at its end.
+    fn count_minima<T: Real>(&self, blocks: &mut Named<'_, T>) {
+        if self.lasting_share == 1.0 {
+            return;
+        }
+        let (zero, lane) = (T::zero(), &mut *blocks.lane);
+        let mut has_minimum = zero;
+        for contact in 0..self.layout.roots.len() {
+            let rate = self.reads.gap(contact) + 1;
+            let rises = T::select(zero.less_than(blocks.end_reads[rate]), lane[LaneLayout::contact(contact)], zero);
+            has_minimum = T::select(blocks.start_reads[rate].less_than(zero), has_minimum.max(rises), has_minimum);
+        }
+        lane[LaneLayout::MINIMA] += has_minimum * lane[LaneLayout::CHOSEN];
     }
 
     /// Chooses the next step of a lane by the last attempt.

@@ -31,6 +31,13 @@ pub enum Integrator {
 /// Local error allowed in a step over the tolerance asked for: measured on the reference cases (`docs/integrators.md`).
 pub const STEP_SHARE: f64 = 5e-3;
 
+/// Tolerance of a single simulation, m.
+const SIMULATION_M: f64 = 1e-9;
+/// Tolerance of the runs of a study, m.
+const STUDY_M: f64 = 1e-8;
+/// Largest [`Settings::lasting_share`], reached at half the tolerance of a study: measured like [`STEP_SHARE`].
+const LASTING_SHARE: f64 = 20.0;
+
 /// Distance from δ = 0 at which a contact begins or ends over the tolerance asked for: measured like [`STEP_SHARE`].
 pub const EVENT_SHARE: f64 = 1e-4;
 
@@ -41,11 +48,16 @@ pub const LARGEST_ENERGY_RESIDUAL: f64 = 1e-4;
 impl Settings {
     /// Default settings for one simulation.
     pub fn for_simulation() -> Self {
-        Self { tolerance_m: 1e-9, method: &DOP853, largest_evaluations: 300_000_000, integrator: Integrator::Explicit }
+        Self {
+            tolerance_m: SIMULATION_M,
+            method: &DOP853,
+            largest_evaluations: 300_000_000,
+            integrator: Integrator::Explicit,
+        }
     }
     /// Default settings for the runs of a study.
     pub fn for_study() -> Self {
-        Self { tolerance_m: 1e-8, ..Self::for_simulation() }
+        Self { tolerance_m: STUDY_M, ..Self::for_simulation() }
     }
 
     /// Name of the method, for people.
@@ -54,6 +66,16 @@ impl Settings {
             Integrator::Explicit => self.method.name.to_owned(),
             Integrator::Implicit => format!("Radau IIA of order 5, in contact {}", self.method.name),
         }
+    }
+
+    /// Local error allowed in a step of a lasting contact over that of other steps: what is wrong in an impact is carried into the flight behind it
+    /// and grows in each further one, while most of what is wrong in a contact that holds dies away in it.
+    ///
+    /// 1 up to the tolerance of a single simulation, whose contacts are looked at; from there it grows with the square of the tolerance. It follows
+    /// from the tolerance alone, so that `simulate --tolerance` makes the runs of a study again.
+    pub fn lasting_share(&self) -> f64 {
+        let ratio = self.tolerance_m / SIMULATION_M;
+        (ratio * ratio).clamp(1.0, LASTING_SHARE)
     }
 
     /// A contact begins or ends where |δ| is below this, m.
@@ -69,4 +91,19 @@ pub struct Window {
     pub start_s: f64,
     /// End of the run, s.
     pub end_s: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identity_contacts_that_last_err_more_in_a_study_and_not_in_one_simulation() {
+        let share = |tolerance_m: f64| Settings { tolerance_m, ..Settings::for_study() }.lasting_share();
+        assert_eq!(share(1e-12), 1.0);
+        assert_eq!(Settings::for_simulation().lasting_share(), 1.0);
+        assert!((share(2e-9) - 4.0).abs() < 1e-12, "{}", share(2e-9));
+        assert_eq!(Settings::for_study().lasting_share(), LASTING_SHARE);
+        assert_eq!(share(1e-6), LASTING_SHARE);
+    }
 }

@@ -327,6 +327,7 @@ impl<'a> Batch<'a> {
             (LaneLayout::FACTORIZATIONS, 0.0),
             (LaneLayout::IS_FIRST, 0.0),
             (LaneLayout::FIRST_STEP, 0.0),
+            (LaneLayout::MINIMA, 0.0),
         ] {
             self.core.set_number(lane, place, number);
         }

@@ -152,6 +152,7 @@ impl Batch<'_> {
         let is_first = run.is_first();
         self.core.set_number(lane, LaneLayout::IS_FIRST, is_first);
         self.core.set_number(lane, LaneLayout::FIRST_STEP, 0.0);
+        self.core.set_number(lane, LaneLayout::MINIMA, 0.0);
         self.core.set_number(lane, LaneLayout::NEXT, next);
         if has_root {
             run.root = Some(contact);
