@@ -1,10 +1,10 @@
-"""Where the processor time of the reference case goes: the shares in `docs/performance.md`.
+"""Where the processor time of a batch of runs goes: the shares in `docs/performance.md`.
 
-    python3 tools/profile/profile.py [--runs N] [--frequency F]
+    python3 tools/profile/profile.py [--case NAME] [--runs N] [--frequency F]
 
 Runs `slider_crank_batch` under `perf record`, finds the source lines of every sample with `addr2line`, functions that were put
-into others included, and adds up by what they are there for. Samples in memory that no file backs are in the machine code of
-the equations. Needs Linux, perf, binutils and Rust; no hardware counters.
+into others included, and adds up by what they are there for. Samples in memory that no file backs are in the machine code that
+batches run. Needs Linux, perf, binutils and Rust; no hardware counters.
 """
 
 import argparse
@@ -12,103 +12,39 @@ import re
 import subprocess
 import sys
 import tempfile
-from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-BINARY = REPOSITORY / "target/profiling/slider_crank_batch"
-FUNCTION = re.compile(r"\s*(?:pub(?:\([a-z ]+\))? )?(?:const )?(?:unsafe )?fn ([a-z_0-9]+)")
+BINARY = REPOSITORY / "target/profiling/examples/slider_crank_batch"
 MAPPING = re.compile(r"PERF_RECORD_MMAP2 .*: \[0x([0-9a-f]+)\(0x([0-9a-f]+)\) @ (?:0x)?([0-9a-f]+) .*\]: (\S+) (.*)$")
 SAMPLE = re.compile(r"^\s*([0-9a-f]{6,16}) (.*) \(([^()]*)\)$")
 
-# The kernels of a mechanism in the order in which they are compiled.
-KERNELS = ["equations within a step", "equations at the end of a step and after an event"]
+MACHINE_CODE = "machine code, all lanes at once"
+SYSTEM = "the operating system, memory, the C library"
 
-# What a sample is there for: the first row that names a file and function among the lines it stands for.
-PURPOSES: list[tuple[str, list[tuple[str, set[str] | None]]]] = [
-    ("reading 1,000 positions a turn", [("loosepin-bench/src/batch.rs", {"step"}), ("simulate/observer.rs", None)]),
+# What a sample is there for: the first row that names a part of the path of one of the source lines it stands for.
+PURPOSES: list[tuple[str, tuple[str, ...]]] = [
+    ("poses, lane by lane", ("simulate/src/follow/", "simulate/src/batch/follow.rs", "math/src/quintic.rs")),
     (
-        "making a run and taking it back",
-        [
-            ("loosepin-bench/src/batch.rs", None),
-            ("simulate/batch/mod.rs", {"start", "refill"}),
-            ("simulate/machine.rs", {"load", "new", "with_fixed", "numbers", "fixed"}),
-            ("contact/restitution.rs", None),
-            ("log1p.rs", None),
-            ("mechanism/", None),
-            ("model/", None),
-            ("units/", None),
-        ],
+        "events searched, and steps decided about",
+        tuple(f"simulate/src/{name}.rs" for name in ("gap", "lane", "lane_step", "search", "slot_end", "depth_limit"))
+        + ("simulate/src/batch/switch.rs", "simulate/src/batch/depth.rs"),
     ),
-    (
-        "events: search for their place, contacts begin and end",
-        [
-            ("simulate/gap.rs", None),
-            ("simulate/lane.rs", {"earliest_event", "decide", "go_on_searching"}),
-            ("simulate/batch/switch.rs", None),
-            ("simulate/batch/mod.rs", {"decide", "read_gaps", "note_penetrations"}),
-        ],
-    ),
-    (
-        "may an event lie in the step, on all lanes",
-        [("simulate/core.rs", {"look_at_gaps", "highest_control_value", "halves"})],
-    ),
-    ("sums of the stages", [("integrate/stepper.rs", {"set_trial", "set_group"})]),
-    (
-        "calls of the kernels, copies of the state",
-        [("simulate/machine.rs", None), ("native/memory.rs", None), ("native/program.rs", None)],
-    ),
-    (
-        "error of the step and next step",
-        [
-            ("integrate/stepper.rs", {"squares", "combine", "attempt"}),
-            ("simulate/core.rs", {"growth", "set_root_tolerances"}),
-        ],
-    ),
-    (
-        "accepted steps taken over, energy account",
-        [
-            ("integrate/stepper.rs", None),
-            ("simulate/core.rs", {"accept", "close_accounts", "take_reads", "restart", "attempt"}),
-        ],
-    ),
-    (
-        "decisions lane by lane",
-        [("simulate/batch/mod.rs", None), ("simulate/lane.rs", None), ("simulate/core.rs", None)],
-    ),
+    ("runs begun and ended", ("loosepin-bench/src/", "mechanics/src/", "simulate/src/batch/queue.rs", "simulate/src/batch/seats.rs")),
+    ("calls of the programs", ("tape/src/native/", "simulate/src/recorded.rs")),
+    ("the rest of a pass, lane by lane", ("simulate/src/",)),
 ]
 
 
-@cache
-def functions(path: str) -> tuple[list[int], list[str]]:
-    """The first lines of the functions of a source file, and their names."""
-    starts, names = [0], [""]
-    try:
-        lines = Path(path).read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return starts, names
-    for number, line in enumerate(lines, 1):
-        if found := FUNCTION.match(line):
-            starts.append(number)
-            names.append(found[1])
-    return starts, names
-
-
 def purpose(lines: Iterable[str]) -> str:
-    """What a sample at these source lines, the innermost first, is there for."""
-    places = []
-    for line in lines:
-        path, _, number = line.split(" ")[0].rpartition(":")
-        starts, names = functions(path)
-        places.append((path, names[bisect_right(starts, int(number)) - 1] if number.isdigit() else ""))
-    for name, rules in PURPOSES:
-        for path, function in places:
-            if any(part in path and (wanted is None or function in wanted) for part, wanted in rules):
-                return name
-    return "not told apart"
+    """What a sample at these source lines is there for."""
+    lines = list(lines)
+    for name, parts in PURPOSES:
+        if any(part in line for line in lines for part in parts):
+            return name
+    return SYSTEM
 
 
 def output(*command: str | Path, text: str | None = None) -> str:
@@ -116,18 +52,18 @@ def output(*command: str | Path, text: str | None = None) -> str:
     return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
 
 
-def record(runs: int, frequency: int, data: Path) -> None:
+def record(case: str, runs: int, frequency: int, data: Path) -> None:
     """Builds the program and takes samples of it."""
-    subprocess.run(["cargo", "build", "--profile", "profiling", "--locked", "-p", "loosepin-bench"], cwd=REPOSITORY, check=True)
-    command = ["perf", "record", "-q", "-e", "cpu-clock:u", "-F", str(frequency), "-o", str(data), "--"]
-    printed = output(*command, BINARY, "--runs", str(runs))
+    build = ["cargo", "build", "--profile", "profiling", "--locked", "-p", "loosepin-bench", "--example", BINARY.name]
+    subprocess.run(build, cwd=REPOSITORY, check=True)
+    command = ["perf", "record", "-q", "-e", "cpu-clock", "-F", str(frequency), "-o", str(data), "--"]
+    printed = output(*command, BINARY, "--runs", str(runs), "--case", case)
     print(printed.strip(), file=sys.stderr)
 
 
 def shares(data: Path) -> Counter[str]:
     """Samples by purpose."""
     file_maps: list[tuple[int, int, int]] = []
-    kernels: dict[int, int] = {}
     found: Counter[str] = Counter()
     addresses: Counter[int] = Counter()
     for line in output("perf", "script", "-i", str(data), "--show-mmap-events", "-F", "ip,sym,dso").splitlines():
@@ -135,20 +71,14 @@ def shares(data: Path) -> Counter[str]:
             start, length, offset = (int(mapping[k], 16) for k in (1, 2, 3))
             if mapping[5].endswith(BINARY.name):
                 file_maps.append((start, length, offset))
-            elif mapping[5].startswith("//anon") and "x" in mapping[4]:
-                kernels.setdefault(start, len(kernels))
         elif sample := SAMPLE.match(line):
             address, library = int(sample[1], 16), sample[3]
             if library.endswith(BINARY.name):
                 addresses[address] += 1
             elif library.endswith(".map") or library.startswith("//anon"):
-                # Neighbouring kernels are told as one mapping: the one that begins last before the sample is meant.
-                start = max(start for start in kernels if start <= address)
-                found[KERNELS[kernels[start] % len(KERNELS)]] += 1
-            elif "memmove" in sample[2]:
-                found["calls of the kernels, copies of the state"] += 1
+                found[MACHINE_CODE] += 1
             else:
-                found["making a run and taking it back"] += 1  # memory, clocks: nothing else calls a library
+                found[SYSTEM] += 1
     segments = [line.split() for line in output("readelf", "-lW", BINARY).splitlines()]
     loads = [tuple(int(part, 16) for part in words[1:5]) for words in segments if words[:1] == ["LOAD"]]
 
@@ -172,12 +102,13 @@ def shares(data: Path) -> Counter[str]:
 def main() -> int:
     """Prints the shares, the largest first."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--runs", type=int, default=16384, help="runs to take samples of (default: 16384)")
-    parser.add_argument("--frequency", type=int, default=5000, help="samples a second (default: 5000)")
+    parser.add_argument("--case", default="slider_crank_5000", help="a folder of cases/ (default: slider_crank_5000)")
+    parser.add_argument("--runs", type=int, default=8192, help="runs to take samples of (default: 8192)")
+    parser.add_argument("--frequency", type=int, default=2000, help="samples a second (default: 2000)")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         data = Path(folder) / "perf.data"
-        record(arguments.runs, arguments.frequency, data)
+        record(arguments.case, arguments.runs, arguments.frequency, data)
         found = shares(data)
     total = found.total()
     print(f"{total} samples")

@@ -497,10 +497,10 @@ fn pinned_counts_of_reference_cases() {
         found.push((name, [evaluations, steps, rejections, events]));
     }
     let expected = [
-        ("slider_crank_5000", [12842, 814, 200, 49]),
-        ("slider_crank_two_clearances", [9475, 659, 97, 30]),
-        ("slider_crank_friction", [17412, 944, 355, 35]),
-        ("six_bar", [8776, 574, 77, 29]),
+        ("slider_crank_5000", [12386, 785, 191, 49]),
+        ("slider_crank_two_clearances", [8047, 542, 95, 30]),
+        ("slider_crank_friction", [15528, 790, 326, 35]),
+        ("six_bar", [8282, 536, 77, 29]),
     ];
     assert_eq!(found, expected, "evaluations, steps, rejections, events");
 }
