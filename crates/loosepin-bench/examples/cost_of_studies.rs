@@ -1,15 +1,23 @@
 //! Processor time of planning and assembling of studies, as a share of that of their runs: `cost_of_studies [TEMPLATE | worn-pin | FILE.toml ...]`.
 //!
 //! Without names all templates and `cases/slider_crank_worn_pin`. The runs are made by a [`RunMaker`], so that what is used while it makes
-//! them is theirs. What is used before, between and after them is planning and assembling, less what it takes to compile the study, which
-//! is told apart. Reports are not written. Linux tells the times.
+//! them is theirs. All else is told apart by the [`Stage`] in which it is used:
+//!
+//! * compile: what comes before the first round, most of it the machine code of the equations;
+//! * planning: which runs come next, and the bounds from them;
+//! * rows: finished runs put into the table;
+//! * assembling: bands, curves, tables and all else that the result holds beside its bounds;
+//! * pictures: runs of the nominal mechanism, which draw it and the paths of its journals.
+//!
+//! The first share is that of planning, rows and assembling, the second one that of pictures too. Reports are not written. Linux tells the times.
 
 use loosepin::bounds::Failure;
-use loosepin::study::{AskedRuns, Means, Progress, RunMaker, RunRows, Study, conduct_elsewhere};
+use loosepin::study::{AskedRuns, Means, Progress, RunMaker, RunRows, Stage, Study, conduct_elsewhere};
 use loosepin::templates::TEMPLATES;
 use loosepin_bench::{case_file, processor_time};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 const WORN_PIN: &str = "worn-pin";
 
@@ -37,10 +45,54 @@ impl RunMaker for Watched {
     }
 }
 
-struct Silent;
+/// Notes the processor time, ns, of every stage.
+struct Stages(Mutex<OfStages>);
 
-impl Progress for Silent {
+struct OfStages {
+    /// The stage that has begun, and when; before the first one the study is compiled.
+    current: Option<Stage>,
+    begin_ns: u64,
+    compile_ns: u64,
+    planning_ns: u64,
+    runs_ns: u64,
+    pictures_ns: u64,
+    assembling_ns: u64,
+}
+
+impl Stages {
+    /// None has begun.
+    fn new() -> Self {
+        let [compile_ns, planning_ns, runs_ns, pictures_ns, assembling_ns] = [0; 5];
+        let begin_ns = processor_time::of_threads_ns();
+        Self(Mutex::new(OfStages {
+            current: None,
+            begin_ns,
+            compile_ns,
+            planning_ns,
+            runs_ns,
+            pictures_ns,
+            assembling_ns,
+        }))
+    }
+}
+
+impl Progress for Stages {
     fn runs(&self, _: usize, _: usize) {}
+
+    fn stage(&self, stage: Stage) {
+        let mut own = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let now_ns = processor_time::of_threads_ns();
+        let used_ns = now_ns - own.begin_ns;
+        let of_stage = match own.current {
+            None => &mut own.compile_ns,
+            Some(Stage::Planning) => &mut own.planning_ns,
+            Some(Stage::Runs) => &mut own.runs_ns,
+            Some(Stage::Pictures) => &mut own.pictures_ns,
+            Some(Stage::Assembling | Stage::Finished) => &mut own.assembling_ns,
+        };
+        *of_stage += used_ns;
+        (own.current, own.begin_ns) = (Some(stage), now_ns);
+    }
 }
 
 fn study(name: &str) -> Study {
@@ -60,21 +112,38 @@ fn main() {
     let all = || TEMPLATES.iter().map(|template| template.name.to_owned()).chain([WORN_PIN.to_owned()]).collect();
     let names: Vec<String> = if named.is_empty() { all() } else { named };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    println!("{:24} {:>7} {:>9} {:>9} {:>9} {:>7}", "study", "runs", "runs, s", "rest, s", "compiled", "share");
+    println!(
+        "{:24} {:>7} {:>7} {:>9} {:>9} {:>8} {:>7} {:>11} {:>9} {:>7} {:>8}",
+        "study",
+        "made",
+        "rounds",
+        "runs, s",
+        "compile",
+        "planning",
+        "rows",
+        "assembling",
+        "pictures",
+        "share",
+        "with all"
+    );
     for name in names {
         let study = study(&name);
-        let begin = processor_time::of_process_ns();
         let rows = RunRows::new(study.clone(), threads).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let compiled_ns = processor_time::of_process_ns() - begin;
         let maker = Watched { rows, made: AtomicUsize::new(0), used_ns: AtomicU64::new(0) };
-        let begin = processor_time::of_process_ns();
-        let means = Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None };
-        conduct_elsewhere(&study, "", &means, &maker).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let whole_ns = processor_time::of_process_ns() - begin;
-        let [whole, compiled, runs] = [whole_ns, compiled_ns, maker.used_ns.into_inner()].map(|ns| 1e-9 * ns as f64);
-        let rest = whole - runs - compiled;
-        let share = 100.0 * rest / runs;
-        let made = maker.made.into_inner();
-        println!("{name:24} {made:7} {runs:9.3} {rest:9.3} {compiled:9.3} {share:5.1} %");
+        let stages = Stages::new();
+        let means = Means { threads, progress: &stages, stop: &AtomicBool::new(false), store: None };
+        let conducted = conduct_elsewhere(&study, "", &means, &maker).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let runs_ns = maker.used_ns.into_inner();
+        let own = stages.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let rows_ns = own.runs_ns.saturating_sub(runs_ns);
+        let [runs, compile, planning, rows, assembling, pictures] =
+            [runs_ns, own.compile_ns, own.planning_ns, rows_ns, own.assembling_ns, own.pictures_ns]
+                .map(|ns| 1e-9 * ns as f64);
+        let share = 100.0 * (planning + rows + assembling) / runs;
+        let with_all = share + 100.0 * pictures / runs;
+        let (made, rounds) = (maker.made.into_inner(), conducted.result.counts.rounds);
+        println!(
+            "{name:24} {made:7} {rounds:7} {runs:9.3} {compile:9.3} {planning:8.3} {rows:7.3} {assembling:11.3} {pictures:9.3} {share:5.1} % {with_all:6.1} %"
+        );
     }
 }

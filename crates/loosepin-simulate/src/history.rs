@@ -150,6 +150,32 @@ pub fn simulate_until(
     plan: &Plan,
     stop: &AtomicBool,
 ) -> Result<Simulation, RunFailure> {
+    record_until(mechanism, values, plan, Extremes::Sought, stop)
+}
+
+/// As [`simulate`], for whoever needs the poses and the paths of journals alone: extremes of outputs are not sought between the samples,
+/// which takes most of the time of a run that is recorded, and none are in the record.
+///
+/// # Errors
+/// As for [`simulate`].
+pub fn simulate_poses(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    record_until(mechanism, values, plan, Extremes::LeftOut, &AtomicBool::new(false))
+}
+
+/// Whether the extremes of outputs are sought within every step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Extremes {
+    Sought,
+    LeftOut,
+}
+
+fn record_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &Plan,
+    sought: Extremes,
+    stop: &AtomicBool,
+) -> Result<Simulation, RunFailure> {
     let mut sample = Sample::new(mechanism, values)?;
     plan.check(mechanism, &sample, values)?;
     if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
@@ -168,6 +194,9 @@ pub fn simulate_until(
     let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
     let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
     recorder.wear.life = life;
+    if sought == Extremes::LeftOut {
+        recorder.extremes.clear();
+    }
     let mut watched = Watched { observer: &mut recorder, stop };
     let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
     if let Some(failure) = recorder.failure {
@@ -207,7 +236,7 @@ struct Recorder<'a> {
     /// Values and ideal values by column.
     value_si: Vec<Vec<f64>>,
     ideal_si: Vec<Vec<f64>>,
-    /// Minimum (negated) and maximum of each column, then of each deviation.
+    /// Minimum (negated) and maximum of each column, then of each deviation; none where they are left out.
     extremes: Vec<[Peak; 2]>,
     energy: EnergyAccount,
     energy_at_zero_j: Option<f64>,
@@ -323,7 +352,7 @@ impl<'a> Recorder<'a> {
 
     fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
         let (start_s, end_s) = (step.start_s, step.end_s);
-        if self.columns.is_empty() {
+        if self.extremes.is_empty() {
             return;
         }
         let time = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
@@ -535,7 +564,7 @@ impl<'a> Recorder<'a> {
             drive_angle_rad: self.drive_angle_rad(peak.time_s),
         };
         let count = self.columns.len();
-        (0..2 * count)
+        (0..self.extremes.len())
             .map(|series| {
                 let column = &self.columns[series % count];
                 let name = if series < count { column.name.clone() } else { format!("{}, deviation", column.name) };

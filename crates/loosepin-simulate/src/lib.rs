@@ -73,7 +73,9 @@ pub use follow::{
     points_within,
 };
 pub use free_motion::FreeMotion;
-pub use history::{BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_until};
+pub use history::{
+    BodyStates, MOST_NUMBERS, MOST_ROWS, Plan, Simulation, input, simulate, simulate_poses, simulate_until,
+};
 pub use ideal_curve::{IdealCurve, IdealNodes};
 pub use input_files::input_files;
 pub use loosepin_mechanics::mechanism::Mechanism;

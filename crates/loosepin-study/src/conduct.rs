@@ -2,7 +2,7 @@
 
 use super::allow::{allocation, allowances};
 use super::allow_together::together;
-use super::assemble::{Answers, Material, assemble, saved_surrogates};
+use super::assemble::{Answers, Material, assemble, pictures, saved_surrogates};
 use super::contributors::ContributorQuestion;
 use super::double_loop::{Direct, DirectQuestion};
 use super::draft::Drafting;
@@ -20,7 +20,7 @@ use super::rare::{Rare, RareQuestion};
 use super::response::StudyResponse;
 use super::runs::RunsTable;
 use super::saved_surrogates::SavedSurrogates;
-use super::sheet::{Drafts, Progress, Runner, Sheet};
+use super::sheet::{Drafts, Progress, Runner, Sheet, Stage};
 use super::simultaneous::curve_bands;
 use loosepin_bounds::{Bounds, PromisedBound, SampleTable, TableError};
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult, TogetherRecord};
@@ -203,7 +203,8 @@ fn inverse_question(sheet: &Sheet<'_>) -> Result<LoosestValues, StudyError> {
 fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Result<Conducted, StudyError> {
     let Found { refined, direct, rare, learned, rounds, promised, loosened } = found;
     let LoosestValues { one_at_a_time: allowances, together, cheapest: allocation } = loosened;
-    let (study, table, pool) = (sheet.study, &sheet.table, sheet.runner.pool);
+    let (study, table, pool, progress) = (sheet.study, &sheet.table, sheet.runner.pool, sheet.runner.progress);
+    progress.stage(Stage::Assembling);
     let (plan, mut ended, bounds) = match direct {
         Some(Direct { plan, bounds, ended }) => (Some(plan), Some(ended), Some(bounds)),
         None => (None, None, None),
@@ -234,11 +235,27 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
         learned.as_ref().map(|learned| saved_surrogates(&material, input_hash, &learned.plan, &learned.bounds));
     let contributors = plans.contributors;
     let promise = plans.promise.map(|plan| Promised::new(plan, promised, &bands, table)).transpose()?;
+    progress.stage(Stage::Pictures);
+    let drawn = pool.install(|| pictures(&material));
+    progress.stage(Stage::Assembling);
     let curve_bands = bands;
-    let answers =
-        Answers { plan, ended, contributors, learned, promise, allowances, together, allocation, curve_bands, beside };
+    let answers = Answers {
+        plan,
+        ended,
+        contributors,
+        learned,
+        promise,
+        allowances,
+        together,
+        allocation,
+        curve_bands,
+        beside,
+        pictures: drawn,
+    };
     let result = pool.install(|| assemble(&material, input_hash, answers));
-    Ok(Conducted { result, runs: sheet.runs_table(), surrogates })
+    let runs = sheet.runs_table();
+    progress.stage(Stage::Finished);
+    Ok(Conducted { result, runs, surrogates })
 }
 
 fn refuse_all_failed(sheet: &Sheet<'_>) -> Result<(), StudyError> {

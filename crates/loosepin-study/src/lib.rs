@@ -86,6 +86,6 @@ pub use response::MOST_COLUMNS;
 pub use run_rows::RunRows;
 pub use sampled_feature::sampled_feature;
 pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
-pub use sheet::Progress;
+pub use sheet::{Progress, Stage};
 pub use single_run::{FinishedRun, run_inputs, run_into, witness_run};
 pub use texts::{NamedText, StudyTexts};

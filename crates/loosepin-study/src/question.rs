@@ -2,7 +2,7 @@
 
 use super::budget::Limits;
 use super::error::StudyError;
-use super::sheet::Sheet;
+use super::sheet::{Sheet, Stage};
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
 /// Question of a study. It says which runs it wants next, given all runs so far, and in the end what its answer is.
@@ -57,6 +57,7 @@ pub(super) fn ask<Q: Question>(
     let mut steps = 0;
     loop {
         let pool = sheet.runner.pool;
+        sheet.runner.progress.stage(Stage::Planning);
         let (runs, may_fail) = match pool.install(|| question.next(&sheet.table))? {
             Next::Answer(answer) => return Ok(answer),
             Next::Beside(runs) => (runs, true),

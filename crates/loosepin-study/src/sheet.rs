@@ -22,10 +22,30 @@ const RUNS_PER_BATCH: usize = 8192;
 /// Runs between two reports of progress.
 const RUNS_PER_REPORT: usize = 64;
 
+/// What a study does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Says which runs come next, or works out the answer of a question from those that are made.
+    Planning,
+    /// Makes runs and keeps their rows.
+    Runs,
+    /// Runs the nominal mechanism, to draw it and the paths of its journals.
+    Pictures,
+    /// Puts the result together.
+    Assembling,
+    /// Nothing more.
+    Finished,
+}
+
 /// Hears how far a study is.
 pub trait Progress: Sync {
     /// `finished` of at most `most` runs are done.
     fn runs(&self, finished: usize, most: usize);
+
+    /// What begins now.
+    fn stage(&self, stage: Stage) {
+        let _ = stage;
+    }
 
     /// Whether drafts are wanted: they take time.
     fn wants_drafts(&self) -> bool {
@@ -185,6 +205,7 @@ impl<'s> Sheet<'s> {
     /// The study was interrupted, the store cannot be used, or runs are missing that are made elsewhere.
     pub fn make(&mut self, round: &[RunInputs]) -> Result<(), StudyError> {
         let Runner { pool, progress, part, maker, .. } = self.runner;
+        progress.stage(Stage::Runs);
         let begin = self.table.len();
         let before = self.runner.before.load(Ordering::Relaxed) + begin;
         let mut open = OpenRound { runs_before: before, runs: round.len(), made: 0, missing: BTreeMap::new() };

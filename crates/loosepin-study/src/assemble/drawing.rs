@@ -5,7 +5,7 @@ use crate::file::Study;
 use crate::file::{EpistemicInput, EpistemicSubject};
 use crate::response::StudyResponse;
 use loosepin_result::simulation::{Drawing, JournalOrbit};
-use loosepin_simulate::{Plan, simulate, skeleton};
+use loosepin_simulate::{Plan, simulate_poses, skeleton};
 
 /// Poses of the moving picture.
 const POSES: usize = 180;
@@ -38,7 +38,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         Plan { cycle, settings: *response.settings(), with_states: false, lyapunov_turns: None, overrides: Vec::new() };
     let run_at = |epistemic: &[f64]| {
         let values = response.values(&nominal, epistemic).ok()?;
-        simulate(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
+        simulate_poses(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
     };
     let offset_rad = recorded_offset_rad(study, response);
     let mut orbits: Vec<JournalOrbit> = Vec::new();

@@ -20,6 +20,7 @@ mod value_bands;
 mod witness_commands;
 
 pub(super) use bounds::asked_bounds;
+pub(super) use drawing::pictures;
 pub(super) use material::Material;
 pub(super) use requirements::requirements;
 pub(super) use surrogate::saved_surrogates;
@@ -54,12 +55,25 @@ pub(super) struct Answers {
     pub curve_bands: Vec<CurveBand>,
     /// Bounds by the other readings of intervals.
     pub beside: Vec<Bounds>,
+    /// What is drawn from runs with nominal dimensions.
+    pub pictures: drawing::Pictures,
 }
 
 /// Puts the result together.
 pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answers) -> StudyResult {
-    let Answers { plan, ended, contributors, learned, promise, allowances, together, allocation, curve_bands, beside } =
-        answers;
+    let Answers {
+        plan,
+        ended,
+        contributors,
+        learned,
+        promise,
+        allowances,
+        together,
+        allocation,
+        curve_bands,
+        beside,
+        pictures,
+    } = answers;
     let study = material.study;
     let contributors = plan.as_ref().map_or_else(Vec::new, |plan| -> Vec<Contributors> {
         contributors::contributors(material, plan, contributors.as_ref())
@@ -75,7 +89,6 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         promise::decide(material, &promised.ends, &mut requirements);
         promise::promise_record(material, &promised)
     });
-    let pictures = drawing::pictures(material);
     let mut result = StudyResult {
         format: FORMAT,
         name: study.name.clone(),
