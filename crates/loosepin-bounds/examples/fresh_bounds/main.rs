@@ -2,12 +2,13 @@
 //!
 //! Without options every problem is solved once, and misses of each end of each statistic are counted. `--only INDEX --seeds K` solves one
 //! of them with K sampling seeds. `--widths` compares stated with actual errors over K seeds of each, `--growth` widths with 32 to 256 outer
-//! points; `--draw` only tells what is drawn.
+//! points; `--intervals` asks for the treatment that takes every input for an interval; `--draw` only tells what is drawn.
 
 #[allow(dead_code, unused_imports, reason = "tests read the rest of it")]
 #[path = "../../tests/fresh/mod.rs"]
 mod fresh;
 mod growth;
+mod intervals;
 mod misses;
 mod widths;
 
@@ -47,7 +48,9 @@ fn option<T: FromStr<Err: Display>>(words: &[String], name: &str) -> Option<T> {
 
 fn stop(complaint: &str) -> ! {
     eprintln!("error: {complaint}");
-    eprintln!("usage: fresh-bounds N SEED [--threads T] [--only INDEX] [--seeds K] [--widths | --growth | --draw]");
+    eprintln!(
+        "usage: fresh-bounds N SEED [--threads T] [--only INDEX] [--seeds K] [--widths | --growth | --intervals | --draw]"
+    );
     std::process::exit(2)
 }
 
@@ -68,6 +71,8 @@ fn main() {
         misses::tell_drawn(&options(1));
     } else if is_asked("--widths") {
         widths::run(&options(20));
+    } else if is_asked("--intervals") {
+        intervals::run(&options(1));
     } else if is_asked("--growth") {
         growth::run(&options(30));
     } else {

@@ -192,7 +192,7 @@ impl DoubleLoop {
             &self.setup.joint_candidates,
             targets.iter().map(|(target, _)| target),
         );
-        let places = search.next_places(&targets, &self.whole_joint_box, count);
+        let places = search.filled_places(&targets, &self.whole_joint_box, count);
         grids.keep(table, Purpose::Extreme);
         places
     }

@@ -11,6 +11,27 @@ impl Search<'_> {
     /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the
     /// surroundings of what was attained and where most would be conceded.
     pub fn next_places(&self, targets: &[(Target, Vec<Direction>)], elements: &[Element], count: usize) -> Vec<Place> {
+        self.places(targets, elements, count, false)
+    }
+
+    /// [`Self::next_places`]; where these are fewer than `count`, [`Self::further_points`] too. A model of each target promises most at two places
+    /// for each end, so that a few targets would come to many small rounds.
+    pub fn filled_places(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+    ) -> Vec<Place> {
+        self.places(targets, elements, count, true)
+    }
+
+    fn places(
+        &self,
+        targets: &[(Target, Vec<Direction>)],
+        elements: &[Element],
+        count: usize,
+        is_filled: bool,
+    ) -> Vec<Place> {
         let mut places = self.kinks(targets, elements, count);
         if places.len() == count {
             return places;
@@ -20,7 +41,7 @@ impl Search<'_> {
         let modelled = Modelled { targets, branches: &branches };
         places.extend(self.next_points(modelled, elements, count - places.len(), Allowance::HOPED));
         if !places.is_empty() {
-            return places;
+            return if is_filled { self.further_points(modelled, elements, places, count) } else { places };
         }
         // Half each: points that are all far apart do not show what is rough, and points near an extreme nothing of the rest.
         let near = self.surroundings(modelled, elements, count.div_ceil(2));

@@ -6,12 +6,16 @@ use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_A
 use super::parts::Element;
 use super::prediction::Allowance;
 use super::reach::{locate, reach, reach_with_kinks};
-use super::search_box::{Axes, Place};
+use super::search_box::{Axes, Place, Region};
 use super::target::Target;
+use super::target_model::Forecast;
 use crate::data::direction::{Direction, extreme_among};
 
 /// This many promising places for each new point are located precisely.
 const LOCATED_PER_POINT: usize = 2;
+
+/// Share of the side of a box for each point that places which are merely hoped for are apart.
+const SHARE_OF_SIDE: f64 = 0.5;
 
 impl Search<'_> {
     /// At most `count` new points for the ends of targets that are sought in each of `elements`, most promising first, by what models
@@ -60,6 +64,79 @@ impl Search<'_> {
             .collect();
         self.new_places(located, count)
     }
+}
+
+impl Search<'_> {
+    /// `places` and others up to `count`, at which models hope for more than was attained by more than the resolution: most first.
+    pub(super) fn further_points(
+        &self,
+        Modelled { targets, branches }: Modelled<'_>,
+        elements: &[Element],
+        mut places: Vec<Place>,
+        count: usize,
+    ) -> Vec<Place> {
+        if places.len() >= count {
+            return places;
+        }
+        let mut hopes: Vec<Hope<'_>> = Vec::new();
+        for element in elements {
+            let members = element.region.members(self.points);
+            for ((target, directions), branches) in targets.iter().zip(branches) {
+                for &direction in directions {
+                    let attained = extreme_among(&target.values, members.iter().copied(), direction)
+                        .map_or(-direction.sign() * f64::INFINITY, |point| target.values[point]);
+                    let resolution = target.resolution(direction, attained) / element.mass;
+                    let of_branch = |own| hopes_of(own, direction, &element.region, (attained, resolution));
+                    hopes.extend(branches.iter().enumerate().flat_map(of_branch));
+                }
+            }
+        }
+        hopes.sort_by(|a, b| b.merit.total_cmp(&a.merit));
+        let apart = self.least_distance_of_hopes();
+        for Hope { combination, at, .. } in hopes {
+            if places.len() == count {
+                break;
+            }
+            let place = Place { combination, at: at.clone() };
+            if self.points.iter().chain(&places).all(|other| self.axes.distance(other, &place) > apart) {
+                places.push(place);
+            }
+        }
+        places
+    }
+
+    /// How far a place that is merely hoped for is from all points and from others of its round: what is found at one of them says little of the
+    /// others. Half of the side of a box for each point.
+    fn least_distance_of_hopes(&self) -> f64 {
+        let dimensions = self.points.first().map_or(1, |point| point.at.len().max(1));
+        SHARE_OF_SIDE * libm::pow(self.points.len() as f64, -1.0 / dimensions as f64)
+    }
+}
+
+/// A place at which a model hopes for more than was attained.
+struct Hope<'m> {
+    /// The gain over the resolution.
+    merit: f64,
+    combination: usize,
+    at: &'m Vec<f64>,
+}
+
+/// Those of the model of one combination among its candidates in `region`.
+fn hopes_of<'m>(
+    (combination, branch): (usize, &'m Branch<'_>),
+    direction: Direction,
+    region: &Region,
+    (attained, resolution): (f64, f64),
+) -> Vec<Hope<'m>> {
+    let Some(model) = &branch.model else { return Vec::new() };
+    let sign = direction.sign();
+    let forecasts = model.places().iter().zip(model.at_places(Allowance::HOPED));
+    let hope = |(at, forecast): (&'m Vec<f64>, Forecast)| Hope {
+        merit: sign * (forecast.moved(Allowance::HOPED, sign) - attained) / resolution,
+        combination,
+        at,
+    };
+    forecasts.map(hope).filter(|hope| hope.merit > 1.0 && region.holds(hope.at)).collect()
 }
 
 /// Where the models of a target promise more than has been attained in any combination, element by element; also where kinks do, if it
