@@ -12,7 +12,7 @@ pub(super) type Searched = (Request, Vec<Direction>);
 
 /// Of the statistics of curves at least this many are looked at in a round: more than [`MOST_LOCATED_TARGETS`], so that they are searched as
 /// those of curves.
-const LEAST_OF_CURVES: usize = 2 * MOST_LOCATED_TARGETS;
+const LEAST_OF_CURVES: usize = MOST_LOCATED_TARGETS + MOST_LOCATED_TARGETS / 8;
 
 /// Those of `searched` that steer `round`: all, but of curves with many poses every k-th pose alone, other ones each round. A pose is a column
 /// beside one of which the same is searched.

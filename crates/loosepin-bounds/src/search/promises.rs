@@ -261,4 +261,42 @@ mod tests {
         let (low, high) = ends(7, 60, |u| u.iter().zip(signs).map(|(x, sign)| sign * (2.0 * x - 1.0)).sum());
         assert!((low + 7.0).abs() < TOLERANCE && (high - 7.0).abs() < TOLERANCE, "{low} {high}");
     }
+
+    /// The next places of both ends of a function of two numbers of which 24 values are known.
+    fn next_of(count: usize, is_filled: bool, function: impl Fn(&[f64]) -> f64) -> (Vec<Place>, Vec<Place>) {
+        let points: Vec<Place> =
+            first_points(11, 2, 24).unwrap().into_iter().map(|at| Place { combination: 0, at }).collect();
+        let values = points.iter().map(|point| function(&point.at)).collect();
+        let target = Target { values, kind: TargetKind::Plain, noise: Noise::NONE, resolutions: [1e-9; 2] };
+        let axes = Axes::open(2);
+        let search = Search::new(&axes, &points, &candidates(2).unwrap(), [&target]);
+        let elements = [Element { mass: 1.0, region: Region::whole(2) }];
+        let targets = [(target, Direction::BOTH.to_vec())];
+        let next = if is_filled { Search::filled_places } else { Search::next_places };
+        (next(&search, &targets, &elements, count), points)
+    }
+
+    #[test]
+    fn identity_a_round_is_filled_behind_what_is_promised_most() {
+        const COUNT: usize = 11;
+        // Too rough for 24 points: a model hopes for more nearly everywhere.
+        let ripple = |u: &[f64]| (23.0 * u[0]).sin() + (31.0 * u[1] + 3.0 * u[0]).cos();
+        let (few, _) = next_of(COUNT, false, ripple);
+        let (filled, points) = next_of(COUNT, true, ripple);
+        assert!(!few.is_empty() && few.len() <= 4, "{few:?}");
+        assert_eq!((&filled[..few.len()], filled.len()), (&few[..], COUNT));
+        let apart = 0.5 / (points.len() as f64).sqrt();
+        for (index, place) in filled.iter().enumerate().skip(few.len()) {
+            let others = points.iter().chain(&filled[..index]);
+            let nearest = others.map(|other| Axes::open(2).distance(other, place)).fold(f64::INFINITY, f64::min);
+            assert!(nearest > apart, "{place:?}: {nearest}");
+        }
+    }
+
+    #[test]
+    fn identity_nothing_is_filled_where_nothing_is_hoped_for() {
+        // A plane is known everywhere.
+        let plane = |u: &[f64]| u[0] - 0.3 * u[1];
+        assert_eq!(next_of(11, true, plane).0, next_of(11, false, plane).0);
+    }
 }

@@ -49,7 +49,11 @@ impl Material<'_> {
 
     /// The bounds of `statistic` of `column`.
     pub fn pair(&self, column: usize, statistic: Statistic) -> Option<&BoundPair> {
-        self.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic)
+        let is_meant = |pair: &&BoundPair| pair.column == column && pair.statistic == statistic;
+        // Nearly always they are in the order of their columns, of which curves have hundreds.
+        let first = self.pairs.partition_point(|pair| pair.column < column);
+        let own = self.pairs[first..].iter().take_while(|pair| pair.column == column).find(is_meant);
+        own.or_else(|| self.pairs.iter().find(is_meant))
     }
 
     /// Both ends of the bounds of `statistic` of `column`, narrowed to [`Material::limits`].

@@ -54,7 +54,8 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
             values.extend(own.iter().map(|&run| material.table.values(run)[column]).filter(|value| value.is_finite()));
             // What is counted at one value cannot leave what holds for all of them but by chance.
             let [low, high] = [&mixed.lower_si, &mixed.upper_si].map(|end| end.get(pose).copied().unwrap_or(f64::NAN));
-            let [lower, upper] = BAND.map(|probability| quantile(&mut values, probability)).map(|value| {
+            let mut values = InPart::new(&mut values);
+            let [lower, upper] = BAND.map(|probability| values.quantile(probability)).map(|value| {
                 // What is not a number stays none: `max` would make it a limit.
                 if value.is_nan() { value } else { rounded(value).max(low).min(high) }
             });
@@ -66,13 +67,34 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
     meant.par_iter().map(of_value).collect()
 }
 
-/// The quantile of `values`, as bounds have it, which puts them into another order; not a number where there are too few for it. All but
-/// two of them need no order.
-fn quantile(values: &mut [f64], probability: f64) -> f64 {
-    let count = values.len();
-    let at = |place: usize| *values.select_nth_unstable_by(place, f64::total_cmp).1;
-    let value = between_order_statistics(count, probability * count as f64, at);
-    if value.is_finite() { value } else { f64::NAN }
+/// Values of which quantiles are asked for, mostly from below: all but a few of them need no order.
+struct InPart<'v> {
+    values: &'v mut [f64],
+    /// So many of them, at the beginning, are the least.
+    least: usize,
+}
+
+impl<'v> InPart<'v> {
+    fn new(values: &'v mut [f64]) -> Self {
+        Self { values, least: 0 }
+    }
+
+    /// The quantile as bounds have it; not a number where there are too few values for it.
+    fn quantile(&mut self, probability: f64) -> f64 {
+        let count = self.values.len();
+        let value = between_order_statistics(count, probability * count as f64, |place| self.at(place));
+        if value.is_finite() { value } else { f64::NAN }
+    }
+
+    /// The value at `place` in increasing order.
+    fn at(&mut self, place: usize) -> f64 {
+        if place < self.least {
+            return *self.values[..self.least].select_nth_unstable_by(place, f64::total_cmp).1;
+        }
+        let (_, found, _) = self.values[self.least..].select_nth_unstable_by(place - self.least, f64::total_cmp);
+        self.least = place + 1;
+        *found
+    }
 }
 
 fn rounded(value: f64) -> f64 {
@@ -81,17 +103,19 @@ fn rounded(value: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::quantile;
+    use super::InPart;
 
     #[test]
     fn analytic_quantiles_between_neighbours() {
         // The k-th of 40 stands at (k - 1/2)/40: the share 0.025 between the first, at 0.0125, and the second, at 0.0375.
         // In another order than theirs.
         let mut values: Vec<f64> = (1..=40).map(|k| f64::from(1 + 7 * k % 40)).collect();
-        let found = [0.025, 0.5, 0.975].map(|probability| quantile(&mut values, probability));
-        for (found, due) in found.into_iter().zip([1.5, 20.5, 39.5]) {
+        let mut values = InPart::new(&mut values);
+        // From below, then from above.
+        let found = [0.025, 0.5, 0.975, 0.25, 0.25, 0.975].map(|probability| values.quantile(probability));
+        for (found, due) in found.into_iter().zip([1.5, 20.5, 39.5, 10.5, 10.5, 39.5]) {
             assert!((found - due).abs() < 1e-12, "{found} {due}");
         }
-        assert!(quantile(&mut [], 0.5).is_nan());
+        assert!(InPart::new(&mut []).quantile(0.5).is_nan());
     }
 }

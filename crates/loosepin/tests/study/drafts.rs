@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use loosepin::report::{draft_bands, draft_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundRecord, Draft, ResponsePoint};
-use loosepin::study::{Conducted, Means, Progress, Study, conduct, plan_runs};
+use loosepin::study::{Conducted, Means, Progress, Stage, Study, conduct, plan_runs};
 
 /// Hears drafts, or nothing.
 struct Listener {
@@ -14,11 +14,16 @@ struct Listener {
     drafts: Mutex<Vec<Draft>>,
     /// Finished runs as they were told.
     finished: Mutex<Vec<usize>>,
+    stages: Mutex<Vec<Stage>>,
 }
 
 impl Progress for Listener {
     fn runs(&self, finished: usize, _: usize) {
         self.finished.lock().expect("no panic").push(finished);
+    }
+
+    fn stage(&self, stage: Stage) {
+        self.stages.lock().expect("no panic").push(stage);
     }
 
     fn wants_drafts(&self) -> bool {
@@ -47,12 +52,21 @@ fn study() -> Study {
 }
 
 fn run(study: &Study, wants_drafts: bool, threads: usize) -> (Conducted, Vec<Draft>) {
-    let listener = Listener { wants_drafts, drafts: Mutex::default(), finished: Mutex::default() };
+    let (drafts, finished, stages) = Default::default();
+    let listener = Listener { wants_drafts, drafts, finished, stages };
     let means = Means { threads, progress: &listener, stop: &AtomicBool::new(false), store: None };
     let conducted = conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}"));
     // Threads tell of their runs in any order, each of 64.
     let finished = listener.finished.into_inner().expect("no panic");
     assert!(finished.windows(2).all(|pair| pair[1] + 64 * threads >= pair[0]), "{finished:?}");
+    // Every round is planned before it is run, and the bounds are planned last.
+    let stages = listener.stages.into_inner().expect("no panic");
+    let (rounds, end) = stages.split_at(2 * conducted.result.counts.rounds as usize);
+    assert!(rounds.chunks(2).all(|pair| pair == [Stage::Planning, Stage::Runs]), "{stages:?}");
+    let assembling = [Stage::Assembling, Stage::Pictures, Stage::Assembling, Stage::Finished];
+    let planning = end.len() - assembling.len();
+    assert!(end[..planning].iter().all(|stage| *stage == Stage::Planning), "{stages:?}");
+    assert_eq!(end[planning..], assembling);
     (conducted, listener.drafts.into_inner().expect("no panic"))
 }
 
