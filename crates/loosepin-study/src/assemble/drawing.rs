@@ -107,6 +107,7 @@ fn thin(drawing: &mut Drawing, offset_rad: f64) {
 mod tests {
     use super::{ORBIT_SAMPLES, pictures};
     use crate::assemble::few_runs::FewRuns;
+    use loosepin_simulate::{Plan, simulate, simulate_poses};
     use std::f64::consts::TAU;
 
     #[test]
@@ -121,5 +122,23 @@ mod tests {
         let angles = &orbit.drive_angle_rad;
         assert!(angles[0].abs() < 1e-9 && (angles[ORBIT_SAMPLES] - TAU).abs() < 1e-9, "{angles:?}");
         assert_eq!(angles[0], found.drawing.poses.drive_angle_rad[0]);
+    }
+
+    #[test]
+    fn identity_poses_and_orbits_are_those_of_a_run_with_extremes() {
+        let runs = FewRuns::after(1);
+        let material = runs.material(&runs.bounds.pairs);
+        let (study, response) = (material.study, material.response);
+        let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
+        let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
+        let values = response.values(&nominal, &middle).unwrap();
+        let (cycle, settings) = (study.cycle.clone(), *response.settings());
+        let plan = Plan { cycle, settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() };
+        let mechanism = &response.mechanisms[response.variant(&middle)];
+        let whole = simulate(mechanism, &values, &plan).unwrap();
+        let poses = simulate_poses(mechanism, &values, &plan).unwrap();
+        assert_eq!(format!("{:?}", poses.record.orbits), format!("{:?}", whole.record.orbits));
+        assert_eq!(format!("{:?}", poses.record.drawing), format!("{:?}", whole.record.drawing));
+        assert!(poses.record.extremes.is_empty() && !whole.record.extremes.is_empty());
     }
 }
