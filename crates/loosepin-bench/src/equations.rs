@@ -103,8 +103,8 @@ pub fn parts(case: &Case) -> Vec<Part> {
     push("what depends on the numbers of a run alone", vec![whole.prepare]);
     push("sums of the stages", whole.points);
     push("error, what may have happened", vec![whole.judgement]);
-    push("taking over a step", vec![whole.accept]);
-    push("energy account of a step", vec![whole.account]);
+    let accept = std::iter::once(whole.accept).chain(whole.hold_loops).chain(whole.account);
+    push("taking over a step, energy account", accept.collect());
     parts
 }
 

@@ -36,6 +36,17 @@ enum Way<'a> {
     Recorded(Box<Recorded<'a>>),
 }
 
+/// An instant that waits to be read at.
+#[derive(Debug, Clone, Copy)]
+pub struct Awaited {
+    /// Lane of its run.
+    pub lane: usize,
+    /// Its index in the run.
+    pub index: usize,
+    /// When it is, s.
+    pub instant_s: f64,
+}
+
 /// The numbers of all lanes, and what is done with them.
 pub struct Core<'a> {
     mechanism: &'a Mechanism,
@@ -111,7 +122,7 @@ impl<'a> Core<'a> {
             let limit = DepthLimit::new(sample.play_of(contact));
             let place = LaneLayout::contact(contact);
             self.set_number(lane, place + LaneLayout::LARGEST_GAP, limit.gap);
-            self.set_number(lane, place + LaneLayout::LARGEST_ROOT, limit.penetration_m.sqrt());
+            self.set_number(lane, place + LaneLayout::LARGEST_ROOT, limit.root);
         }
     }
 
@@ -250,15 +261,17 @@ impl<'a> Core<'a> {
     }
     /// The lanes in which such a number is 1, a bit for each; it must be 0 or 1 in all.
     pub fn flags(&self, place: usize) -> u32 {
-        // Sums of powers of two: four lanes at a time, without a branch.
-        let (numbers, powers) = (self.memory.of_all_lanes(Block::Lane, place), &POWERS_OF_TWO);
-        let mut sums = [0.0; 4];
-        for (numbers, powers) in numbers.chunks(4).zip(powers.chunks(4)) {
-            for (sum, (number, power)) in sums.iter_mut().zip(numbers.iter().zip(powers)) {
-                *sum += number * power;
+        // Sums of powers of two: eight lanes at a time, without a branch.
+        let numbers = self.memory.of_all_lanes(Block::Lane, place);
+        let ((vectors, rest), (powers, _)) = (numbers.as_chunks::<8>(), POWERS_OF_TWO.as_chunks::<8>());
+        let mut sums = [0.0; 8];
+        for (numbers, powers) in vectors.iter().zip(powers) {
+            for k in 0..8 {
+                sums[k] += numbers[k] * powers[k];
             }
         }
-        sums.iter().sum::<f64>() as u32
+        // One lane alone: the first one.
+        sums.iter().chain(rest).sum::<f64>() as u32
     }
     /// The step to be tried in a lane.
     #[inline]
@@ -290,7 +303,7 @@ impl<'a> Core<'a> {
     pub fn jets(&self, lane: usize, place: usize) -> [GapJet; 2] {
         // A program leaves out what is multiplied by zero, which may turn the sign of a zero: adding zero makes it positive.
         let jet = |block| {
-            let [value, first, second] = self.memory.three(block, place, lane);
+            let [value, first, second] = self.memory.some(block, place, lane);
             GapJet { jet: [value + 0.0, first + 0.0, second + 0.0] }
         };
         [jet(Block::StartReads), jet(Block::EndReads)]
@@ -326,7 +339,7 @@ impl<'a> Core<'a> {
         let jets = jets.chain((0..layout.roots.len()).filter_map(|contact| self.pass.reads.along_slot(contact)));
         let jets = jets.chain((0..self.pass.follow.readings()).map(|output| self.pass.reads.output(output)));
         for place in jets {
-            let [value, first, second] = memory.three(Block::EndReads, place, lane);
+            let [value, first, second] = memory.some(Block::EndReads, place, lane);
             memory.set(Block::EndReads, place, lane, value + by * (first + 0.5 * by * second));
             memory.set(Block::EndReads, place + 1, lane, first + by * second);
         }
@@ -337,13 +350,10 @@ impl<'a> Core<'a> {
     /// Evaluates the derivative at the start again in the flagged lanes, which are chosen from now on, and reads there.
     pub fn restart(&mut self, lanes: u32) {
         self.is_dense = false;
-        let number = |lane: usize| f64::from(lanes >> lane & 1);
-        for (lane, chosen) in self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::CHOSEN).iter_mut().enumerate() {
-            *chosen = number(lane);
-        }
-        let evaluations = self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::EVALUATIONS);
-        for (lane, evaluations) in evaluations.iter_mut().enumerate() {
-            *evaluations += number(lane);
+        self.memory.of_all_lanes_mut(Block::Lane, LaneLayout::CHOSEN).fill(0.0);
+        for lane in lanes_of(lanes) {
+            self.set_number(lane, LaneLayout::CHOSEN, 1.0);
+            self.add_evaluations(lane, 1);
         }
         let Self { pass, memory, way, .. } = self;
         match way {
@@ -368,14 +378,19 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Makes the end of the step the start of the next one in the chosen lanes, and holds their loops.
+    /// Makes the end of the step the start of the next one in the chosen lanes, and holds their loops. Where there are none to hold, takes it into
+    /// the energy accounts; else that is left to [`Self::close_accounts`], after an evaluation there.
     pub fn accept(&mut self) {
         self.is_dense = false;
         let Self { pass, memory, way, .. } = self;
         match way {
             Way::Plain(plain) => {
                 pass.accept(&mut Named::new(memory.blocks()));
-                plain.hold_loops(pass, memory);
+                if plain.holds_loops() {
+                    plain.hold_loops(pass, memory);
+                } else {
+                    pass.close_account(&mut Named::new(memory.blocks()));
+                }
             }
             Way::Recorded(recorded) => recorded.accept(memory),
         }
@@ -401,23 +416,29 @@ impl<'a> Core<'a> {
 
     /// A reading over the step at hand of a lane, as a polynomial of its share.
     pub fn reading(&self, lane: usize, reading: usize) -> Quintic {
-        let first = self.pass.follow.reading(reading);
-        Quintic { coefficients: std::array::from_fn(|k| self.followed(lane, first + k)) }
+        let first = self.pass.lane.followed().start + self.pass.follow.reading(reading);
+        Quintic { coefficients: self.memory.some(Block::Lane, first, lane) }
     }
 
-    /// Puts down, at `place` of the instants that wait, one within the step at hand of a lane, whose readings are polynomials.
-    pub fn await_instant(&mut self, place: usize, lane: usize, instant_s: f64) {
+    /// Puts down, from place `first` of the instants that wait on, some within the steps at hand of their lanes, whose readings are polynomials.
+    pub fn await_instants(&mut self, first: usize, awaited: &[Awaited]) {
         let Self { pass, memory, waiting, .. } = self;
-        let first = pass.lane.followed().start;
-        waiting.set(Block::Lane, first + FollowLayout::INSTANT, place, instant_s);
-        let readings = first + pass.follow.reading(0)..first + pass.follow.reading(pass.follow.readings());
+        let followed = pass.lane.followed().start;
+        let instants = waiting.of_all_lanes_mut(Block::Lane, followed + FollowLayout::INSTANT);
+        for (number, one) in instants[first..].iter_mut().zip(awaited) {
+            *number = one.instant_s;
+        }
+        let [readings, end] = [0, pass.follow.readings()].map(|reading| followed + pass.follow.reading(reading));
+        // Number by number: the lanes of one lie side by side.
         for (block, numbers) in [
             (Block::StartReads, ReadLayout::TIME..ReadLayout::TIME + 3),
             (Block::EndReads, ReadLayout::TIME..ReadLayout::TIME + 3),
             (Block::Lane, LaneLayout::STEP..LaneLayout::STEP + 1),
-            (Block::Lane, readings),
+            (Block::Lane, readings..end),
         ] {
-            memory.copy(block, numbers, lane, waiting, place);
+            for index in numbers {
+                memory.copy((block, index), awaited.iter().map(|one| one.lane), waiting, first);
+            }
         }
     }
 
@@ -430,10 +451,10 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// A reading at `place` of the instants that waited.
-    pub fn looked(&self, place: usize, reading: usize) -> f64 {
+    /// A reading at all places of the instants that waited.
+    pub fn looked(&self, reading: usize) -> &[f64] {
         let values = self.pass.lane.followed().start + FollowLayout::VALUES;
-        self.waiting.get(Block::Lane, values + reading, place)
+        self.waiting.of_all_lanes(Block::Lane, values + reading)
     }
 
     /// A number of what is followed in a lane: [`super::follow::FollowLayout`].
@@ -466,7 +487,7 @@ impl<'a> Core<'a> {
         }
     }
 
-    /// Takes the end of a step into the energy accounts of the chosen lanes.
+    /// Takes the end of a step into the energy accounts of the chosen lanes, where loops are held.
     pub fn close_accounts(&mut self) {
         let Self { pass, memory, way, .. } = self;
         match way {
@@ -576,6 +597,15 @@ impl<'a> Core<'a> {
             _ => 0,
         }
     }
+}
+
+/// The lanes that are flagged.
+pub fn lanes_of(mut flags: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = flags.trailing_zeros();
+        flags &= flags.wrapping_sub(1);
+        (lane < u32::BITS).then_some(lane as usize)
+    })
 }
 
 /// Moves the flag of a lane to another one, whose own is lost.

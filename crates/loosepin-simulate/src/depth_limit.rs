@@ -11,6 +11,8 @@ pub struct DepthLimit {
     pub penetration_m: f64,
     /// The gap function there.
     pub gap: f64,
+    /// The root of it, √m.
+    pub root: f64,
     /// Whether the law ends there, and not the bodies.
     pub is_of_law: bool,
 }
@@ -27,6 +29,7 @@ impl DepthLimit {
         };
         let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
         let penetration_m = body_m.min(law_m);
-        Self { penetration_m, gap: GapMeasure::of(play).gap(penetration_m), is_of_law: law_m < body_m }
+        let gap = GapMeasure::of(play).gap(penetration_m);
+        Self { penetration_m, gap, root: penetration_m.sqrt(), is_of_law: law_m < body_m }
     }
 }

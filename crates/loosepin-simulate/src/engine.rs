@@ -272,10 +272,13 @@ impl Follower {
             }
         }
         layout.spread(numbers, &step);
-        while let Some((index, instant_s)) = lane.next_instant(end_s, is_last) {
+        while lane.is_within(end_s, is_last) {
+            let (index, instant_s) = lane.take_next();
             numbers[FollowLayout::INSTANT] = instant_s;
             layout.look(numbers, step.time, step.length);
-            lane.take_instant(index, numbers[FollowLayout::VALUES..][..layout.readings()].iter().copied());
+            for (reading, value) in numbers[FollowLayout::VALUES..][..layout.readings()].iter().enumerate() {
+                lane.take_instant(index, reading, *value);
+            }
         }
     }
 

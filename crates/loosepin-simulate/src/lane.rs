@@ -232,18 +232,8 @@ impl LaneRun {
         &self.sample.play_of(contact).shape
     }
 
-    /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there. Not of a kink, of
-    /// whose velocity no derivative is known.
-    fn distance(&self, event: Event, step: &LaneStep<'_, '_>) -> Option<f64> {
-        let [value, rate, second] = match event {
-            Event::Contact { contact, .. } => step.gap(contact, self.shape(contact))[1].jet,
-            Event::Passage { contact, side, .. } => step.passage(contact, self.shape(contact), side)?.1[1].jet,
-            Event::Stop => {
-                let [time_s, pace, change] = step.time()[1].jet;
-                [time_s - self.stop_s, pace, change]
-            }
-            Event::Kink { .. } => return None,
-        };
+    /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there.
+    fn distance(&self, event: Event, [value, rate, second]: [f64; 3], step: &LaneStep<'_, '_>) -> Option<f64> {
         let straight = -value / rate;
         // The nearer root of value + rate x + second x²/2.
         let bent = 2.0 * straight / (1.0 + (1.0 + 2.0 * second * straight / rate).sqrt());
@@ -276,18 +266,19 @@ impl LaneRun {
                 return Decision::SwitchAtStart(event);
             }
         } else {
-            let (value, rate, tolerance) = match search.event {
+            // Of a kink no second derivative of the velocity is known.
+            let (jet, value, rate, tolerance) = match search.event {
                 Event::Contact { contact, crossing } => {
-                    let [value, rate, _] = step.gap(contact, self.shape(contact))[1].jet;
+                    let jet = step.gap(contact, self.shape(contact))[1].jet;
                     let tolerance = self.gap_tolerance(contact, self.root == Some(contact), event_tolerance_m);
-                    (crossing.sign() * value, crossing.sign() * rate, tolerance)
+                    (Some(jet), crossing.sign() * jet[0], crossing.sign() * jet[1], tolerance)
                 }
                 Event::Passage { contact, side, crossing } => {
                     let Some((_, [_, end])) = step.passage(contact, self.shape(contact), side) else {
                         return Decision::Accept(None);
                     };
-                    let [value, rate, _] = end.jet;
-                    (crossing.sign() * value, crossing.sign() * rate, step.passage_tolerance_m())
+                    let jet = end.jet;
+                    (Some(jet), crossing.sign() * jet[0], crossing.sign() * jet[1], step.passage_tolerance_m())
                 }
                 Event::Kink { contact, level_m_s } => {
                     let [start, end] = step.slidings_m_s(contact);
@@ -300,11 +291,12 @@ impl LaneRun {
                     };
                     search.before = (trial, value);
                     let sign = if start < level_m_s { 1.0 } else { -1.0 };
-                    (sign * value, sign * slope, self.sample.play_of(contact).kink_tolerance_m_s(level_m_s))
+                    (None, sign * value, sign * slope, self.sample.play_of(contact).kink_tolerance_m_s(level_m_s))
                 }
                 Event::Stop => {
-                    let [time_s, pace, _] = step.time()[1].jet;
-                    (time_s - self.stop_s, pace, 4.0 * f64::EPSILON * self.stop_s)
+                    let [time_s, pace, change] = step.time()[1].jet;
+                    let beyond_s = time_s - self.stop_s;
+                    (Some([beyond_s, pace, change]), beyond_s, pace, 4.0 * f64::EPSILON * self.stop_s)
                 }
             };
             if value.abs() <= tolerance {
@@ -313,7 +305,8 @@ impl LaneRun {
             // Too far; or, where a gap turns before it reaches zero, on the way back.
             let turns = matches!(search.event, Event::Contact { .. } | Event::Passage { .. }) && rate <= 0.0;
             if !turns
-                && let Some(by) = self.distance(search.event, step)
+                && let Some(jet) = jet
+                && let Some(by) = self.distance(search.event, jet, step)
                 && by.abs() <= LARGEST_MOVED_SHARE * trial
                 && by.abs() * step.change_of_slopes() <= MOST_MOVED
             {

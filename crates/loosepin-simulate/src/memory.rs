@@ -1,7 +1,6 @@
 //! The numbers of all lanes while a batch runs, in blocks: what the arithmetic of a step reads and writes.
 
 use loosepin_math::integrate::StepRows;
-use std::ops::Range;
 
 /// How many blocks there are.
 pub const BLOCKS: usize = 8;
@@ -232,12 +231,12 @@ impl Memory {
         block.numbers[block.first + index * self.lanes + lane]
     }
 
-    /// Three numbers in a row of a block in a lane, from number `index` on.
+    /// Some numbers in a row of a block in a lane, from number `index` on.
     #[inline]
-    pub fn three(&self, block: Block, index: usize, lane: usize) -> [f64; 3] {
+    pub fn some<const N: usize>(&self, block: Block, index: usize, lane: usize) -> [f64; N] {
         let (block, lanes) = (&self.blocks[block as usize], self.lanes);
-        let numbers = &block.numbers[block.first + index * lanes + lane..][..2 * lanes + 1];
-        [numbers[0], numbers[lanes], numbers[2 * lanes]]
+        let first = block.first + index * lanes + lane;
+        std::array::from_fn(|k| block.numbers[first + k * lanes])
     }
 
     /// Replaces number `index` of a block in a lane.
@@ -247,15 +246,18 @@ impl Memory {
         block.numbers[block.first + index * self.lanes + lane] = value;
     }
 
-    /// Copies numbers of a block in `lane` to `place` of another memory with as many lanes.
+    /// Copies a number of a block in some `lanes` to the places from `first` on of another memory.
     #[inline]
-    pub fn copy(&self, block: Block, numbers: Range<usize>, lane: usize, other: &mut Self, place: usize) {
-        let (own, other, lanes) = (&self.blocks[block as usize], &mut other.blocks[block as usize], self.lanes);
-        let [of_own, of_other] = [own.first, other.first].map(|first| first + numbers.start * lanes);
-        let length = numbers.len() * lanes;
-        let own = own.numbers[of_own..of_own + length].chunks_exact(lanes);
-        for (own, other) in own.zip(other.numbers[of_other..of_other + length].chunks_exact_mut(lanes)) {
-            other[place] = own[lane];
+    pub fn copy(
+        &self,
+        (block, index): (Block, usize),
+        lanes: impl Iterator<Item = usize>,
+        other: &mut Self,
+        first: usize,
+    ) {
+        let own = self.of_all_lanes(block, index);
+        for (other, lane) in other.of_all_lanes_mut(block, index)[first..].iter_mut().zip(lanes) {
+            *other = own[lane];
         }
     }
 

@@ -122,6 +122,11 @@ impl<'a> Plain<'a> {
         named.lane[LaneLayout::FACTORIZATIONS] += found.factorizations as f64;
     }
 
+    /// Whether loops are held.
+    pub fn holds_loops(&self) -> bool {
+        self.projection.is_some()
+    }
+
     /// Holds the loops of ideal joints.
     pub fn hold_loops(&mut self, pass: &Pass, memory: &mut Memory) {
         if let Some(projection) = &mut self.projection {

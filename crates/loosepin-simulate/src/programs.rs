@@ -55,12 +55,12 @@ pub struct PassPrograms<P = Program> {
     pub dense: P,
     /// The last evaluation becomes that of the start of the step.
     pub take_evaluation: P,
-    /// The end of the step becomes the start of the next one.
+    /// The end of the step becomes the start of the next one; with its energy account where no loops are held.
     pub accept: P,
     /// The state held on the loops of ideal joints, where there are any.
     pub hold_loops: Option<P>,
-    /// The energy account of a step.
-    pub account: P,
+    /// The energy account of a step behind which loops are held.
+    pub account: Option<P>,
     /// What is followed through a step, where anything is.
     pub follow: Option<P>,
     /// Readings over a step as polynomials, where there are any.
@@ -105,7 +105,7 @@ impl PassPrograms {
             accept: make(self.accept),
             hold_loops: self.hold_loops.map(&mut make),
             take_evaluation: make(self.take_evaluation),
-            account: make(self.account),
+            account: self.account.map(&mut make),
             follow: self.follow.map(&mut make),
             spread: self.spread.map(&mut make),
             look: self.look.map(&mut make),
@@ -162,7 +162,8 @@ impl Tracing<'_> {
             has_roots.then(|| self.equations(hoisted, Evaluated { is_end: false, reads_depths: false }));
         let (points, judgement) = self.attempt(hoisted);
         let (dense_points, dense) = self.dense(hoisted);
-        let hold_loops = Projection::<Traced>::is_needed(self.mechanism).then(|| {
+        let holds_loops = Projection::<Traced>::is_needed(self.mechanism);
+        let hold_loops = holds_loops.then(|| {
             self.written(hoisted, |blocks| {
                 let (mut motion, _) = self.motion(true);
                 self.pass.hold_loops(blocks, &mut motion, &mut Projection::new(self.mechanism));
@@ -178,9 +179,14 @@ impl Tracing<'_> {
             dense_points,
             dense,
             take_evaluation: self.written(hoisted, |blocks| self.pass.take_evaluation(blocks)),
-            accept: self.written(hoisted, |blocks| self.pass.accept(blocks)),
+            accept: self.written(hoisted, |blocks| {
+                self.pass.accept(blocks);
+                if !holds_loops {
+                    self.pass.close_account(blocks);
+                }
+            }),
             hold_loops,
-            account: self.written(hoisted, |blocks| self.pass.close_account(blocks)),
+            account: holds_loops.then(|| self.written(hoisted, |blocks| self.pass.close_account(blocks))),
             follow: self.pass.follow.reduces().then(|| self.written(hoisted, |blocks| self.pass.follow(blocks))),
             spread: has_readings.then(|| self.written(hoisted, |blocks| self.pass.spread(blocks))),
             look: has_readings.then(|| self.written(hoisted, |blocks| self.pass.look(blocks))),

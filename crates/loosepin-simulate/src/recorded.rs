@@ -95,7 +95,7 @@ impl Sequences {
             attempt: attempt(programs.slope),
             attempt_by_roots: attempt(programs.slope_by_roots.unwrap_or(programs.slope)),
             accept: sequence(&accept),
-            close_account: sequence(&[as_written(programs.account)]),
+            close_account: sequence(&programs.account.map(as_written).into_iter().collect::<Vec<_>>()),
             prepare_dense: sequence(&dense),
             follow: sequence(&programs.follow.map(as_written).into_iter().collect::<Vec<_>>()),
             spread: sequence(&programs.spread.map(as_written).into_iter().collect::<Vec<_>>()),
@@ -192,12 +192,13 @@ impl<'a> Recorded<'a> {
         run(if reads_depths { attempt } else { attempt_by_roots }, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Makes the end of the step the start of the next one and holds the loops of ideal joints, in the chosen lanes.
+    /// Makes the end of the step the start of the next one and holds the loops of ideal joints, in the chosen lanes; or, where there are none,
+    /// takes it into the energy account.
     pub fn accept(&mut self, memory: &mut Memory) {
         run(&self.sequences.accept, 0..self.used, memory, &mut self.scratch);
     }
 
-    /// Takes the start of the step into the energy account, in the chosen lanes.
+    /// Takes the start of the step into the energy account, in the chosen lanes, where loops are held.
     pub fn close_account(&mut self, memory: &mut Memory) {
         run(&self.sequences.close_account, 0..self.used, memory, &mut self.scratch);
     }

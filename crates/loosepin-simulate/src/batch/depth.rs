@@ -83,15 +83,18 @@ impl Batch<'_> {
                     });
                 }
             }
-            let measure = GapMeasure::of(play);
             let is_root = run.root == Some(contact);
-            let is_beyond = if is_root { gap > limit.penetration_m.sqrt() } else { gap > limit.gap };
+            let is_beyond = gap > if is_root { limit.root } else { limit.gap };
+            if !is_beyond && !(is_deep && limit.is_of_law) {
+                continue;
+            }
+            let measure = GapMeasure::of(play);
             let mut depth_m = match (is_beyond, is_root) {
                 (false, _) => 0.0,
                 (true, true) => gap * gap,
                 (true, false) => measure.penetration_m(gap),
             };
-            if !is_beyond && is_deep && limit.is_of_law && self.core.contact(lane, contact).0.contact > 0.0 {
+            if !is_beyond && self.core.contact(lane, contact).0.contact > 0.0 {
                 let (gap, time) = (self.gap(lane, contact), self.times(lane));
                 let step = ContactStep { gap, time, step: self.core.step(lane), is_root };
                 depth_m = step.largest_penetration_m(measure);

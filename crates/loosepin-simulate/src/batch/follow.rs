@@ -1,7 +1,7 @@
 //! What is followed in the runs on lanes.
 
-use super::{Batch, lanes_of};
-use crate::core::Core;
+use super::Batch;
+use crate::core::{Awaited, Core, lanes_of};
 use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, extremes_within};
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
@@ -19,8 +19,9 @@ impl Batch<'_> {
         core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
     }
 
-    /// Follows the accepted steps at hand, those of them that are recorded; another piece of the curves and instants may be `due`.
-    pub(super) fn follow(&mut self, accepted: u32, due: u32) {
+    /// Follows the accepted steps at hand, those of them that are recorded. Of the `watched` ones it is asked here whether another piece of the
+    /// curves or an instant is due in them: their ends may have been moved.
+    pub(super) fn follow(&mut self, accepted: u32, watched: u32) {
         let recorded = self.recorded;
         if accepted & recorded == 0 {
             return;
@@ -28,19 +29,25 @@ impl Batch<'_> {
         if self.follow.inside().count > 0 {
             self.look_inside(accepted & recorded);
         }
-        let Self { core, follows, follow: layout, .. } = self;
-        if layout.readings() == 0 {
+        if self.follow.readings() == 0 {
             return;
         }
+        let mut due = accepted & recorded & self.core.flags(LaneLayout::IS_DUE) & !watched;
+        for lane in lanes_of(accepted & recorded & watched) {
+            let is_before = self.core.end_read(lane, ReadLayout::TIME) < self.core.number(lane, LaneLayout::DUE);
+            due |= u32::from(!is_before) << lane;
+        }
+        due |= self.ending & accepted & recorded;
+        let Self { core, follows, follow: layout, .. } = self;
         if layout.reduces() {
-            for lane in lanes_of(due & recorded) {
+            for lane in lanes_of(due) {
                 let end_s = core.end_read(lane, ReadLayout::TIME);
                 follows[lane].take_piece(layout, end_s, |place, number| core.set_followed(lane, place, number));
             }
             core.follow();
             self.take_extremes(accepted & recorded);
         }
-        self.look_at_instants(due & recorded);
+        self.look_at_instants(due);
     }
 
     /// Takes in the values inside the accepted steps at hand that are `recorded`.
@@ -108,24 +115,35 @@ impl Batch<'_> {
             return;
         }
         let Self { core, follows, follow: layout, waiting, ending, .. } = self;
-        core.spread();
-        let over_root = core.over_root() & due;
         let (is_last, lanes) = (|lane: usize| *ending >> lane & 1 != 0, follows.len());
-        for lane in lanes_of(due & !over_root) {
-            let times_s = [core.start_read(lane, ReadLayout::TIME), core.end_read(lane, ReadLayout::TIME)];
-            let readings = (0..layout.readings()).map(|reading| core.reading(lane, reading));
-            follows[lane].take_instants(times_s, is_last(lane), readings);
-            core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
+        let is_within = |core: &Core<'_>, follow: &LaneFollow, lane: usize| {
+            u32::from(follow.is_within(core.end_read(lane, ReadLayout::TIME), is_last(lane))) << lane
+        };
+        let within = lanes_of(due).fold(0, |within, lane| within | is_within(core, &follows[lane], lane));
+        if within != 0 {
+            core.spread();
         }
-        for lane in lanes_of(over_root) {
-            let end_s = core.end_read(lane, ReadLayout::TIME);
-            while let Some((index, instant_s)) = follows[lane].next_instant(end_s, is_last(lane)) {
-                core.await_instant(waiting.len(), lane, instant_s);
-                waiting.push((lane, index));
+        for lane in lanes_of(within & !core.over_root()) {
+            let times_s = [core.start_read(lane, ReadLayout::TIME), core.end_read(lane, ReadLayout::TIME)];
+            follows[lane].take_instants(times_s, is_last(lane), |reading| core.reading(lane, reading));
+        }
+        // One of each lane, then the second ones: where another one lies within is no branch that must be guessed.
+        let mut before = waiting.len();
+        let mut left = within & core.over_root();
+        while left != 0 {
+            for lane in lanes_of(std::mem::take(&mut left)) {
                 if waiting.len() == lanes {
+                    core.await_instants(before, &waiting[before..]);
                     look_at_all(core, follows, layout, waiting);
+                    before = 0;
                 }
+                let (index, instant_s) = follows[lane].take_next();
+                waiting.push(Awaited { lane, index, instant_s });
+                left |= is_within(core, &follows[lane], lane);
             }
+        }
+        core.await_instants(before, &waiting[before..]);
+        for lane in lanes_of(due) {
             core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
         }
     }
@@ -144,18 +162,16 @@ impl Batch<'_> {
     }
 }
 
-/// Reads at all instants that wait, each with its lane and its number in the run.
-fn look_at_all(
-    core: &mut Core<'_>,
-    follows: &mut [LaneFollow],
-    layout: &FollowLayout,
-    waiting: &mut Vec<(usize, usize)>,
-) {
+/// Reads at all instants that wait.
+fn look_at_all(core: &mut Core<'_>, follows: &mut [LaneFollow], layout: &FollowLayout, waiting: &mut Vec<Awaited>) {
     if waiting.is_empty() {
         return;
     }
     core.look(waiting.len());
-    for (place, (lane, index)) in waiting.drain(..).enumerate() {
-        follows[lane].take_instant(index, (0..layout.readings()).map(|reading| core.looked(place, reading)));
+    for reading in 0..layout.readings() {
+        for (&Awaited { lane, index, .. }, value) in waiting.iter().zip(core.looked(reading)) {
+            follows[lane].take_instant(index, reading, *value);
+        }
     }
+    waiting.clear();
 }

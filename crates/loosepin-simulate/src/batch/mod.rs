@@ -14,7 +14,7 @@ pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
 use crate::column::Reading;
-use crate::core::{Core, move_flag};
+use crate::core::{Awaited, Core, lanes_of, move_flag};
 use crate::depth_limit::DepthLimit;
 use crate::execution::{Execution, LANES_OF_A_VECTOR};
 use crate::failure::RunFailure;
@@ -86,8 +86,10 @@ pub(super) struct Batch<'a> {
     inside: Vec<Reading>,
     /// What is followed in the run of each lane.
     follows: Vec<LaneFollow>,
-    /// Instants that wait to be read at: the lane of each, and its number in the run.
-    waiting: Vec<(usize, usize)>,
+    /// The events at the ends of the steps at hand, in the lanes that are looked at in this pass.
+    events: Vec<Option<Event>>,
+    /// Instants that wait to be read at.
+    waiting: Vec<Awaited>,
     /// Lanes with a run; those whose recorded part has begun; those whose derivative is to be evaluated again before the next step; those
     /// whose energy account begins then.
     active: u32,
@@ -148,6 +150,7 @@ impl<'a> Batch<'a> {
             viewed: 0,
             started: 0,
             output_jets: vec![[[0.0; 3]; 2]; follow.readings.len()],
+            events: vec![None; execution.lanes()],
             waiting: Vec::with_capacity(execution.lanes()),
             settings: *settings,
             follow: FollowLayout::new(follow),
@@ -201,6 +204,7 @@ impl<'a> Batch<'a> {
         self.core = core;
         self.used = execution.lanes();
         self.runs.resize_with(self.used, || None);
+        self.events.resize(self.used, None);
         self.follows.resize_with(self.used, LaneFollow::default);
         true
     }
@@ -230,6 +234,9 @@ impl<'a> Batch<'a> {
 
     /// Puts waiting runs into the free lanes.
     fn refill(&mut self, queue: &mut dyn Seated) {
+        if self.is_exhausted || self.active.count_ones() as usize == self.runs.len() {
+            return;
+        }
         for lane in 0..self.runs.len() {
             while self.active >> lane & 1 == 0 && !self.is_exhausted {
                 match queue.next() {
@@ -370,14 +377,13 @@ impl<'a> Batch<'a> {
         self.core.attempt();
         self.ending = 0;
         let watched = self.core.flags(LaneLayout::ATTENTION) & self.active;
-        let mut events: [Option<Event>; 32] = [None; 32];
         for lane in lanes_of(watched) {
-            events[lane] = self.look(lane, queue);
+            self.events[lane] = self.look(lane, queue);
         }
         let accepted = self.core.flags(LaneLayout::CHOSEN) & self.active;
         if accepted != 0 {
-            self.follow(accepted, accepted & (watched | self.core.flags(LaneLayout::IS_DUE)));
-            let cut = self.hold_first(accepted & watched, &events);
+            self.follow(accepted, watched);
+            let cut = self.hold_first(accepted & watched);
             self.core.accept();
             for lane in lanes_of(cut) {
                 let is_first = self.runs[lane].as_ref().map_or(0.0, LaneRun::is_first);
@@ -385,10 +391,10 @@ impl<'a> Batch<'a> {
             }
             if self.view_projection.is_some() {
                 self.restart(accepted);
+                self.core.close_accounts();
             }
-            self.core.close_accounts();
             for lane in lanes_of(accepted & watched) {
-                self.go_on(lane, events[lane], queue);
+                self.go_on(lane, self.events[lane], queue);
             }
         }
         for lane in lanes_of(watched & self.active) {
@@ -402,11 +408,11 @@ impl<'a> Batch<'a> {
 
     /// Steps that an event or a stop has cut do not tell how long the first one after an event may be: the lanes among `looked` at in which
     /// another step is to tell.
-    fn hold_first(&mut self, looked: u32, events: &[Option<Event>; 32]) -> u32 {
+    fn hold_first(&mut self, looked: u32) -> u32 {
         let mut cut = 0;
         for lane in lanes_of(looked) {
             let reaches_stop = self.runs[lane].as_ref().is_some_and(|run| run.reaches_stop);
-            if (events[lane].is_some() || reaches_stop) && self.core.is_set(lane, LaneLayout::IS_FIRST) {
+            if (self.events[lane].is_some() || reaches_stop) && self.core.is_set(lane, LaneLayout::IS_FIRST) {
                 self.core.set_number(lane, LaneLayout::IS_FIRST, 0.0);
                 cut |= 1 << lane;
             }
@@ -476,8 +482,10 @@ impl<'a> Batch<'a> {
     /// Whether a run is to be given up.
     fn too_many_evaluations(&self, lane: usize) -> Option<RunFailure> {
         let limit = self.settings.largest_evaluations;
-        let time_s = self.core.start_read(lane, ReadLayout::TIME);
-        (self.core.evaluations(lane) > limit).then_some(RunFailure::TooManyEvaluations { time_s, limit })
+        (self.core.evaluations(lane) > limit).then(|| {
+            let time_s = self.core.start_read(lane, ReadLayout::TIME);
+            RunFailure::TooManyEvaluations { time_s, limit }
+        })
     }
 
     /// The decision on an attempt in `lane` that may hold an event.
@@ -679,15 +687,6 @@ fn recorded_paths(mut at_end: Vec<FrictionPath>, before: &[FrictionPath]) -> Vec
 /// The flags of so many lanes, 31 or fewer, the first ones.
 fn lanes_before(end: usize) -> u32 {
     (1 << end) - 1
-}
-
-/// The lanes that are flagged.
-fn lanes_of(mut flags: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = flags.trailing_zeros();
-        flags &= flags.wrapping_sub(1);
-        (lane < u32::BITS).then_some(lane as usize)
-    })
 }
 
 /// Where a run that is at `time_s` stops next: where the pieces of a drive's motion meet, and at both ends of its recorded part, so that no

@@ -170,10 +170,13 @@ impl Batch<'_> {
         let near_m = TOGETHER_TOLERANCES * self.settings.event_tolerance_m();
         let measure = GapMeasure::of(run.sample.play_of(contact));
         self.mechanism.contacts_of(self.mechanism.contacts[contact].play).any(|other| {
+            if other == contact {
+                return false;
+            }
             let value = self.gap(lane, other)[0].jet[0];
             let is_root = self.core.contact(lane, other).1;
             let penetration_m = if is_root { value * value } else { measure.penetration_m(value) };
-            other != contact && penetration_m.abs() < near_m
+            penetration_m.abs() < near_m
         })
     }
 

@@ -1,5 +1,6 @@
 //! What is followed in the run of a lane, beside its numbers: tables, instants, extremes.
 
+use super::instants::Instants;
 use super::layout::FollowLayout;
 use super::path::PathLayout;
 use super::plan::{DeviationRange, Findings, FollowedRun};
@@ -12,30 +13,26 @@ use std::sync::Arc;
 /// What one run is compared with, and what was found so far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LaneFollow {
-    run: FollowedRun,
-    window: Window,
+    instants: Instants,
     /// Where the piece of the curves at hand ends, s.
     piece_end_s: f64,
-    /// Index of the next instant.
-    next: usize,
-    /// The readings over the step at hand, where it passes at an even pace.
-    readings: Vec<Quintic>,
+    run: FollowedRun,
+    window: Window,
     findings: Findings,
 }
 
 impl LaneFollow {
     /// Nothing found yet.
     pub fn new(layout: &FollowLayout, run: FollowedRun, window: Window) -> Self {
-        let at_instants = vec![f64::NAN; run.instants_s.len() * layout.readings()];
         let (deviations, paths) = (layout.deviations(), layout.paths().len());
         let findings = Findings {
-            at_instants,
+            at_instants: Vec::new(),
             deviations: vec![DeviationRange::NONE; deviations],
             paths: vec![[DeviationRange::NONE; 4]; paths],
             inside: vec![DeviationRange::NONE; layout.inside().count],
         };
-        let readings = Vec::with_capacity(layout.readings());
-        Self { run, window, piece_end_s: f64::INFINITY, next: 0, readings, findings }
+        let instants = Instants::new(Arc::clone(&run.instants_s), layout.readings());
+        Self { instants, run, window, piece_end_s: f64::INFINITY, findings }
     }
 
     /// Puts down the numbers at the start of the recorded part, `time_s`, or where a run that goes on begins.
@@ -134,42 +131,31 @@ impl LaneFollow {
 
     /// Steps that end from this time on need another piece of the curves or hold an instant, s.
     pub fn due_s(&self) -> f64 {
-        self.run.instants_s.get(self.next).map_or(self.piece_end_s, |instant_s| instant_s.min(self.piece_end_s))
+        self.instants.next_s().min(self.piece_end_s)
     }
 
-    /// The next instant with its number, where it lies in a step that ends at `end_s`, and any that is left where that `is_last`; then
-    /// another one is the next.
+    /// Whether the next instant lies in a step that ends at `end_s`; any that is left does where that `is_last`.
     #[inline]
-    pub fn next_instant(&mut self, end_s: f64, is_last: bool) -> Option<(usize, f64)> {
-        let instant_s = self.run.instants_s.get(self.next).copied()?;
-        let is_within = instant_s <= end_s || is_last;
-        is_within.then(|| {
-            self.next += 1;
-            (self.next - 1, instant_s)
-        })
+    pub fn is_within(&self, end_s: f64, is_last: bool) -> bool {
+        self.instants.is_within(end_s, is_last)
     }
 
-    /// Takes in the `readings` at all instants in a step between `times_s`, which passes at an even pace: share and time are one.
-    pub fn take_instants(&mut self, times_s: [f64; 2], is_last: bool, readings: impl Iterator<Item = Quintic>) {
-        let [start_s, end_s] = times_s;
-        let mut own = std::mem::take(&mut self.readings);
-        own.clear();
-        own.extend(readings);
-        while let Some((index, instant_s)) = self.next_instant(end_s, is_last) {
-            // A step in which the time does not move is at its start: what is no number becomes zero.
-            let share = f64::max((instant_s - start_s) / (end_s - start_s), 0.0).min(1.0);
-            self.take_instant(index, own.iter().map(|reading| reading.value(share)));
-        }
-        self.readings = own;
+    /// The next instant with its index; then another one is the next.
+    #[inline]
+    pub fn take_next(&mut self) -> (usize, f64) {
+        self.instants.take_next()
     }
 
-    /// Takes in all readings at an instant.
-    pub fn take_instant(&mut self, index: usize, values: impl ExactSizeIterator<Item = f64>) {
-        let first = index * values.len();
-        for (own, value) in self.findings.at_instants[first..].iter_mut().zip(values) {
-            // No negative zeros: programs leave out what is multiplied by zero.
-            *own = value + 0.0;
-        }
+    /// Takes in each `reading`, by its number, at all instants in a step between `times_s`, which passes at an even pace: share and time are one.
+    #[inline]
+    pub fn take_instants(&mut self, times_s: [f64; 2], is_last: bool, reading: impl Fn(usize) -> Quintic) {
+        self.instants.read(times_s, is_last, reading);
+    }
+
+    /// Takes in a reading at the instant of this index.
+    #[inline]
+    pub fn take_instant(&mut self, index: usize, reading: usize, value: f64) {
+        self.instants.set(index, reading, value);
     }
 
     /// Gives out what was found; `get` reads the numbers of the lane.
@@ -189,6 +175,7 @@ impl LaneFollow {
         for (reading, own) in self.findings.inside.iter_mut().enumerate() {
             *own = range(layout.inside().reading(reading));
         }
+        self.findings.at_instants = self.instants.take_values();
         std::mem::take(&mut self.findings)
     }
 }
@@ -217,14 +204,10 @@ mod tests {
         let mut lane = LaneFollow::new(&layout, followed, Window { start_s: 2.0, end_s: 3.0 });
         // An angle of 5 rad at 2 s that grows by 4 rad/s.
         let reading = |length_s: f64| Quintic::new([5.0, 4.0, 0.0], [5.0 + 4.0 * length_s, 4.0, 0.0], length_s);
-        lane.take_instants([2.0, 2.0], false, std::iter::once(reading(0.0)));
-        lane.take_instants([2.0, 2.5], false, std::iter::once(reading(0.5)));
+        lane.take_instants([2.0, 2.0], false, |_| reading(0.0));
+        lane.take_instants([2.0, 2.5], false, |_| reading(0.5));
         // The last one counts although the step ends a little before it.
-        lane.take_instants(
-            [2.5, 3.0 - 1e-15],
-            true,
-            std::iter::once(Quintic::new([7.0, 4.0, 0.0], [9.0, 4.0, 0.0], 0.5)),
-        );
+        lane.take_instants([2.5, 3.0 - 1e-15], true, |_| Quintic::new([7.0, 4.0, 0.0], [9.0, 4.0, 0.0], 0.5));
         assert_eq!(lane.findings(&layout, |_| 0.0).at_instants, [5.0, 6.0, 9.0]);
     }
 }

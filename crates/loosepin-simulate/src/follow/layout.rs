@@ -34,7 +34,8 @@ impl FollowLayout {
     pub const IS_PEAK: usize = 4;
     /// The readings at the instant; behind them the readings over the step, each a polynomial of its share.
     pub const VALUES: usize = 5;
-    const PER_READING: usize = 6;
+    /// Numbers of such a polynomial.
+    pub const PER_READING: usize = 6;
     /// Numbers of a deviation, from [`Self::deviation`] on: the polynomial that it is compared with, over the piece.
     pub const REFERENCE: usize = 0;
     /// Value, rate and acceleration of that at the start of the step.

@@ -8,6 +8,7 @@
 
 mod extremes;
 mod inside;
+mod instants;
 mod lane;
 mod layout;
 mod path;

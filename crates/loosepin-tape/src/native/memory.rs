@@ -17,14 +17,22 @@ use super::program::Program;
 use super::translate::{KernelSize, translate};
 use super::{LARGEST_BLOCKS, Level};
 
+/// Machine code as [`super::assemble`] writes it: of the table of the addresses of the blocks, and how often the instructions are to run.
+#[cfg(target_arch = "x86_64")]
+type Entry = unsafe extern "sysv64" fn(*const *mut f64, u32);
+/// Elsewhere no kernel can be made.
+#[cfg(not(target_arch = "x86_64"))]
+type Entry = unsafe extern "C" fn(*const *mut f64, u32);
+
 /// A program as machine code for a fixed number of lanes.
 ///
 /// Kernels may be shared between threads; the memory is given back when the kernel is dropped.
 #[derive(Debug, Clone)]
 pub struct Kernel {
+    #[expect(dead_code, reason = "it is kept for as long as its code may be called")]
     memory: Arc<Mmap>,
-    /// Where its code begins.
-    start: usize,
+    /// Its begin in there.
+    entry: Entry,
     lanes: usize,
     values_per_block: Vec<usize>,
     size: KernelSize,
@@ -78,7 +86,11 @@ impl Kernel {
 
     /// The kernel whose code begins at `start` of `memory`.
     fn at(memory: Arc<Mmap>, start: usize, size: KernelSize, values_per_block: Vec<usize>, lanes: usize) -> Self {
-        Self { memory, start, lanes, values_per_block, size }
+        let code = memory[start..].as_ptr();
+        // SAFETY: there the memory holds what `assemble` wrote for exactly this signature; `executable` has checked that the processor has
+        // the instructions. The memory is executable while `self`, which alone calls it, lives.
+        let entry = unsafe { std::mem::transmute::<*const u8, Entry>(code) };
+        Self { memory, entry, lanes, values_per_block, size }
     }
 
     /// The number of lanes of each value.
@@ -107,42 +119,10 @@ impl Kernel {
         for (address, numbers) in addresses.iter_mut().zip(blocks) {
             *address = numbers.as_mut_ptr();
         }
-        // SAFETY: there is an address for each block of the program, and each points to as many numbers as its highest slot
-        // needs (checked above); exclusive references do not overlap and live until the call has returned.
-        unsafe { self.call(&addresses, self.size.trips) };
+        // SAFETY: the code is executable while `self` lives. There is an address for each block of the program, and each points to as many
+        // numbers as its highest slot needs (checked above); exclusive references do not overlap and live until the call has returned.
+        unsafe { (self.entry)(addresses.as_ptr(), self.size.trips as u32) };
         Ok(())
-    }
-
-    /// The trips that some `lanes` need, and how many lanes lie before the first of them.
-    #[inline]
-    fn trips_of(&self, lanes: &Range<usize>) -> (Range<usize>, usize) {
-        let per_trip = self.lanes / self.size.trips;
-        let end = lanes.end.min(self.lanes).div_ceil(per_trip);
-        let first = (lanes.start / per_trip).min(end);
-        (first..end, first * per_trip)
-    }
-
-    /// Runs the kernel so many trips without checking the blocks.
-    ///
-    /// # Safety
-    ///
-    /// `trips` is at least one, and no more than [`KernelSize::trips`]. Each of the first addresses, as many as
-    /// [`Kernel::values_per_block`] has entries, points to the first of the numbers of these trips within
-    /// `values_per_block()[b] * lanes()` numbers that may be read and written during the call, with all lanes of the trips behind it; blocks
-    /// that the program writes to overlap no other block. No alignment beyond that of `f64` is needed.
-    #[inline]
-    unsafe fn call(&self, blocks: &[*mut f64; LARGEST_BLOCKS], trips: usize) {
-        let start = self.memory[self.start..].as_ptr();
-        // SAFETY: there the memory holds what `assemble` wrote for exactly this signature and is executable while `self` lives;
-        // `executable` has checked that the processor has the instructions; the caller answers for the blocks.
-        #[cfg(target_arch = "x86_64")]
-        unsafe {
-            type Entry = unsafe extern "sysv64" fn(*const *mut f64, u32);
-            let entry = std::mem::transmute::<*const u8, Entry>(start);
-            entry(blocks.as_ptr(), trips as u32);
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        unreachable!("no kernel of {trips} trips can be made for {start:?} here")
     }
 }
 
@@ -152,8 +132,6 @@ pub(super) struct PlacedKernel {
     kernel: Kernel,
     /// By block of the kernel, those that it does not use at the end: which block of the caller, and where in it.
     parts: [Part; LARGEST_BLOCKS],
-    /// Whether each block that it uses begins where that of the caller does.
-    is_in_place: bool,
 }
 
 /// Numbers of a block, from the first to behind the last.
@@ -171,10 +149,22 @@ impl PlacedKernel {
     ///
     /// Those of [`parts`].
     pub fn new(kernel: &Kernel, places: &[Place]) -> Result<Self, NativeError> {
-        let parts = parts(&kernel.values_per_block, places, kernel.lanes)?;
-        let mut used = parts.iter().enumerate().filter(|(_, part)| part.end > 0);
+        Ok(Self { parts: parts(&kernel.values_per_block, places, kernel.lanes)?, kernel: kernel.clone() })
+    }
+
+    /// What a call of it needs.
+    fn call(&self) -> Call {
+        let Kernel { entry, lanes, size, .. } = self.kernel;
+        let mut used = self.parts.iter().enumerate().filter(|(_, part)| part.end > 0);
         let is_in_place = used.all(|(index, part)| part.block == index && part.first == 0);
-        Ok(Self { parts, is_in_place, kernel: kernel.clone() })
+        Call {
+            entry,
+            trips: size.trips,
+            lanes_of_a_trip: lanes / size.trips,
+            is_in_place,
+            blocks: self.parts.map(|part| part.block as u8),
+            firsts: self.parts.map(|part| part.first),
+        }
     }
 
     /// For each block, how many numbers it must have at least.
@@ -187,10 +177,40 @@ impl PlacedKernel {
     }
 }
 
+/// What a call of a kernel needs, close together: there are many calls, of short kernels.
+#[derive(Debug, Clone, Copy)]
+struct Call {
+    entry: Entry,
+    trips: usize,
+    lanes_of_a_trip: usize,
+    /// Whether each block that it uses begins where that of the caller does.
+    is_in_place: bool,
+    /// By block of the kernel: which block of the caller, and where in it.
+    blocks: [u8; LARGEST_BLOCKS],
+    firsts: [usize; LARGEST_BLOCKS],
+}
+
+impl Call {
+    /// The trips that some `lanes` need, at most all, and how many lanes lie before the first of them.
+    #[inline]
+    fn trips_of(&self, lanes: &Range<usize>) -> (Range<usize>, usize) {
+        let Self { trips, lanes_of_a_trip, .. } = *self;
+        // Mostly all: divisions take as long as a short kernel.
+        if lanes.start == 0 && lanes.end >= trips * lanes_of_a_trip {
+            return (0..trips, 0);
+        }
+        let end = lanes.end.div_ceil(lanes_of_a_trip).min(trips);
+        let first = (lanes.start / lanes_of_a_trip).min(end);
+        (first..end, first * lanes_of_a_trip)
+    }
+}
+
 /// Kernels that run one after the other on parts of the same blocks.
 #[derive(Debug, Clone)]
 pub(super) struct PlacedKernels {
+    /// The kernels that are called: they keep their code.
     kernels: Vec<PlacedKernel>,
+    calls: Vec<Call>,
     /// For each block, how many numbers it must have at least.
     needed: [usize; LARGEST_BLOCKS],
 }
@@ -198,7 +218,7 @@ pub(super) struct PlacedKernels {
 impl PlacedKernels {
     /// One kernel.
     pub fn new(kernel: PlacedKernel) -> Self {
-        Self { needed: kernel.needed(), kernels: vec![kernel] }
+        Self { needed: kernel.needed(), calls: vec![kernel.call()], kernels: vec![kernel] }
     }
 
     /// Adds `kernel` behind the others.
@@ -206,6 +226,7 @@ impl PlacedKernels {
         for (needed, own) in self.needed.iter_mut().zip(kernel.needed()) {
             *needed = (*needed).max(own);
         }
+        self.calls.push(kernel.call());
         self.kernels.push(kernel);
     }
 
@@ -222,23 +243,24 @@ impl PlacedKernels {
             }
             starts[block] = numbers.as_mut_ptr();
         }
-        for PlacedKernel { kernel, parts, is_in_place } in &self.kernels {
-            let (trips, before) = kernel.trips_of(lanes);
+        for call in &self.calls {
+            let (trips, before) = call.trips_of(lanes);
             if trips.is_empty() {
                 continue;
             }
-            let mut addresses = starts;
-            if !is_in_place || before > 0 {
-                for (address, part) in addresses.iter_mut().zip(parts) {
+            let mut moved = starts;
+            if !call.is_in_place || before > 0 {
+                for (address, (block, first)) in moved.iter_mut().zip(call.blocks.iter().zip(call.firsts)) {
                     // The remainder is the number itself, and tells that it is in range.
-                    *address = starts[part.block % LARGEST_BLOCKS].wrapping_add(part.first + before);
+                    *address = starts[usize::from(*block) % LARGEST_BLOCKS].wrapping_add(first + before);
                 }
             }
-            // SAFETY: each address that the kernel uses points, moved by the lanes of the trips before, to as many numbers as its highest
+            // SAFETY: the code is executable while its kernel, which is among those of `self`, lives. Each address that it uses points, moved by
+            // the lanes of the trips before, to as many numbers as its highest
             // slot needs (checked above: no part of any kernel ends behind what is needed), within a block that is borrowed for itself
             // until all have returned; parts of one block have no number in common (checked by `PlacedKernel::new`). There are one trip
             // or more, and no more than up to the last lane (`trips_of`).
-            unsafe { kernel.call(&addresses, trips.len()) };
+            unsafe { (call.entry)(moved.as_ptr(), trips.len() as u32) };
         }
         Ok(())
     }
