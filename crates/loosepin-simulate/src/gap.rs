@@ -159,6 +159,8 @@ impl ContactStep {
 
 /// Bisections that leave a share of 1e-15 of a step.
 const BISECTIONS: usize = 50;
+/// Newton's steps that are no longer end on the root: each squares what is left.
+const LAST_NEWTON_STEP: f64 = 1e-8;
 
 /// Where the polynomial rises through zero between `low` (not above) and `high` (above).
 fn root(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
@@ -170,13 +172,20 @@ fn root(quintic: &Quintic, mut low: f64, mut high: f64) -> f64 {
         } else {
             low = tau
         }
-        // Newton's step where it stays inside, else the middle.
+        // Newton's step where it stays inside, else the middle. On the root, which is an end by now, it goes nowhere.
         let newton = tau - value / quintic.slope(tau);
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - tau).abs() <= 1e-15 || next == low || next == high {
-            return next;
+        if newton >= low && newton <= high {
+            if (newton - tau).abs() <= LAST_NEWTON_STEP {
+                return newton;
+            }
+            tau = newton;
+        } else {
+            let middle = 0.5 * (low + high);
+            if middle == low || middle == high {
+                return middle;
+            }
+            tau = middle;
         }
-        tau = next;
     }
     tau
 }
