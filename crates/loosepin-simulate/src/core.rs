@@ -263,15 +263,18 @@ impl<'a> Core<'a> {
     pub fn flags(&self, place: usize) -> u32 {
         // Sums of powers of two: eight lanes at a time, without a branch.
         let numbers = self.memory.of_all_lanes(Block::Lane, place);
-        let ((vectors, rest), (powers, _)) = (numbers.as_chunks::<8>(), POWERS_OF_TWO.as_chunks::<8>());
-        let mut sums = [0.0; 8];
-        for (numbers, powers) in vectors.iter().zip(powers) {
+        let ([first, others @ ..], powers) = (numbers.as_chunks::<8>().0, POWERS_OF_TWO.as_chunks::<8>().0) else {
+            // One lane alone.
+            return numbers[0] as u32;
+        };
+        let mut sums: [f64; 8] = std::array::from_fn(|k| first[k] * powers[0][k]);
+        for (numbers, powers) in others.iter().zip(&powers[1..]) {
             for k in 0..8 {
                 sums[k] += numbers[k] * powers[k];
             }
         }
-        // One lane alone: the first one.
-        sums.iter().chain(rest).sum::<f64>() as u32
+        let [a, b, c, d, e, f, g, h] = sums;
+        (((a + b) + (c + d)) + ((e + f) + (g + h))) as u32
     }
     /// The step to be tried in a lane.
     #[inline]
@@ -451,10 +454,25 @@ impl<'a> Core<'a> {
         }
     }
 
+    /// Reads, in all lanes, at the instants in [`FollowLayout::INSTANT`] within the steps at hand, whose readings are polynomials; the readings are
+    /// in [`FollowLayout::VALUES`].
+    pub fn look_in_place(&mut self) {
+        let Self { pass, memory, way, .. } = self;
+        match way {
+            Way::Plain(_) => pass.look(&mut Named::new(memory.blocks())),
+            Way::Recorded(recorded) => recorded.look_in_place(memory),
+        }
+    }
+
     /// A reading at all places of the instants that waited.
     pub fn looked(&self, reading: usize) -> &[f64] {
         let values = self.pass.lane.followed().start + FollowLayout::VALUES;
         self.waiting.of_all_lanes(Block::Lane, values + reading)
+    }
+
+    /// Place of a number of what is followed among the numbers of a lane.
+    pub fn place_of_followed(&self, place: usize) -> usize {
+        self.pass.lane.followed().start + place
     }
 
     /// A number of what is followed in a lane: [`super::follow::FollowLayout`].

@@ -218,6 +218,11 @@ impl<'a> Recorded<'a> {
         run(&self.sequences.look, 0..places, memory, &mut self.scratch);
     }
 
+    /// Reads at an instant in each lane, within the step at hand.
+    pub fn look_in_place(&mut self, memory: &mut Memory) {
+        run(&self.sequences.look, 0..self.used, memory, &mut self.scratch);
+    }
+
     /// Takes in the values inside the step at hand, whose dense output is known, in the chosen lanes.
     pub fn look_inside(&mut self, memory: &mut Memory) {
         run(&self.sequences.inside, 0..self.used, memory, &mut self.scratch);

@@ -6,6 +6,10 @@ use crate::follow::{Findings, FollowLayout, InsideLayout, LOBATTO, LaneFollow, e
 use crate::memory::LaneLayout;
 use crate::reads::ReadLayout;
 
+/// Lanes over a root with an instant in the step at hand from which on these are read in place, in all lanes: the others are computed in vain,
+/// and that costs less than putting them by.
+const FEWEST_IN_PLACE: u32 = 8;
+
 impl Batch<'_> {
     /// Lets the recorded part of a run begin, or go on, at `time_s`.
     pub(super) fn begin_record(&mut self, lane: usize, time_s: f64) {
@@ -17,6 +21,7 @@ impl Batch<'_> {
         let Self { core, follows, follow: layout, .. } = self;
         follows[lane].begin(layout, time_s, |place, number| core.set_followed(lane, place, number));
         core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
+        core.set_followed(lane, FollowLayout::INSTANT, follows[lane].next_s());
     }
 
     /// Follows the accepted steps at hand, those of them that are recorded. Of the `watched` ones it is asked here whether another piece of the
@@ -32,7 +37,8 @@ impl Batch<'_> {
         if self.follow.readings() == 0 {
             return;
         }
-        let mut due = accepted & recorded & self.core.flags(LaneLayout::IS_DUE) & !watched;
+        let unwatched = accepted & recorded & self.core.flags(LaneLayout::IS_DUE) & !watched;
+        let mut due = unwatched;
         for lane in lanes_of(accepted & recorded & watched) {
             let is_before = self.core.end_read(lane, ReadLayout::TIME) < self.core.number(lane, LaneLayout::DUE);
             due |= u32::from(!is_before) << lane;
@@ -47,7 +53,9 @@ impl Batch<'_> {
             core.follow();
             self.take_extremes(accepted & recorded);
         }
-        self.look_at_instants(due);
+        // Without curves nothing else is due than instants.
+        let is_instant = if self.follow.reduces() { 0 } else { unwatched };
+        self.look_at_instants(due, is_instant);
     }
 
     /// Takes in the values inside the accepted steps at hand that are `recorded`.
@@ -109,8 +117,9 @@ impl Batch<'_> {
     }
 
     /// Reads at the instants in the steps at hand. In steps that pass at an even pace, as all do but those over a root, nothing is to be solved,
-    /// and each may hold many: those are read at once. The others wait until they fill all lanes.
-    fn look_at_instants(&mut self, due: u32) {
+    /// and each may hold many: those are read at once. Of the others the first ones are read in place where there are many of them; what is
+    /// left waits until it fills all lanes. Of some lanes that are `due` it is known that it `is_instant` what is due.
+    fn look_at_instants(&mut self, due: u32, is_instant: u32) {
         if due == 0 {
             return;
         }
@@ -119,17 +128,35 @@ impl Batch<'_> {
         let is_within = |core: &Core<'_>, follow: &LaneFollow, lane: usize| {
             u32::from(follow.is_within(core.end_read(lane, ReadLayout::TIME), is_last(lane))) << lane
         };
-        let within = lanes_of(due).fold(0, |within, lane| within | is_within(core, &follows[lane], lane));
+        let asked = lanes_of(due & !is_instant);
+        let within = asked.fold(is_instant, |within, lane| within | is_within(core, &follows[lane], lane));
         if within != 0 {
             core.spread();
         }
+        let [values, instant] = [FollowLayout::VALUES, FollowLayout::INSTANT].map(|place| core.place_of_followed(place));
+        let set_due = |core: &mut Core<'_>, follow: &LaneFollow, lane: usize| {
+            core.set_number(lane, LaneLayout::DUE, follow.due_s());
+            core.set_number(lane, instant, follow.next_s());
+        };
         for lane in lanes_of(within & !core.over_root()) {
             let times_s = [core.start_read(lane, ReadLayout::TIME), core.end_read(lane, ReadLayout::TIME)];
             follows[lane].take_instants(times_s, is_last(lane), |reading| core.reading(lane, reading));
+            set_due(core, &follows[lane], lane);
         }
-        // One of each lane, then the second ones: where another one lies within is no branch that must be guessed.
-        let mut before = waiting.len();
         let mut left = within & core.over_root();
+        if left.count_ones() >= FEWEST_IN_PLACE {
+            core.look_in_place();
+            for lane in lanes_of(std::mem::take(&mut left)) {
+                let follow = &mut follows[lane];
+                let (index, _) = follow.take_next();
+                for reading in 0..layout.readings() {
+                    follow.take_instant(index, reading, core.number(lane, values + reading));
+                }
+                left |= is_within(core, follow, lane);
+                set_due(core, follow, lane);
+            }
+        }
+        let mut before = waiting.len();
         while left != 0 {
             for lane in lanes_of(std::mem::take(&mut left)) {
                 if waiting.len() == lanes {
@@ -137,14 +164,16 @@ impl Batch<'_> {
                     look_at_all(core, follows, layout, waiting);
                     before = 0;
                 }
-                let (index, instant_s) = follows[lane].take_next();
+                let follow = &mut follows[lane];
+                let (index, instant_s) = follow.take_next();
                 waiting.push(Awaited { lane, index, instant_s });
-                left |= is_within(core, &follows[lane], lane);
+                left |= is_within(core, follow, lane);
+                set_due(core, follow, lane);
             }
         }
         core.await_instants(before, &waiting[before..]);
-        for lane in lanes_of(due) {
-            core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
+        for lane in lanes_of(due & !within) {
+            set_due(core, &follows[lane], lane);
         }
     }
 

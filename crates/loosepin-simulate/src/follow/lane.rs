@@ -131,7 +131,13 @@ impl LaneFollow {
 
     /// Steps that end from this time on need another piece of the curves or hold an instant, s.
     pub fn due_s(&self) -> f64 {
-        self.instants.next_s().min(self.piece_end_s)
+        let next_s = self.instants.next_s();
+        if next_s < self.piece_end_s { next_s } else { self.piece_end_s }
+    }
+
+    /// The next instant, s; infinite where none is left.
+    pub fn next_s(&self) -> f64 {
+        self.instants.next_s()
     }
 
     /// Whether the next instant lies in a step that ends at `end_s`; any that is left does where that `is_last`.

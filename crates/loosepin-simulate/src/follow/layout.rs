@@ -26,7 +26,7 @@ impl FollowLayout {
     pub const PIECE_START: usize = 0;
     /// One over how long it lasts, 1/s.
     pub const PIECE_RATE: usize = 1;
-    /// The instant that is looked at, s.
+    /// The instant that is looked at, s; the next one of a run on a lane.
     pub const INSTANT: usize = 2;
     /// 1 where some deviation may have a new extreme within the step.
     pub const IS_EXTREME: usize = 3;

@@ -155,16 +155,15 @@ impl PlacedKernel {
     /// What a call of it needs.
     fn call(&self) -> Call {
         let Kernel { entry, lanes, size, .. } = self.kernel;
-        let mut used = self.parts.iter().enumerate().filter(|(_, part)| part.end > 0);
-        let is_in_place = used.all(|(index, part)| part.block == index && part.first == 0);
-        Call {
-            entry,
-            trips: size.trips,
-            lanes_of_a_trip: lanes / size.trips,
-            is_in_place,
-            blocks: self.parts.map(|part| part.block as u8),
-            firsts: self.parts.map(|part| part.first),
+        let mut moved = [Moved { own: 0, block: 0, first: 0 }; LARGEST_BLOCKS];
+        let used = self.parts.iter().enumerate().filter(|(_, part)| part.end > 0);
+        let elsewhere = used.filter(|(own, part)| part.block != *own || part.first != 0);
+        let mut moves = 0;
+        for (moved, (own, part)) in moved.iter_mut().zip(elsewhere) {
+            *moved = Moved { own: own as u8, block: part.block as u8, first: part.first };
+            moves += 1;
         }
+        Call { entry, trips: size.trips, lanes_of_a_trip: lanes / size.trips, moves, moved }
     }
 
     /// For each block, how many numbers it must have at least.
@@ -183,11 +182,20 @@ struct Call {
     entry: Entry,
     trips: usize,
     lanes_of_a_trip: usize,
-    /// Whether each block that it uses begins where that of the caller does.
-    is_in_place: bool,
-    /// By block of the kernel: which block of the caller, and where in it.
-    blocks: [u8; LARGEST_BLOCKS],
-    firsts: [usize; LARGEST_BLOCKS],
+    /// So many of its blocks do not begin where that of the caller with the same number does.
+    moves: usize,
+    /// These, one after the other.
+    moved: [Moved; LARGEST_BLOCKS],
+}
+
+/// A block of a kernel that begins elsewhere.
+#[derive(Debug, Clone, Copy)]
+struct Moved {
+    /// Its number in the kernel.
+    own: u8,
+    /// Which block of the caller it is in, and where in it.
+    block: u8,
+    first: usize,
 }
 
 impl Call {
@@ -248,19 +256,21 @@ impl PlacedKernels {
             if trips.is_empty() {
                 continue;
             }
-            let mut moved = starts;
-            if !call.is_in_place || before > 0 {
-                for (address, (block, first)) in moved.iter_mut().zip(call.blocks.iter().zip(call.firsts)) {
-                    // The remainder is the number itself, and tells that it is in range.
-                    *address = starts[usize::from(*block) % LARGEST_BLOCKS].wrapping_add(first + before);
-                }
+            let mut own = starts;
+            if before > 0 {
+                own = own.map(|start| start.wrapping_add(before));
+            }
+            for &Moved { own: number, block, first } in call.moved.iter().take(call.moves) {
+                // The remainders are the numbers themselves, and tell that they are in range.
+                let start = starts[usize::from(block) % LARGEST_BLOCKS];
+                own[usize::from(number) % LARGEST_BLOCKS] = start.wrapping_add(first + before);
             }
             // SAFETY: the code is executable while its kernel, which is among those of `self`, lives. Each address that it uses points, moved by
             // the lanes of the trips before, to as many numbers as its highest
             // slot needs (checked above: no part of any kernel ends behind what is needed), within a block that is borrowed for itself
             // until all have returned; parts of one block have no number in common (checked by `PlacedKernel::new`). There are one trip
             // or more, and no more than up to the last lane (`trips_of`).
-            unsafe { (call.entry)(moved.as_ptr(), trips.len() as u32) };
+            unsafe { (call.entry)(own.as_ptr(), trips.len() as u32) };
         }
         Ok(())
     }
