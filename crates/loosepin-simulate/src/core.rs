@@ -431,16 +431,14 @@ impl<'a> Core<'a> {
         for (number, one) in instants[first..].iter_mut().zip(awaited) {
             *number = one.instant_s;
         }
-        let [readings, end] = [0, pass.follow.readings()].map(|reading| followed + pass.follow.reading(reading));
-        // Number by number: the lanes of one lie side by side.
-        for (block, numbers) in [
-            (Block::StartReads, ReadLayout::TIME..ReadLayout::TIME + 3),
-            (Block::EndReads, ReadLayout::TIME..ReadLayout::TIME + 3),
-            (Block::Lane, LaneLayout::STEP..LaneLayout::STEP + 1),
-            (Block::Lane, readings..end),
-        ] {
-            for index in numbers {
-                memory.copy((block, index), awaited.iter().map(|one| one.lane), waiting, first);
+        for (place, one) in awaited.iter().enumerate() {
+            let (lane, place) = (one.lane, first + place);
+            memory.copy::<3>((Block::StartReads, ReadLayout::TIME), lane, waiting, place);
+            memory.copy::<3>((Block::EndReads, ReadLayout::TIME), lane, waiting, place);
+            memory.copy::<1>((Block::Lane, LaneLayout::STEP), lane, waiting, place);
+            for reading in 0..pass.follow.readings() {
+                let polynomial = (Block::Lane, followed + pass.follow.reading(reading));
+                memory.copy::<{ FollowLayout::PER_READING }>(polynomial, lane, waiting, place);
             }
         }
     }

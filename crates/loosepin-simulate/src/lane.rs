@@ -159,7 +159,7 @@ impl LaneRun {
     pub fn earliest_event(&self, step: &LaneStep<'_, '_>) -> Option<(Event, f64)> {
         let mut earliest: Option<(Event, f64)> = None;
         for contact in 0..step.contacts() {
-            let [start, end] = &step.gap(contact, self.shape(contact));
+            let [start, end] = &step.gap(contact, &self.sample);
             let crossing = if step.is_closed(contact) { Crossing::Separation } else { Crossing::Onset };
             if let Some(share) = first_crossing(start, end, step.length(), crossing)
                 && earliest.as_ref().is_none_or(|(_, first)| share < *first)
@@ -167,7 +167,7 @@ impl LaneRun {
                 earliest = Some((Event::Contact { contact, crossing }, share));
             }
             for side in ENDS {
-                if let Some((crossing, [start, end])) = step.passage(contact, self.shape(contact), side)
+                if let Some((crossing, [start, end])) = step.passage(contact, &self.sample, side)
                     && let Some(share) = first_crossing(&start, &end, step.length(), crossing)
                     && earliest.as_ref().is_none_or(|(_, first)| share < *first)
                 {
@@ -227,11 +227,6 @@ impl LaneRun {
         self.go_on_searching(search, step, event_tolerance_m)
     }
 
-    /// The shape of the joint of a contact.
-    fn shape(&self, contact: usize) -> &PlayShape<f64> {
-        &self.sample.play_of(contact).shape
-    }
-
     /// How far behind the end of the step an event lies, by the value and two derivatives of what goes through zero there.
     fn distance(&self, event: Event, [value, rate, second]: [f64; 3], step: &LaneStep<'_, '_>) -> Option<f64> {
         let straight = -value / rate;
@@ -250,7 +245,7 @@ impl LaneRun {
         let may_hide = step.contacts() > 1
             || self.sample.play_of(0).friction.acts()
             || self.sample.play_of(0).wears
-            || matches!(self.shape(0), PlayShape::Slot(_))
+            || matches!(self.sample.play_of(0).shape, PlayShape::Slot(_))
             || step.end_s() > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };
@@ -269,12 +264,12 @@ impl LaneRun {
             // Of a kink no second derivative of the velocity is known.
             let (jet, value, rate, tolerance) = match search.event {
                 Event::Contact { contact, crossing } => {
-                    let jet = step.gap(contact, self.shape(contact))[1].jet;
+                    let jet = step.gap(contact, &self.sample)[1].jet;
                     let tolerance = self.gap_tolerance(contact, self.root == Some(contact), event_tolerance_m);
                     (Some(jet), crossing.sign() * jet[0], crossing.sign() * jet[1], tolerance)
                 }
                 Event::Passage { contact, side, crossing } => {
-                    let Some((_, [_, end])) = step.passage(contact, self.shape(contact), side) else {
+                    let Some((_, [_, end])) = step.passage(contact, &self.sample, side) else {
                         return Decision::Accept(None);
                     };
                     let jet = end.jet;

@@ -5,7 +5,7 @@ use super::gap::{Crossing, GapJet};
 use super::memory::LaneLayout;
 use super::reads::ReadLayout;
 use super::slot_end::{continued_gap, passage};
-use loosepin_mechanics::mechanism::PlayShape;
+use loosepin_mechanics::mechanism::{PlayShape, Sample};
 
 /// An attempted step of one lane.
 #[derive(Clone, Copy)]
@@ -46,11 +46,12 @@ impl<'s, 'a> LaneStep<'s, 'a> {
         self.core.end_read(self.lane, ReadLayout::TIME)
     }
 
-    /// The gap of a contact of this shape, or the root of its penetration where that is an unknown, at both ends. In a slot it is that of the wall at
+    /// The gap of a contact of this `sample`, or the root of its penetration where that is an unknown, at both ends. In a slot it is that of the wall at
     /// which the step begins.
-    pub fn gap(&self, contact: usize, shape: &PlayShape<f64>) -> [GapJet; 2] {
+    #[inline]
+    pub fn gap(&self, contact: usize, sample: &Sample<f64>) -> [GapJet; 2] {
         let [start, end] = self.core.jets(self.lane, self.core.pass.reads.gap(contact));
-        match self.along_slot(contact, shape) {
+        match self.along_slot(contact, sample) {
             Some((along, half_length_m)) if !self.core.contact(self.lane, contact).1 => {
                 [start, GapJet { jet: continued_gap(end.jet, along, half_length_m) }]
             }
@@ -59,18 +60,20 @@ impl<'s, 'a> LaneStep<'s, 'a> {
     }
 
     /// Which way the pin of a slot can pass the end on this side, and what goes through zero there, at both ends; none where there is no slot.
-    pub fn passage(&self, contact: usize, shape: &PlayShape<f64>, side: f64) -> Option<(Crossing, [GapJet; 2])> {
-        let (along, half_length_m) = self.along_slot(contact, shape)?;
+    #[inline]
+    pub fn passage(&self, contact: usize, sample: &Sample<f64>, side: f64) -> Option<(Crossing, [GapJet; 2])> {
+        let (along, half_length_m) = self.along_slot(contact, sample)?;
         let (is_past, jets) = passage(along, half_length_m, side, self.core.pass.local_m);
         let crossing = if is_past { Crossing::Separation } else { Crossing::Onset };
         Some((crossing, jets.map(|jet| GapJet { jet })))
     }
 
     /// Place along the slot and its derivatives at both ends, and the half-length of the slot.
-    fn along_slot(&self, contact: usize, shape: &PlayShape<f64>) -> Option<([[f64; 3]; 2], f64)> {
-        let (PlayShape::Slot(slot), Some(place)) = (shape, self.core.pass.reads.along_slot(contact)) else {
-            return None;
-        };
+    #[inline]
+    fn along_slot(&self, contact: usize, sample: &Sample<f64>) -> Option<([[f64; 3]; 2], f64)> {
+        // Mostly no joint is a slot: then its shape need not be looked up.
+        let place = self.core.pass.reads.along_slot(contact)?;
+        let PlayShape::Slot(slot) = &sample.play_of(contact).shape else { return None };
         Some((self.core.jets(self.lane, place).map(|along| along.jet), slot.half_length_m))
     }
 

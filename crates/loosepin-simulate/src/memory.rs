@@ -246,18 +246,15 @@ impl Memory {
         block.numbers[block.first + index * self.lanes + lane] = value;
     }
 
-    /// Copies a number of a block in some `lanes` to the places from `first` on of another memory.
-    #[inline]
-    pub fn copy(
-        &self,
-        (block, index): (Block, usize),
-        lanes: impl Iterator<Item = usize>,
-        other: &mut Self,
-        first: usize,
-    ) {
-        let own = self.of_all_lanes(block, index);
-        for (other, lane) in other.of_all_lanes_mut(block, index)[first..].iter_mut().zip(lanes) {
-            *other = own[lane];
+    /// Copies `N` numbers of a block in a lane, from number `index` on, to `place` of another memory with as many lanes.
+    #[inline(always)]
+    pub fn copy<const N: usize>(&self, (block, index): (Block, usize), lane: usize, other: &mut Self, place: usize) {
+        let (own, other, lanes) = (&self.blocks[block as usize], &mut other.blocks[block as usize], self.lanes);
+        let [from, to] = [(own.first, lane), (other.first, place)].map(|(first, lane)| first + index * lanes + lane);
+        let length = N.saturating_sub(1) * lanes + 1;
+        let (own, other) = (&own.numbers[from..from + length], &mut other.numbers[to..to + length]);
+        for k in 0..N {
+            other[k * lanes] = own[k * lanes];
         }
     }
 

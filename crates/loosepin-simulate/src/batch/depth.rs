@@ -66,9 +66,8 @@ impl Batch<'_> {
             if gap.is_nan() {
                 return Err(RunFailure::NotFinite { time_s, element: None });
             }
-            let play = run.sample.play_of(contact);
-            if let (PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }), Some(place)) =
-                (&play.shape, self.core.pass.reads.along(contact))
+            if let Some(place) = self.core.pass.reads.along(contact)
+                && let PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }) = &run.sample.play_of(contact).shape
             {
                 let along_m = self.core.end_read(lane, place);
                 let is_front = is_front_corner(run.sample.contacts[contact].place);
@@ -88,7 +87,7 @@ impl Batch<'_> {
             if !is_beyond && !(is_deep && limit.is_of_law) {
                 continue;
             }
-            let measure = GapMeasure::of(play);
+            let measure = GapMeasure::of(run.sample.play_of(contact));
             let mut depth_m = match (is_beyond, is_root) {
                 (false, _) => 0.0,
                 (true, true) => gap * gap,

@@ -670,7 +670,7 @@ impl<'a> Batch<'a> {
     fn gap(&self, lane: usize, contact: usize) -> [GapJet; 2] {
         let step = LaneStep::new(&self.core, lane);
         match &self.runs[lane] {
-            Some(run) => step.gap(contact, &run.sample.play_of(contact).shape),
+            Some(run) => step.gap(contact, &run.sample),
             None => [GapJet::default(); 2],
         }
     }
