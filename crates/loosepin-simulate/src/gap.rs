@@ -232,6 +232,23 @@ mod tests {
     }
 
     #[test]
+    fn analytic_crossings_in_every_piece_of_a_step() {
+        for k in 0..=40 {
+            let root = f64::from(k) / 40.0 * 0.99 + 0.005;
+            // A parabola and a line that rise through zero once.
+            for bend in [0.0, 0.9] {
+                let f = |t: f64| [(t - root) * (1.0 + bend * t), 1.0 + bend * (2.0 * t - root), 2.0 * bend];
+                let found = first_crossing(&jet(f, 0.0), &jet(f, 1.0), 1.0, Crossing::Onset).expect("it rises");
+                assert!((found - root).abs() < 1e-14, "{found} {root}");
+            }
+        }
+        // A start on zero itself that falls first is not the crossing.
+        let f = |t: f64| [t * (t - 0.05), 2.0 * t - 0.05, 2.0];
+        let found = first_crossing(&jet(f, 0.0), &jet(f, 1.0), 1.0, Crossing::Onset).expect("it comes back");
+        assert!((found - 0.05).abs() < 1e-12, "{found}");
+    }
+
+    #[test]
     fn analytic_crossing_touch_and_miss() {
         // g = (t - 0.3)(0.7 - t) - margin: a hump of height 0.04 - margin.
         let hump = |margin: f64| move |t: f64| [(t - 0.3) * (0.7 - t) - margin, 1.0 - 2.0 * t, -2.0];

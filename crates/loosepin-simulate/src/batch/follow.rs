@@ -21,7 +21,9 @@ impl Batch<'_> {
         let Self { core, follows, follow: layout, .. } = self;
         follows[lane].begin(layout, time_s, |place, number| core.set_followed(lane, place, number));
         core.set_number(lane, LaneLayout::DUE, follows[lane].due_s());
-        core.set_followed(lane, FollowLayout::INSTANT, follows[lane].next_s());
+        if layout.readings() > 0 {
+            core.set_followed(lane, FollowLayout::INSTANT, follows[lane].next_s());
+        }
     }
 
     /// Follows the accepted steps at hand, those of them that are recorded. Of the `watched` ones it is asked here whether another piece of the
@@ -133,7 +135,8 @@ impl Batch<'_> {
         if within != 0 {
             core.spread();
         }
-        let [values, instant] = [FollowLayout::VALUES, FollowLayout::INSTANT].map(|place| core.place_of_followed(place));
+        let [values, instant] =
+            [FollowLayout::VALUES, FollowLayout::INSTANT].map(|place| core.place_of_followed(place));
         let set_due = |core: &mut Core<'_>, follow: &LaneFollow, lane: usize| {
             core.set_number(lane, LaneLayout::DUE, follow.due_s());
             core.set_number(lane, instant, follow.next_s());

@@ -107,3 +107,34 @@ impl Instants {
 fn without_negative_zero(value: f64) -> f64 {
     value + 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_two_readings_at_all_instants_of_two_steps_and_behind_the_last_one() {
+        let mut instants = Instants::new([0.0, 0.5, 1.0, 2.0, 3.0].into(), 2);
+        let slopes = [4.0, -1.0];
+        let reading = |[start_s, end_s]: [f64; 2]| {
+            move |k: usize| {
+                let [from, to] = [start_s, end_s].map(|time_s| [slopes[k] * time_s, slopes[k], 0.0]);
+                Quintic::new(from, to, end_s - start_s)
+            }
+        };
+        instants.read([0.0, 1.25], false, reading([0.0, 1.25]));
+        assert_eq!(instants.next_s(), 2.0);
+        assert!(!instants.is_within(1.9, false) && instants.is_within(1.9, true) && instants.is_within(2.0, false));
+        // One that is read elsewhere, and one behind the end of the last step.
+        assert_eq!(instants.take_next(), (3, 2.0));
+        instants.set(3, 1, -0.0);
+        instants.read([2.0, 2.9], true, reading([2.0, 2.9]));
+        assert!(instants.next_s() == f64::INFINITY && !instants.is_within(9.0, true));
+        let values = instants.take_values();
+        let expected = [0.0, 0.0, 2.0, -0.5, 4.0, -1.0, f64::NAN, 0.0, 4.0 * 2.9, -2.9];
+        for (value, expected) in values.iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-14 || value.is_nan() && expected.is_nan(), "{values:?}");
+        }
+        assert!(values.iter().all(|value| *value != 0.0 || value.is_sign_positive()), "{values:?}");
+    }
+}
