@@ -84,7 +84,7 @@ impl Batch<'_> {
             }
             let is_root = run.root == Some(contact);
             let is_beyond = gap > if is_root { limit.root } else { limit.gap };
-            if !is_beyond && !(is_deep && limit.is_of_law) {
+            if !(is_beyond || is_deep && limit.is_of_law) {
                 continue;
             }
             let measure = GapMeasure::of(run.sample.play_of(contact));
