@@ -61,12 +61,13 @@ fn a_law_that_gains_energy_is_a_failed_run_that_keeps_what_was_computed() {
 }
 
 /// The gain of one joint is seen beside the loss of another.
+/// (With 0.9 in place of 0.4 the motion is so irregular that the last digits decide whether the joint gains.)
 #[test]
 fn a_law_that_gains_energy_does_not_hide_behind_another_that_loses_more() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_friction/model.toml");
     let text = std::fs::read_to_string(path).expect("the case is there");
     let own = "friction = { law = \"ambrosio\", coefficient = 0.03 }";
-    let (pin, rubbing) = ("journal = \"rod.big_end\"\n", "friction = { coefficient = 0.9 }\npin_radius = \"9 mm\"\n");
+    let (pin, rubbing) = ("journal = \"rod.big_end\"\n", "friction = { coefficient = 0.4 }\npin_radius = \"9 mm\"\n");
     let text = text.replace(own, &format!("friction = {}", lugre(1e4)));
     let built = build(&text.replace(pin, &format!("{pin}{rubbing}")));
     let run = simulated(&built, 1e-8);
