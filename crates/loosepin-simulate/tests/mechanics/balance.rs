@@ -76,12 +76,12 @@ fn a_law_that_gains_energy_does_not_hide_behind_another_that_loses_more() {
     assert!(matches!(run.failure, Some(RunFailure::LawGainsEnergy { joint: Some(_), .. })), "{:?}", run.failure);
 }
 
-/// Steps that are too long for its contacts: 0.2 mm is asked for, the clearance is 0.5 mm.
+/// Steps as long as they may be, too long for its contacts: 2 mm is asked for, the clearance is 0.5 mm.
 #[test]
 fn a_run_whose_energy_account_does_not_close_is_a_failed_run() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_5000/model.toml");
     let built = build(&std::fs::read_to_string(path).expect("the case is there"));
-    let coarse = simulated(&built, 2e-4);
+    let coarse = simulated(&built, 2e-3);
     let share = coarse.record.energy.relative_residual;
     assert!(share > 1e-4, "{share}");
     assert!(matches!(coarse.failure, Some(RunFailure::EnergyNotBalanced { .. })), "{:?}", coarse.failure);
