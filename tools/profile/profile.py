@@ -29,7 +29,7 @@ PURPOSES: list[tuple[str, tuple[str, ...]]] = [
     ("poses, lane by lane", ("simulate/src/follow/", "simulate/src/batch/follow.rs", "math/src/quintic.rs")),
     (
         "events searched, and steps decided about",
-        tuple(f"simulate/src/{name}.rs" for name in ("gap", "lane", "lane_step", "search", "slot_end", "depth_limit"))
+        tuple(f"simulate/src/{name}.rs" for name in ("gap", "lane", "lane_step", "slot_end", "depth_limit"))
         + ("simulate/src/batch/switch.rs", "simulate/src/batch/depth.rs"),
     ),
     ("runs begun and ended", ("loosepin-bench/src/", "mechanics/src/", "simulate/src/batch/queue.rs", "simulate/src/batch/seats.rs")),

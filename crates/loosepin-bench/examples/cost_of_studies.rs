@@ -82,7 +82,8 @@ impl Progress for Stages {
     fn stage(&self, stage: Stage) {
         let mut own = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let now_ns = processor_time::of_threads_ns();
-        let used_ns = now_ns - own.begin_ns;
+        // Threads that have ended since, of the study before, are counted no more.
+        let used_ns = now_ns.saturating_sub(own.begin_ns);
         let of_stage = match own.current {
             None => &mut own.compile_ns,
             Some(Stage::Planning) => &mut own.planning_ns,

@@ -264,7 +264,8 @@ impl<'a> Core<'a> {
         // Sums of powers of two: eight lanes at a time, without a branch.
         let numbers = self.memory.of_all_lanes(Block::Lane, place);
         let ([first, others @ ..], powers) = (numbers.as_chunks::<8>().0, POWERS_OF_TWO.as_chunks::<8>().0) else {
-            // One lane alone.
+            // One lane alone: others come in whole vectors.
+            debug_assert_eq!(numbers.len(), 1);
             return numbers[0] as u32;
         };
         let mut sums: [f64; 8] = std::array::from_fn(|k| first[k] * powers[0][k]);

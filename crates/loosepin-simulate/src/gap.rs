@@ -71,7 +71,8 @@ pub fn first_crossing(start: &GapJet, end: &GapJet, step_s: f64, crossing: Cross
         let piece = values[1..PIECES].iter().map(|&value| usize::from(value <= 0.0)).sum::<usize>();
         let ([low, high], [below, above]) = ([SHARES[piece], SHARES[piece + 1]], [values[piece], values[piece + 1]]);
         // Near the start, which may be a root of its own, no secant tells more than the middle.
-        let share = if piece == 0 { 0.5 } else { below / (below - above) };
+        let brackets = piece > 0 && below <= 0.0 && above > 0.0;
+        let share = if brackets { below / (below - above) } else { 0.5 };
         return Some(root_from(&quintic, [low, high], low + (high - low) * share));
     }
     let mut has_come_back = p0 <= 0.0;
@@ -233,8 +234,9 @@ mod tests {
 
     #[test]
     fn analytic_crossings_in_every_piece_of_a_step() {
-        for k in 0..=40 {
-            let root = f64::from(k) / 40.0 * 0.99 + 0.005;
+        // Within the pieces, and where they meet.
+        let within = (0..=40).map(|k| f64::from(k) / 40.0 * 0.99 + 0.005);
+        for root in within.chain((1..8).map(|k| f64::from(k) / 8.0)) {
             // A parabola and a line that rise through zero once.
             for bend in [0.0, 0.9] {
                 let f = |t: f64| [(t - root) * (1.0 + bend * t), 1.0 + bend * (2.0 * t - root), 2.0 * bend];

@@ -23,8 +23,8 @@ const FASTEST_M_S: f64 = 1e100;
 const GROWTH: [f64; 2] = [0.2, 6.0];
 /// The same after one that was not good; after an error that is not a number, which comes from a step far too long, the smallest.
 const SHRINKAGE: [f64; 2] = [0.1, 0.9];
-/// Minima of penetrations since the last event from which on a contact that is closed counts as lasting. An impact has none; one that
-/// something presses on has a few.
+/// Minima of penetrations since the last event, of all contacts together, from which on the contacts of a run count as lasting. An impact has
+/// none; one that something presses on has a few.
 const LASTING_MINIMA: f64 = 4.0;
 /// Share of the longest step below which time hardly moves.
 pub const STALLED_SHARE: f64 = 1e-7;

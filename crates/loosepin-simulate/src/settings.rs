@@ -35,7 +35,7 @@ pub const STEP_SHARE: f64 = 5e-3;
 const SIMULATION_M: f64 = 1e-9;
 /// Tolerance of the runs of a study, m.
 const STUDY_M: f64 = 1e-8;
-/// Largest [`Settings::lasting_share`], reached at half the tolerance of a study: measured like [`STEP_SHARE`].
+/// Largest [`Settings::lasting_share`], reached at 0.45 times the tolerance of a study: measured like [`STEP_SHARE`].
 const LASTING_SHARE: f64 = 20.0;
 
 /// Distance from δ = 0 at which a contact begins or ends over the tolerance asked for: measured like [`STEP_SHARE`].
@@ -72,7 +72,7 @@ impl Settings {
     /// and grows in each further one, while most of what is wrong in a contact that holds dies away in it.
     ///
     /// 1 up to the tolerance of a single simulation, whose contacts are looked at; from there it grows with the square of the tolerance. It follows
-    /// from the tolerance alone, so that `simulate --tolerance` makes the runs of a study again.
+    /// from the tolerance alone, so that `simulate --tolerance` makes the runs of a study again. Explicit steps alone: implicit ones keep their tolerance.
     pub fn lasting_share(&self) -> f64 {
         let ratio = self.tolerance_m / SIMULATION_M;
         (ratio * ratio).clamp(1.0, LASTING_SHARE)

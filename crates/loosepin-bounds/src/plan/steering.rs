@@ -29,8 +29,9 @@ pub(super) fn in_turn(mut searched: Vec<Searched>, round: u32) -> Vec<Searched> 
         neighbours.filter_map(|neighbour| columns.get(&neighbour)).any(|other| other == own)
     };
     let poses: Vec<(&usize, &Vec<_>)> = columns.iter().filter(is_pose).collect();
-    let of_curves: usize = poses.iter().map(|(_, own)| own.len()).sum();
-    let turns = (of_curves / LEAST_OF_CURVES).max(1);
+    // Whole poses, so many that none of the turns has fewer statistics.
+    let of_a_pose = poses.iter().map(|(_, own)| own.len()).min().unwrap_or(1).max(1);
+    let turns = (poses.len() / LEAST_OF_CURVES.div_ceil(of_a_pose)).max(1);
     let is_left_out = |(pose, _): &(usize, &usize)| !(pose + round as usize).is_multiple_of(turns);
     let columns = poses.into_iter().map(|(column, _)| column).enumerate();
     let left_out: BTreeSet<usize> = columns.filter(is_left_out).map(|(_, column)| *column).collect();
@@ -75,6 +76,22 @@ mod tests {
         let all = searched(poses);
         let expected: Vec<&Searched> = all.iter().filter(|own| columns(&rounds[0]).contains(&own.0.column)).collect();
         assert_eq!(rounds[0].iter().collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn identity_a_round_never_has_fewer_statistics_whatever_is_asked_of_a_pose() {
+        for of_a_pose in [1, 7, 85] {
+            let statistics = (1..=of_a_pose).map(|k| Statistic::Quantile(f64::from(k) / 100.0));
+            let of = |column| statistics.clone().map(move |statistic| Request { column, statistic });
+            for poses in [11, 124, 700] {
+                let all: Vec<Searched> =
+                    (0..poses).flat_map(of).map(|request| (request, Direction::BOTH.to_vec())).collect();
+                for round in 1..4 {
+                    let found = in_turn(all.clone(), round).len();
+                    assert!(found >= LEAST_OF_CURVES.min(all.len()), "{of_a_pose} of {poses}: {found}");
+                }
+            }
+        }
     }
 
     #[test]

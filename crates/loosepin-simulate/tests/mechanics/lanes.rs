@@ -106,6 +106,7 @@ struct Waiting<'c> {
     order: Vec<usize>,
     turns: f64,
     is_attentive: bool,
+    instants: u32,
     seen: Vec<Seen>,
 }
 
@@ -128,12 +129,17 @@ impl Queue for Waiting<'_> {
         let turns = self.turns * if index.is_multiple_of(3) { 1.3 } else { 1.0 };
         let window = Window { start_s: 0.2 * turns * self.case.turn_s, end_s: turns * self.case.turn_s };
         let looks_inside = self.is_attentive && index.is_multiple_of(2);
-        let instant_s = |k: u32| window.start_s + (window.end_s - window.start_s) * f64::from(k) / f64::from(INSTANTS);
+        let instant_s =
+            |k: u32| window.start_s + (window.end_s - window.start_s) * f64::from(k) / f64::from(self.instants);
         Some(Run {
             sample: Sample::new(&self.case.mechanism, &values).expect("the sample fits"),
             arms: Arms::new(&self.case.mechanism, &values),
             observer: Watcher { index, seen: Seen::default(), looks_inside, is_attentive: self.is_attentive },
-            followed: FollowedRun { instants_s: (0..=INSTANTS).map(instant_s).collect(), nominal: None, own: None },
+            followed: FollowedRun {
+                instants_s: (0..=self.instants).map(instant_s).collect(),
+                nominal: None,
+                own: None,
+            },
             window,
             resume: None,
         })
@@ -146,7 +152,8 @@ impl Queue for Waiting<'_> {
 }
 
 fn conducted(case: &Case, order: Vec<usize>, turns: f64, execution: Execution, settings: &Settings) -> Vec<Seen> {
-    let mut waiting = Waiting { case, order, turns, is_attentive: true, seen: vec![Seen::default(); RUNS] };
+    let instants = INSTANTS;
+    let mut waiting = Waiting { case, order, turns, is_attentive: true, instants, seen: vec![Seen::default(); RUNS] };
     conduct(&case.mechanism, &follow(case), settings, execution, &mut waiting);
     waiting.seen
 }
@@ -168,7 +175,8 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
         let case = case(name);
         let of = |is_attentive| {
             let order = (0..8).collect();
-            let mut waiting = Waiting { case: &case, order, turns, is_attentive, seen: vec![Seen::default(); 8] };
+            let seen = vec![Seen::default(); 8];
+            let mut waiting = Waiting { case: &case, order, turns, is_attentive, instants: INSTANTS, seen };
             conduct(&case.mechanism, &follow(&case), &Settings::for_study(), Execution::best(), &mut waiting);
             waiting.seen
         };
@@ -191,6 +199,29 @@ fn identity_what_is_followed_does_not_depend_on_whether_anybody_looks() {
             let at_end = &findings.at_instants[findings.at_instants.len() - case.readings.len()..];
             assert!(at_end.iter().zip(end).all(|(a, b)| (a - b).abs() < 1e-12), "{name}: {at_end:?}");
         }
+    }
+}
+
+/// So many that most steps over a root hold some, in most lanes at once, and nothing else is asked.
+#[test]
+fn identity_many_instants_have_the_same_bits_in_every_lane() {
+    const MANY: u32 = 4_000;
+    let case = case("slider_crank_5000");
+    let found = |execution| {
+        let (order, seen) = ((0..RUNS).collect(), vec![Seen::default(); RUNS]);
+        let mut waiting = Waiting { case: &case, order, turns: 1.0, is_attentive: false, instants: MANY, seen };
+        conduct(&case.mechanism, &Follow::readings(&case.readings), &Settings::for_study(), execution, &mut waiting);
+        let of_run = |seen: &Seen| {
+            let findings = &seen.report.as_ref().expect("a report").findings;
+            findings.at_instants.iter().map(|value| value.to_bits()).collect::<Vec<u64>>()
+        };
+        waiting.seen.iter().map(of_run).collect::<Vec<_>>()
+    };
+    let alone = found(Execution::Scalar);
+    assert_eq!(alone[0].len(), (MANY as usize + 1) * case.readings.len());
+    assert!(alone.iter().flatten().all(|bits| f64::from_bits(*bits).is_finite()));
+    for execution in Execution::available() {
+        assert!(found(execution) == alone, "{}", execution.name());
     }
 }
 
@@ -449,7 +480,7 @@ fn identity_a_long_run_alone_has_the_same_bits_as_one_without_machine_code() {
         let settings = Settings::for_study();
         let expected = &conducted(&case, vec![0], turns, Execution::Scalar, &settings)[0];
         let seen = vec![Seen::default(); RUNS];
-        let mut waiting = Waiting { case: &case, order: vec![0], turns, is_attentive: true, seen };
+        let mut waiting = Waiting { case: &case, order: vec![0], turns, is_attentive: true, instants: INSTANTS, seen };
         let Run { sample, window, mut observer, .. } = waiting.next().expect("one run");
         let outcome = loosepin_simulate::run(&case.mechanism, &sample, &window, &settings, &mut observer);
         waiting.finished(observer, outcome);

@@ -31,7 +31,7 @@ type Entry = unsafe extern "C" fn(*const *mut f64, u32);
 pub struct Kernel {
     #[expect(dead_code, reason = "it is kept for as long as its code may be called")]
     memory: Arc<Mmap>,
-    /// Its begin in there.
+    /// Where its code begins.
     entry: Entry,
     lanes: usize,
     values_per_block: Vec<usize>,
@@ -88,7 +88,7 @@ impl Kernel {
     fn at(memory: Arc<Mmap>, start: usize, size: KernelSize, values_per_block: Vec<usize>, lanes: usize) -> Self {
         let code = memory[start..].as_ptr();
         // SAFETY: there the memory holds what `assemble` wrote for exactly this signature; `executable` has checked that the processor has
-        // the instructions. The memory is executable while `self`, which alone calls it, lives.
+        // the instructions. The memory is executable while a clone of `memory` lives: `self`, or the kernel beside each `Call`.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(code) };
         Self { memory, entry, lanes, values_per_block, size }
     }
