@@ -153,7 +153,7 @@ impl<'a> Pair<'a> {
         let scales: Vec<(usize, f64)> =
             MotionState::places(&motion.layout).map(|place| (place, sizes[place])).collect();
         let smallest_m = sample.plays.iter().map(|play| play.clearance_m).fold(f64::INFINITY, f64::min);
-        let local = plan.settings.tolerance_m * STEP_SHARE * plan.settings.lasting_share() / mechanism.size_m;
+        let local = plan.settings.tolerance_m * STEP_SHARE * plan.settings.lasting_share(mechanism) / mechanism.size_m;
         let separation =
             SEPARATION.min(SHARE_OF_CLEARANCE * smallest_m / mechanism.size_m).max(OVER_LOCAL_ERROR * local);
         let flight = vec![PlayState::flight(); mechanism.contacts.len()];

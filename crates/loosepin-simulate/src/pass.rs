@@ -64,7 +64,7 @@ impl Pass {
             follow,
             stepper: Stepper::new(settings.method, layout.dimension, layout.integrals()),
             local_m: settings.tolerance_m * STEP_SHARE,
-            lasting_share: settings.lasting_share(),
+            lasting_share: settings.lasting_share(mechanism),
             largest_evaluations: settings.largest_evaluations,
             layout,
         }

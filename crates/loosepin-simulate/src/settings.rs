@@ -1,6 +1,7 @@
 //! How a run is integrated.
 
 use loosepin_math::integrate::{DOP853, Tableau};
+use loosepin_mechanics::mechanism::Mechanism;
 
 /// Accuracy and limits of a run.
 #[derive(Debug, Clone, Copy)]
@@ -72,8 +73,14 @@ impl Settings {
     /// and grows in each further one, while most of what is wrong in a contact that holds dies away in it.
     ///
     /// 1 up to the tolerance of a single simulation, whose contacts are looked at; from there it grows with the square of the tolerance. It follows
-    /// from the tolerance alone, so that `simulate --tolerance` makes the runs of a study again. Explicit steps alone: implicit ones keep their tolerance.
-    pub fn lasting_share(&self) -> f64 {
+    /// from the tolerance alone, so that `simulate --tolerance` makes the runs of a study again. Always 1 where bodies are flexible, since shapes
+    /// that ring keep their errors; and for implicit steps, which keep their tolerance.
+    pub fn lasting_share(&self, mechanism: &Mechanism) -> f64 {
+        let tree = &mechanism.real;
+        if tree.beams.is_empty() && tree.nodal_beams.is_empty() { self.lasting_share_of_rigid_bodies() } else { 1.0 }
+    }
+
+    fn lasting_share_of_rigid_bodies(&self) -> f64 {
         let ratio = self.tolerance_m / SIMULATION_M;
         (ratio * ratio).clamp(1.0, LASTING_SHARE)
     }
@@ -99,11 +106,12 @@ mod tests {
 
     #[test]
     fn identity_contacts_that_last_err_more_in_a_study_and_not_in_one_simulation() {
-        let share = |tolerance_m: f64| Settings { tolerance_m, ..Settings::for_study() }.lasting_share();
+        let share =
+            |tolerance_m: f64| Settings { tolerance_m, ..Settings::for_study() }.lasting_share_of_rigid_bodies();
         assert_eq!(share(1e-12), 1.0);
-        assert_eq!(Settings::for_simulation().lasting_share(), 1.0);
+        assert_eq!(Settings::for_simulation().lasting_share_of_rigid_bodies(), 1.0);
         assert!((share(2e-9) - 4.0).abs() < 1e-12, "{}", share(2e-9));
-        assert_eq!(Settings::for_study().lasting_share(), LASTING_SHARE);
+        assert_eq!(Settings::for_study().lasting_share_of_rigid_bodies(), LASTING_SHARE);
         assert_eq!(share(1e-6), LASTING_SHARE);
     }
 }
