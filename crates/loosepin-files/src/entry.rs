@@ -1,0 +1,63 @@
+//! What is known of a file without reading it.
+
+use std::ffi::OsString;
+use std::time::SystemTime;
+
+/// The kind of a directory entry. Links are not followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// A plain file.
+    File,
+    /// A folder.
+    Folder,
+    /// A symbolic link.
+    Link,
+    /// A pipe, socket or device.
+    Other,
+}
+
+/// By which the operating system knows a file while it is open or linked: device and number. Where it tells none (Windows), all are
+/// equal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Identity {
+    /// The device.
+    pub device: u64,
+    /// The number of the file on it.
+    pub number: u64,
+}
+
+/// What is known of a file without reading it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FileInfo {
+    /// Its kind.
+    pub kind: FileKind,
+    /// Its size, bytes.
+    pub size_bytes: u64,
+    /// When its content changed last, where the system tells.
+    pub modified: Option<SystemTime>,
+    /// By which it is known.
+    pub identity: Identity,
+    /// Its permissions: the lower twelve bits of the mode. Of Windows, 0o444 or 0o666.
+    pub mode: u32,
+    /// Its owner and group, where the system has them.
+    pub owner: Option<(u32, u32)>,
+}
+
+impl FileInfo {
+    /// Permission to write for owner, group or others.
+    const WRITABLE: u32 = 0o222;
+
+    /// Whether its mode lets nobody write it.
+    pub fn is_read_only(&self) -> bool {
+        self.mode & Self::WRITABLE == 0
+    }
+}
+
+/// An entry of a folder.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// Its name.
+    pub name: OsString,
+    /// Its kind.
+    pub kind: FileKind,
+}

@@ -1,0 +1,267 @@
+//! The right to write into a folder, held by one process at a time.
+
+use std::ffi::OsStr;
+use std::fs::{File, TryLockError};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use crate::entry::{FileKind, Identity};
+use crate::folder::{Folder, MadeFolders};
+use crate::refused::Refused;
+use crate::system::file_info;
+use crate::temporary::is_temporary;
+
+/// The right to write into a folder. Every change of a file below the folder is a method of it.
+///
+/// The operating system gives the lock back when its holder ends, however that happens. A lock file that is left behind therefore
+/// says nothing.
+#[derive(Debug)]
+pub struct FolderLock {
+    pub(crate) folder: Folder,
+    name: &'static str,
+    file: File,
+    identity: Identity,
+    /// Folders that were made for the lock.
+    made: MadeFolders,
+}
+
+/// Why a folder cannot be locked.
+#[derive(Debug)]
+pub enum LockError {
+    /// Another process holds it, and says this of itself.
+    InUse {
+        /// What it says; nothing where it has not written it yet.
+        holder: Option<String>,
+    },
+    /// The file system refuses, or has no locks.
+    File {
+        /// The file of the lock.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}
+
+/// Most entries that are looked at when left files are removed.
+const MAX_ENTRIES: usize = 1 << 20;
+
+impl FolderLock {
+    /// Locks the folder at `path` by the file `name` in it; it is made where it is not there, and so are those on the way. Links in the
+    /// path are followed. `holder` tells others who holds it, in one line.
+    ///
+    /// # Errors
+    /// Another process holds it; the file system refuses, or has no locks.
+    pub fn take(path: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
+        Self::take_opened(path, name, holder, |made| Folder::open_or_make(path, made))
+    }
+
+    /// As [`FolderLock::take`], of the folder at `relative` below `base`: no link below it is followed.
+    ///
+    /// # Errors
+    /// As for [`FolderLock::take`]; a link on the way.
+    pub fn take_below(base: &Folder, relative: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
+        let path = base.path().join(relative);
+        Self::take_opened(&path, name, holder, |made| base.open_or_make_below(relative, made))
+    }
+
+    /// Locks a folder that is there. Another process is waited for as long as `patience`.
+    ///
+    /// # Errors
+    /// As for [`FolderLock::take`].
+    pub fn wait(folder: &Folder, name: &'static str, holder: &str, patience: Duration) -> Result<Self, LockError> {
+        const LONGEST_REST: Duration = Duration::from_millis(20);
+        let end = Instant::now() + patience;
+        let mut rest = Duration::from_micros(200);
+        loop {
+            match Self::take_opened(folder.path(), name, holder, |_| Ok(folder.clone())) {
+                Err(LockError::InUse { .. }) if Instant::now() < end => std::thread::sleep(rest),
+                taken => return taken,
+            }
+            rest = (rest * 2).min(LONGEST_REST);
+        }
+    }
+
+    fn take_opened(
+        path: &Path,
+        name: &'static str,
+        holder: &str,
+        mut open: impl FnMut(&mut MadeFolders) -> io::Result<Folder>,
+    ) -> Result<Self, LockError> {
+        // Whoever had the lock until now may remove its file, and a folder that was made for it, at any moment.
+        const MAX_TRIES: usize = 100;
+        let mut last = None;
+        for _ in 0..MAX_TRIES {
+            let mut made = MadeFolders::default();
+            match open(&mut made).and_then(|folder| Ok((LockFile::open(&folder, name)?, folder))) {
+                Ok((file, folder)) => match Self::of_file(file, folder, name, made, holder)? {
+                    Some(taken) => return Ok(taken),
+                    None => last = None,
+                },
+                Err(error) if error.kind() == io::ErrorKind::NotFound => last = Some(error),
+                Err(source) => {
+                    made.remove_empty();
+                    return Err(LockError::File { path: path.join(name), source });
+                }
+            }
+        }
+        Err(match last {
+            // Not removed by others again and again: it is not there.
+            Some(source) => LockError::File { path: path.join(name), source },
+            None => LockError::InUse { holder: None },
+        })
+    }
+
+    /// The lock, where `file` can be locked and is still the one of the folder; nothing where its last holder has removed it.
+    fn of_file(
+        LockFile { file, is_new }: LockFile,
+        folder: Folder,
+        name: &'static str,
+        made: MadeFolders,
+        holder: &str,
+    ) -> Result<Option<Self>, LockError> {
+        let path = folder.path().join(name);
+        let locked = loop {
+            match file.try_lock() {
+                Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Interrupted => {}
+                locked => break locked,
+            }
+        };
+        match locked {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(LockError::InUse { holder: holder_line(file) }),
+            Err(TryLockError::Error(source)) => {
+                // It cannot be locked by anybody: what was made for it goes.
+                if is_new {
+                    let _ = folder.directory.remove_file(OsStr::new(name));
+                }
+                made.remove_empty();
+                return Err(LockError::File { path, source });
+            }
+        }
+        let identity = file_info(&file).map_err(|source| LockError::File { path: path.clone(), source })?.identity;
+        let mut lock = Self { folder, name, file, identity, made };
+        match lock.check() {
+            Ok(()) => {}
+            Err(error) if Refused::of(&error) == Some(Refused::LockLost) => return Ok(None),
+            Err(source) => return Err(LockError::File { path, source }),
+        }
+        let begun = lock.name_holder(holder).and_then(|()| lock.remove_left());
+        begun.map_err(|source| LockError::File { path, source })?;
+        Ok(Some(lock))
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Folder {
+        &self.folder
+    }
+
+    /// That the lock is still the one of the folder.
+    ///
+    /// # Errors
+    /// [`Refused::LockLost`]: its file was removed, or another process has made a new one. An error of the file system.
+    pub fn check(&self) -> io::Result<()> {
+        match self.folder.directory.info(OsStr::new(self.name)) {
+            Ok(found) if found.identity == self.identity => Ok(()),
+            Ok(_) => Err(Refused::LockLost.into()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Err(Refused::LockLost.into()),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Says in the file who holds it.
+    fn name_holder(&mut self, holder: &str) -> io::Result<()> {
+        self.file.set_len(0)?;
+        // In one piece: others read it at any moment.
+        self.file.write_all(format!("{holder}\n").as_bytes())
+    }
+
+    /// Removes what earlier holders have not brought to its name: they were stopped, or have lost the lock.
+    fn remove_left(&self) -> io::Result<()> {
+        let left = self.folder.entries(MAX_ENTRIES)?.into_iter().filter(|entry| is_temporary(&entry.name));
+        for entry in left {
+            let removed = match entry.kind {
+                FileKind::Folder => self.remove_temporary_folder(&entry.name),
+                _ => self.folder.directory.remove_file(&entry.name),
+            };
+            match removed {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes a folder with the files in it.
+    pub(crate) fn remove_temporary_folder(&self, name: &OsStr) -> io::Result<()> {
+        let folder = self.folder.open_below(Path::new(name))?;
+        for entry in folder.entries(MAX_ENTRIES)? {
+            folder.directory.remove_file(&entry.name)?;
+        }
+        self.folder.directory.remove_directory(name)
+    }
+}
+
+/// Gives the folder back; one that was made for the lock goes, where nothing came into it.
+impl Drop for FolderLock {
+    fn drop(&mut self) {
+        // Removed while it is still locked, so that whoever opens it from now on makes a new one. The file of whoever has taken the folder
+        // meanwhile stays. Windows does not let go of a file that is open: there it stays.
+        if cfg!(unix) && self.check().is_ok() {
+            let _ = self.folder.directory.remove_file(OsStr::new(self.name));
+        }
+        // Explicitly, since a child process may hold a copy of the file.
+        let _ = self.file.unlock();
+        self.made.remove_empty();
+    }
+}
+
+/// The file of a lock, open.
+struct LockFile {
+    file: File,
+    /// Whether it was not there before.
+    is_new: bool,
+}
+
+impl LockFile {
+    const MODE: u32 = 0o666;
+
+    /// Opens it, or makes it.
+    fn open(folder: &Folder, name: &str) -> io::Result<Self> {
+        let name = OsStr::new(name);
+        let of_kind = |error| match folder.directory.info(name).map(|found| found.kind) {
+            Ok(FileKind::Link) => Refused::Link.into(),
+            Ok(FileKind::Other) => Refused::NotAFile.into(),
+            _ => error,
+        };
+        let old = |file: File| match file_info(&file)?.kind {
+            FileKind::File => Ok(Self { file, is_new: false }),
+            _ => Err(Refused::NotAFile.into()),
+        };
+        match folder.directory.open_to_write(name) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            opened => return old(opened.map_err(of_kind)?),
+        }
+        match folder.directory.create_new(name, Self::MODE) {
+            // Made by somebody else meanwhile.
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                old(folder.directory.open_to_write(name).map_err(of_kind)?)
+            }
+            created => Ok(Self { file: created?, is_new: true }),
+        }
+    }
+}
+
+/// Who holds the lock, where the file says so already and can be read.
+fn holder_line(file: File) -> Option<String> {
+    const MAX_BYTES: u64 = 4096;
+    const MAX_CHARS: usize = 200;
+    let mut text = String::new();
+    file.take(MAX_BYTES).read_to_string(&mut text).ok()?;
+    let (line, _) = text.split_once('\n')?;
+    let line: String = line.chars().filter(|character| !character.is_control()).collect();
+    Some(line.chars().take(MAX_CHARS).collect()).filter(|line: &String| !line.is_empty())
+}
+
+#[cfg(test)]
+mod tests;

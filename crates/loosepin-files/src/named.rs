@@ -1,0 +1,118 @@
+//! Files that whoever runs the program names by a path. Links in the path are followed when it is read, and up to its last name when it
+//! is written.
+
+use std::ffi::OsStr;
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use crate::TEXT_LOCK_FILE;
+use crate::entry::FileKind;
+use crate::folder::{Folder, read_limited};
+use crate::lock::{FolderLock, LockError};
+use crate::refused::Refused;
+use crate::system::{Directory, file_info, open_named};
+use crate::temporary::{random, temporary_name};
+
+/// How long another process that writes beside the file is waited for.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// The content of the plain file at `path`, of at most so many bytes.
+///
+/// # Errors
+/// There is none; it is a folder ([`io::ErrorKind::IsADirectory`]), no plain file or larger.
+pub fn read_named(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
+    let file = open_named(path)?;
+    let info = file_info(&file)?;
+    match info.kind {
+        FileKind::File => read_limited(file, &info, limit_bytes),
+        FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
+        FileKind::Link | FileKind::Other => Err(Refused::NotAFile.into()),
+    }
+}
+
+/// Writes the file at `path`, whole or not at all, in place of a plain file that is there.
+///
+/// # Errors
+/// Its folder is not there; as for [`FolderLock::write`].
+pub fn replace_named(path: &Path, contents: &[u8]) -> io::Result<()> {
+    let (lock, name) = lock_beside(path)?;
+    lock.write(&name, contents)
+}
+
+/// Writes the file at `path`, whole or not at all, where there is none.
+///
+/// # Errors
+/// Its folder is not there; something of that name is ([`io::ErrorKind::AlreadyExists`]).
+pub fn write_new_named(path: &Path, contents: &[u8]) -> io::Result<()> {
+    let (lock, name) = lock_beside(path)?;
+    lock.write_new(&[(&name, contents)])
+}
+
+/// The lock of the folder of `path`, and the name in it.
+fn lock_beside(path: &Path) -> io::Result<(FolderLock, String)> {
+    let name = path.file_name().and_then(OsStr::to_str).ok_or(Refused::BadName)?;
+    let folder = Folder::open(path.parent().unwrap_or(Path::new("")))?;
+    Ok((lock_texts(&folder)?, name.to_owned()))
+}
+
+/// Locks a folder for the moment in which texts in it are written. Another process that does the same is waited for.
+///
+/// # Errors
+/// It writes for longer ([`io::ErrorKind::ResourceBusy`]); an error of the file system, or one that has no locks.
+pub fn lock_texts(folder: &Folder) -> io::Result<FolderLock> {
+    let holder = format!("process {}", std::process::id());
+    FolderLock::wait(folder, TEXT_LOCK_FILE, &holder, PATIENCE).map_err(|error| match error {
+        LockError::InUse { .. } => io::ErrorKind::ResourceBusy.into(),
+        LockError::File { source, .. } => source,
+    })
+}
+
+/// A file in `folder` that has no name and is gone when it is closed.
+///
+/// # Errors
+/// An error of the file system, or one that does not remove files that are open.
+pub fn unnamed_file(folder: &Path) -> io::Result<File> {
+    const PRIVATE_MODE: u32 = 0o600;
+    let directory = Directory::at(folder)?;
+    let name = temporary_name()?;
+    let file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;
+    directory.remove_file(OsStr::new(&name))?;
+    Ok(file)
+}
+
+/// A file that only its owner can read; it is removed when this is dropped.
+#[derive(Debug)]
+pub struct PrivateFile {
+    directory: Directory,
+    name: String,
+    path: PathBuf,
+}
+
+/// Writes a file into `folder` that only its owner can read, under a name that nobody can foresee: `BEGINNING-DIGITS.EXTENSION`.
+///
+/// # Errors
+/// An error of the file system.
+pub fn create_private(folder: &Path, beginning: &str, extension: &str, contents: &[u8]) -> io::Result<PrivateFile> {
+    const PRIVATE_MODE: u32 = 0o600;
+    let directory = Directory::at(folder)?;
+    let name = format!("{beginning}-{:016x}.{extension}", random()?);
+    let mut file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;
+    let private = PrivateFile { directory, path: folder.join(&name), name };
+    file.write_all(contents)?;
+    Ok(private)
+}
+
+impl PrivateFile {
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for PrivateFile {
+    fn drop(&mut self) {
+        let _ = self.directory.remove_file(OsStr::new(&self.name));
+    }
+}

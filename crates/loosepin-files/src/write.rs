@@ -1,0 +1,218 @@
+//! What is written below a folder, by whoever holds its lock.
+
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::entry::{FileInfo, FileKind, Identity};
+use crate::folder::Folder;
+use crate::lock::FolderLock;
+use crate::refused::Refused;
+use crate::system::{file_info, keep_owner_and_mode};
+use crate::temporary::temporary_name;
+
+/// Of a new file, before the mask of the process.
+const NEW_MODE: u32 = 0o666;
+/// Of a file until it has the mode of the one that it replaces.
+const PRIVATE_MODE: u32 = 0o600;
+
+impl FolderLock {
+    /// Writes a file so that it is there whole or not at all, whenever the machine stops. A file that it replaces gives it its mode,
+    /// and its owner where that is permitted.
+    ///
+    /// # Errors
+    /// What is there is a link, no plain file or read-only; the lock was lost; an error of the file system.
+    pub fn write(&self, name: &str, contents: &[u8]) -> io::Result<()> {
+        let name = single_name(name)?;
+        let replaced = replaceable(&self.folder, name)?;
+        let mode = if replaced.is_some() { PRIVATE_MODE } else { NEW_MODE };
+        let temporary = self.write_temporary(&self.folder, contents, mode, replaced.as_ref())?;
+        let renamed = self.check().and_then(|()| self.folder.directory.rename(OsStr::new(&temporary.name), name));
+        self.or_remove(renamed, &temporary.name)?;
+        self.folder.directory.sync()
+    }
+
+    /// Writes files that are not there yet: all of them, each whole, or none.
+    ///
+    /// # Errors
+    /// One is there already; the lock was lost; an error of the file system.
+    pub fn write_new(&self, files: &[(&str, &[u8])]) -> io::Result<()> {
+        let mut waiting: Vec<(Temporary, &OsStr)> = Vec::new();
+        let written = files.iter().try_for_each(|(name, contents)| {
+            let name = single_name(name)?;
+            waiting.push((self.write_temporary(&self.folder, contents, NEW_MODE, None)?, name));
+            Ok(())
+        });
+        let mut renamed = 0;
+        let named = written.and_then(|()| {
+            waiting.iter().try_for_each(|(temporary, name)| {
+                self.check()?;
+                self.folder.directory.rename_new(OsStr::new(&temporary.name), name)?;
+                renamed += 1;
+                Ok(())
+            })
+        });
+        if let Err(error) = named {
+            for (place, (temporary, name)) in waiting.iter().enumerate() {
+                if place >= renamed {
+                    let _ = self.folder.directory.remove_file(OsStr::new(&temporary.name));
+                } else if self.folder.directory.info(name).is_ok_and(|found| found.identity == temporary.identity) {
+                    let _ = self.folder.directory.remove_file(name);
+                }
+            }
+            return Err(error);
+        }
+        self.folder.directory.sync()
+    }
+
+    /// Makes a folder with files in it, which is there with all of them or not at all.
+    ///
+    /// # Errors
+    /// Something of that name is there already; the lock was lost; an error of the file system.
+    pub fn write_new_folder(&self, name: &str, files: &[(&str, &[u8])]) -> io::Result<()> {
+        let name = single_name(name)?;
+        if self.folder.directory.info(name).is_ok() {
+            return Err(io::ErrorKind::AlreadyExists.into());
+        }
+        let temporary = temporary_name()?;
+        let temporary = OsStr::new(&temporary);
+        self.folder.directory.make_directory(temporary)?;
+        let written = || {
+            let folder = self.folder.open_below(Path::new(temporary))?;
+            for (name, contents) in files {
+                let mut file = folder.directory.create_new(single_name(name)?, NEW_MODE)?;
+                file.write_all(contents)?;
+                file.sync_all()?;
+            }
+            folder.directory.sync()?;
+            self.check()?;
+            self.folder.directory.rename_new(temporary, name)
+        };
+        written().inspect_err(|_| {
+            let _ = self.remove_temporary_folder(temporary);
+        })?;
+        self.folder.directory.sync()
+    }
+
+    /// Removes a plain file; nothing where there is none.
+    ///
+    /// # Errors
+    /// It is a link or no plain file; the lock was lost; an error of the file system.
+    pub fn remove(&self, name: &str) -> io::Result<()> {
+        let name = single_name(name)?;
+        match self.folder.directory.info(name) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+            found => plain(&found?)?,
+        }
+        self.check()?;
+        self.folder.directory.remove_file(name)
+    }
+
+    /// Renames a plain file, in place of a plain file that has the new name.
+    ///
+    /// # Errors
+    /// There is none, it is a link or no plain file; the lock was lost; an error of the file system.
+    pub fn rename(&self, from: &str, to: &str) -> io::Result<()> {
+        let [from, to] = [single_name(from)?, single_name(to)?];
+        plain(&self.folder.directory.info(from)?)?;
+        match self.folder.directory.info(to) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            found => plain(&found?)?,
+        }
+        self.check()?;
+        self.folder.directory.rename(from, to)?;
+        self.folder.directory.sync()
+    }
+
+    /// A name for a file that another library writes below the folder, to be brought to its own name by [`FolderLock::adopt`].
+    ///
+    /// # Errors
+    /// The system has no random bytes.
+    pub fn temporary_name(&self) -> io::Result<String> {
+        temporary_name()
+    }
+
+    /// Flushes a file that another library has written under `temporary`, and renames it. Where that fails it is removed.
+    ///
+    /// # Errors
+    /// The lock was lost; an error of the file system.
+    pub fn adopt(&self, temporary: &str, name: &str) -> io::Result<()> {
+        let name = single_name(name)?;
+        let adopted = || {
+            replaceable(&self.folder, name)?;
+            self.folder.directory.open_to_write(OsStr::new(temporary))?.sync_all()?;
+            self.check()?;
+            self.folder.directory.rename(OsStr::new(temporary), name)
+        };
+        self.or_remove(adopted(), temporary)?;
+        self.folder.directory.sync()
+    }
+
+    /// A flushed file under a name of its own; nothing of it stays where that fails.
+    fn write_temporary(
+        &self,
+        folder: &Folder,
+        contents: &[u8],
+        mode: u32,
+        replaced: Option<&FileInfo>,
+    ) -> io::Result<Temporary> {
+        let name = temporary_name()?;
+        let mut file = folder.directory.create_new(OsStr::new(&name), mode)?;
+        let mut written = || {
+            file.write_all(contents)?;
+            if let Some(replaced) = replaced {
+                keep_owner_and_mode(&file, replaced)?;
+            }
+            file.sync_all()?;
+            Ok(file_info(&file)?.identity)
+        };
+        let written = written();
+        Ok(Temporary { identity: self.or_remove(written, &name)?, name })
+    }
+
+    /// Removes what is not whole where `outcome` is an error: it takes the room that may be missing.
+    fn or_remove<T>(&self, outcome: io::Result<T>, temporary: &str) -> io::Result<T> {
+        outcome.inspect_err(|_| {
+            let _ = self.folder.directory.remove_file(OsStr::new(temporary));
+        })
+    }
+}
+
+/// A file that is whole and does not have its name yet.
+struct Temporary {
+    name: String,
+    identity: Identity,
+}
+
+/// What is to be replaced; nothing where there is none.
+fn replaceable(folder: &Folder, name: &OsStr) -> io::Result<Option<FileInfo>> {
+    let found = match folder.directory.info(name) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        found => found?,
+    };
+    plain(&found)?;
+    if found.is_read_only() {
+        return Err(Refused::ReadOnly.into());
+    }
+    // Whether it may be written the system says when it is opened.
+    let open = folder.directory.open_to_write(name)?;
+    Ok(Some(file_info(&open)?))
+}
+
+fn plain(found: &FileInfo) -> io::Result<()> {
+    match found.kind {
+        FileKind::File => Ok(()),
+        FileKind::Link => Err(Refused::Link.into()),
+        FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
+        FileKind::Other => Err(Refused::NotAFile.into()),
+    }
+}
+
+/// A name without folders in it.
+fn single_name(name: &str) -> io::Result<&OsStr> {
+    let is_single = Path::new(name).file_name() == Some(OsStr::new(name)) && !name.contains(['/', '\\', '\0']);
+    if is_single { Ok(OsStr::new(name)) } else { Err(Refused::BadName.into()) }
+}
+
+#[cfg(test)]
+mod tests;
