@@ -4,13 +4,13 @@
 //! a file that nobody else can read, and that leads to the address.
 
 use std::env;
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
-use std::path::PathBuf;
-use std::process::{Command, Stdio, id};
+use std::io;
+use std::process::{Command, Stdio};
+
+use loosepin::files::{PrivateFile, create_private};
 
 /// The file that leads to the address; it goes when this is dropped.
-pub struct Door(PathBuf);
+pub struct Door(#[allow(dead_code, reason = "it is held, not read")] PrivateFile);
 
 impl Door {
     /// Lets the system open `address`.
@@ -19,30 +19,15 @@ impl Door {
     /// The file cannot be written; there is no desktop, or nothing that opens files on it.
     pub fn open(address: &str) -> io::Result<Self> {
         let opener = opener().ok_or_else(|| io::Error::other("there is no desktop"))?;
-        let path = env::temp_dir().join(format!("loosepin-studio-{}.html", id()));
-        // One of an earlier process with the same number.
-        let _ = fs::remove_file(&path);
-        let mut options = OpenOptions::new();
-        options.write(true).create_new(true);
-        #[cfg(unix)]
-        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
-        let door = options.open(&path).map(|file| (file, Self(path)));
-        let (mut file, door) = door?;
-        writeln!(
-            file,
+        let page = format!(
             "<!doctype html><meta charset=\"utf-8\"><title>loosepin</title>\
-             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>"
-        )?;
+             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>\n"
+        );
+        let door = create_private(&env::temp_dir(), "loosepin-studio", "html", page.as_bytes())?;
         let [program, before @ ..] = opener else { return Err(io::Error::other("there is no desktop")) };
         let quiet = Stdio::null;
-        Command::new(program).args(before).arg(&door.0).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn()?;
-        Ok(door)
-    }
-}
-
-impl Drop for Door {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.0);
+        Command::new(program).args(before).arg(door.path()).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn()?;
+        Ok(Self(door))
     }
 }
 

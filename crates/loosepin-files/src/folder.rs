@@ -94,7 +94,10 @@ impl Folder {
 
     /// The folder `name` in this one.
     fn child(&self, name: &OsStr) -> io::Result<Self> {
-        let opened = self.directory.open_directory(name).map_err(|error| self.link_or(name, error))?;
+        let opened = self.directory.open_directory(name).map_err(|error| match self.directory.info(name) {
+            Ok(found) if found.kind == FileKind::Link => Refused::Link.into(),
+            _ => error,
+        })?;
         Ok(Self { path: self.path.join(name), directory: Arc::new(opened) })
     }
 
@@ -180,14 +183,14 @@ fn names(relative: &Path) -> io::Result<impl DoubleEndedIterator<Item = &OsStr>>
 
 /// The content of an open file of at most so many bytes.
 pub(crate) fn read_limited(file: File, info: &FileInfo, limit_bytes: u64) -> io::Result<Vec<u8>> {
-    let too_large = || io::Error::from(Refused::TooLarge { limit_bytes });
+    let too_large = |size_bytes| io::Error::from(Refused::TooLarge { limit_bytes, size_bytes });
     if info.size_bytes > limit_bytes {
-        return Err(too_large());
+        return Err(too_large(info.size_bytes));
     }
     // What the system makes up as it is read, as below /proc, says that it has no bytes.
     let mut bytes = Vec::with_capacity(usize::try_from(info.size_bytes).unwrap_or(0));
     file.take(limit_bytes.saturating_add(1)).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > limit_bytes { Err(too_large()) } else { Ok(bytes) }
+    if bytes.len() as u64 > limit_bytes { Err(too_large(bytes.len() as u64)) } else { Ok(bytes) }
 }
 
 #[cfg(test)]
@@ -227,7 +230,7 @@ mod tests {
         sparse.set_len(3 << 30).unwrap();
         let folder = Folder::open(desk.path()).unwrap();
         let found = refused(folder.read(Path::new("sparse"), LIMIT_BYTES));
-        assert_eq!(found, Some(Refused::TooLarge { limit_bytes: LIMIT_BYTES }));
+        assert_eq!(found, Some(Refused::TooLarge { limit_bytes: LIMIT_BYTES, size_bytes: 3 << 30 }));
     }
 
     #[cfg(unix)]

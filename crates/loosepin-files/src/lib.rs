@@ -23,7 +23,7 @@ mod write;
 pub use entry::{Entry, FileInfo, FileKind, Identity};
 pub use folder::Folder;
 pub use lock::{FolderLock, LockError};
-pub use named::{PrivateFile, create_private, lock_texts, read_named, replace_named, unnamed_file, write_new_named};
+pub use named::{PrivateFile, create_private, lock_texts, may_write, read_named, replace_named, unnamed_file, write_new_files, write_new_named};
 pub use refused::{Refused, io_error_words};
 pub use temporary::is_temporary;
 

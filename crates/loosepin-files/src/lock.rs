@@ -53,7 +53,16 @@ impl FolderLock {
     /// # Errors
     /// Another process holds it; the file system refuses, or has no locks.
     pub fn take(path: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
-        Self::take_opened(path, name, holder, |made| Folder::open_or_make(path, made))
+        Self::take_under(path, Path::new(""), name, holder)
+    }
+
+    /// As [`FolderLock::take`], of the folder at `relative` below `root`: links in the path of the root are followed, none below it.
+    ///
+    /// # Errors
+    /// As for [`FolderLock::take`]; a link below the root.
+    pub fn take_under(root: &Path, relative: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
+        let open = |made: &mut MadeFolders| Folder::open_or_make(root, made)?.open_or_make_below(relative, made);
+        Self::take_opened(&root.join(relative), name, holder, open)
     }
 
     /// As [`FolderLock::take`], of the folder at `relative` below `base`: no link below it is followed.
@@ -70,11 +79,29 @@ impl FolderLock {
     /// # Errors
     /// As for [`FolderLock::take`].
     pub fn wait(folder: &Folder, name: &'static str, holder: &str, patience: Duration) -> Result<Self, LockError> {
+        Self::wait_opened(folder.path(), name, holder, patience, |_| Ok(folder.clone()))
+    }
+
+    /// As [`FolderLock::take`]; another process is waited for as long as `patience`.
+    ///
+    /// # Errors
+    /// As for [`FolderLock::take`].
+    pub fn wait_at(path: &Path, name: &'static str, holder: &str, patience: Duration) -> Result<Self, LockError> {
+        Self::wait_opened(path, name, holder, patience, |made| Folder::open_or_make(path, made))
+    }
+
+    fn wait_opened(
+        path: &Path,
+        name: &'static str,
+        holder: &str,
+        patience: Duration,
+        mut open: impl FnMut(&mut MadeFolders) -> io::Result<Folder>,
+    ) -> Result<Self, LockError> {
         const LONGEST_REST: Duration = Duration::from_millis(20);
         let end = Instant::now() + patience;
         let mut rest = Duration::from_micros(200);
         loop {
-            match Self::take_opened(folder.path(), name, holder, |_| Ok(folder.clone())) {
+            match Self::take_opened(path, name, holder, &mut open) {
                 Err(LockError::InUse { .. }) if Instant::now() < end => std::thread::sleep(rest),
                 taken => return taken,
             }

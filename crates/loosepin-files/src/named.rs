@@ -50,6 +50,22 @@ pub fn write_new_named(path: &Path, contents: &[u8]) -> io::Result<()> {
     lock.write_new(&[(&name, contents)])
 }
 
+/// Writes files into the folder at `path`, all of them or none. Where the folder is not there, it comes with the files in it.
+///
+/// # Errors
+/// Something is there that has the name of a file or of the folder ([`io::ErrorKind::AlreadyExists`]); an error of the file system.
+pub fn write_new_files(path: &Path, files: &[(&str, &[u8])]) -> io::Result<()> {
+    match Folder::open(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let name = path.file_name().and_then(OsStr::to_str).ok_or(Refused::BadName)?;
+            let parent = path.parent().unwrap_or(Path::new(""));
+            let lock = FolderLock::wait_at(parent, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error)?;
+            lock.write_new_folder(name, files)
+        }
+        folder => lock_texts(&folder?)?.write_new(files),
+    }
+}
+
 /// The lock of the folder of `path`, and the name in it.
 fn lock_beside(path: &Path) -> io::Result<(FolderLock, String)> {
     let name = path.file_name().and_then(OsStr::to_str).ok_or(Refused::BadName)?;
@@ -62,11 +78,24 @@ fn lock_beside(path: &Path) -> io::Result<(FolderLock, String)> {
 /// # Errors
 /// It writes for longer ([`io::ErrorKind::ResourceBusy`]); an error of the file system, or one that has no locks.
 pub fn lock_texts(folder: &Folder) -> io::Result<FolderLock> {
-    let holder = format!("process {}", std::process::id());
-    FolderLock::wait(folder, TEXT_LOCK_FILE, &holder, PATIENCE).map_err(|error| match error {
+    FolderLock::wait(folder, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error)
+}
+
+fn holder() -> String {
+    format!("process {}", std::process::id())
+}
+
+fn lock_error(error: LockError) -> io::Error {
+    match error {
         LockError::InUse { .. } => io::ErrorKind::ResourceBusy.into(),
         LockError::File { source, .. } => source,
-    })
+    }
+}
+
+/// Whether the file at `path` may be written.
+pub fn may_write(path: &Path) -> bool {
+    let folder = Directory::at(path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new(".")));
+    folder.and_then(|folder| folder.open_to_write(path.file_name().unwrap_or_default())).is_ok()
 }
 
 /// A file in `folder` that has no name and is gone when it is closed.

@@ -15,6 +15,8 @@ pub enum Refused {
     TooLarge {
         /// The largest size, bytes.
         limit_bytes: u64,
+        /// Its size, or what was read of it, bytes.
+        size_bytes: u64,
     },
     /// A file whose mode lets nobody write it.
     ReadOnly,
@@ -39,10 +41,10 @@ impl fmt::Display for Refused {
         match self {
             Self::Link => formatter.write_str("it is a symbolic link, and links are not followed here"),
             Self::NotAFile => formatter.write_str("it is not a plain file"),
-            Self::TooLarge { limit_bytes } if *limit_bytes < Self::KIBIBYTES_UP_TO => {
+            Self::TooLarge { limit_bytes, .. } if *limit_bytes < Self::KIBIBYTES_UP_TO => {
                 write!(formatter, "it has more than {} KiB", limit_bytes >> 10)
             }
-            Self::TooLarge { limit_bytes } => write!(formatter, "it has more than {} MiB", limit_bytes >> 20),
+            Self::TooLarge { limit_bytes, .. } => write!(formatter, "it has more than {} MiB", limit_bytes >> 20),
             Self::ReadOnly => formatter.write_str("it is read-only"),
             Self::LockLost => {
                 formatter.write_str("the folder was emptied or taken by another process meanwhile; nothing more is written")
@@ -81,6 +83,7 @@ pub fn io_error_words(error: &io::Error) -> String {
         io::ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
         io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
         io::ErrorKind::IsADirectory => "a folder of that name is in the way".to_owned(),
+        io::ErrorKind::ResourceBusy => "another process writes in this folder".to_owned(),
         io::ErrorKind::WriteZero => "the system wrote nothing".to_owned(),
         _ => error.to_string(),
     }

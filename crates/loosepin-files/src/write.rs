@@ -157,7 +157,11 @@ impl FolderLock {
         replaced: Option<&FileInfo>,
     ) -> io::Result<Temporary> {
         let name = temporary_name()?;
-        let mut file = folder.directory.create_new(OsStr::new(&name), mode)?;
+        let mut file = folder.directory.create_new(OsStr::new(&name), mode).map_err(|error| match error.kind() {
+            // The folder itself was removed.
+            io::ErrorKind::NotFound => self.check().err().unwrap_or(error),
+            _ => error,
+        })?;
         let mut written = || {
             file.write_all(contents)?;
             if let Some(replaced) = replaced {

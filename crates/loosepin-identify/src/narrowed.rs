@@ -1,13 +1,13 @@
 //! From the answer back to the input: the study file with narrower intervals.
 
 use super::error::IdentifyProblem;
+use loosepin_files::{io_error_words, write_new_files};
 use loosepin_result::identification::{Identification, Outcome, PlayBounds};
 use loosepin_study::{Study, number_and_unit};
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::document::parse_toml;
 use loosepin_text::units::{Dimension, ReadableUnit, decimal_exponent, parse_quantity};
-use std::fs::OpenOptions;
-use std::io::Write;
+use std::io;
 use std::ops::Range;
 use std::path::Path;
 
@@ -145,31 +145,37 @@ fn outwards(value_si: f64, is_upper: bool, like: &str, dimension: Dimension) -> 
     }
 }
 
-/// Writes a narrowed study, or what it names, beside the study that it comes from.
+/// Writes files beside the study that they come from, all of them or none: a narrowed study, and what it names.
 ///
 /// # Errors
 /// A path in another folder, from which the model would not be found; a file that is there already; one that cannot be written.
-pub fn write_narrowed(study: &Study, path: &Path, text: &str) -> Result<(), Complaints> {
-    let file = path.display().to_string();
+pub fn write_narrowed(study: &Study, files: &[(&Path, &str)]) -> Result<(), Complaints> {
+    let refused = |problem: IdentifyProblem| Complaints::one(&problem, None);
     let folder_of = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        std::fs::canonicalize(folder)
+        folder.canonicalize()
     };
     let own = Path::new(study.source().name());
-    let is_beside = matches!((folder_of(path), folder_of(own)), (Ok(a), Ok(b)) if a == b);
-    if !is_beside {
-        let folder = own.parent().map_or_else(String::new, |folder| folder.display().to_string());
-        let folder = if folder.is_empty() { ".".to_owned() } else { folder };
-        return Err(Complaints::one(&IdentifyProblem::NotBeside { file, folder }, None));
+    let own_folder = folder_of(own).ok();
+    for (path, _) in files {
+        if own_folder.is_none() || folder_of(path).ok() != own_folder {
+            let folder = own.parent().map_or_else(String::new, |folder| folder.display().to_string());
+            let folder = if folder.is_empty() { ".".to_owned() } else { folder };
+            return Err(refused(IdentifyProblem::NotBeside { file: path.display().to_string(), folder }));
+        }
+        if path.symlink_metadata().is_ok() {
+            return Err(refused(IdentifyProblem::Exists { file: path.display().to_string() }));
+        }
     }
-    let written =
-        OpenOptions::new().write(true).create_new(true).open(path).and_then(|mut new| new.write_all(text.as_bytes()));
+    let Some((folder, (first, _))) = own_folder.zip(files.first()) else { return Ok(()) };
+    let named = files.iter().map(|(path, text)| Some((path.file_name()?.to_str()?, text.as_bytes())));
+    let named = named.collect::<Option<Vec<_>>>().ok_or(io::Error::from(io::ErrorKind::InvalidFilename));
+    let written = named.and_then(|named| write_new_files(&folder, &named));
     written.map_err(|error| {
-        let problem = if error.kind() == std::io::ErrorKind::AlreadyExists {
-            IdentifyProblem::Exists { file }
-        } else {
-            IdentifyProblem::NotWritten { file, reason: error.to_string() }
-        };
-        Complaints::one(&problem, None)
+        let file = first.display().to_string();
+        refused(match error.kind() {
+            io::ErrorKind::AlreadyExists => IdentifyProblem::Exists { file },
+            _ => IdentifyProblem::NotWritten { file, reason: io_error_words(&error) },
+        })
     })
 }

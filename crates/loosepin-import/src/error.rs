@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use loosepin_files::io_error_words;
 use loosepin_text::diagnostics::{Code, problems};
 
 problems! {
@@ -44,6 +45,6 @@ problems! {
             says("{} is there already; it is not overwritten", path.display()),
             hint("give another folder, for example: loosepin import sketch.dxf my_mechanism");
         Write { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
-            says("cannot write {}: {source}", path.display());
+            says("cannot write {}: {}", path.display(), io_error_words(source));
     }
 }

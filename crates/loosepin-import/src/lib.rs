@@ -23,10 +23,10 @@ mod options;
 mod skeleton;
 mod sketch;
 
-use std::fs::{self, OpenOptions};
-use std::io::Write;
+use std::io;
 use std::path::{Path, PathBuf};
 
+use loosepin_files::{read_named, write_new_files};
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::document::not_readable;
 
@@ -52,12 +52,15 @@ pub fn import_dxf(name: &str, drawing: &[u8], options: &ImportOptions) -> Result
     Ok(Imported { model: skeleton::model(name, &sketch, &links), notes: skeleton::notes(&sketch, &links) })
 }
 
+/// Largest drawing, bytes.
+const MAX_DRAWING_BYTES: u64 = 256 << 20;
+
 /// Reads the bytes of a drawing.
 ///
 /// # Errors
 /// The file cannot be read, with the name that was probably meant.
 pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Complaints> {
-    fs::read(path).map_err(|error| not_readable(path, &error))
+    read_named(path, MAX_DRAWING_BYTES).map_err(|error| not_readable(path, &error))
 }
 
 /// Writes `model.toml` into a folder, which is made where there is none; gives its path.
@@ -66,14 +69,9 @@ pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Complaints> {
 /// The file is there already, or the file system refuses.
 pub fn write_model(folder: &Path, model: &str) -> Result<PathBuf, ImportError> {
     let path = folder.join("model.toml");
-    if path.exists() {
-        return Err(ImportError::Exists { path });
-    }
-    fs::create_dir_all(folder).map_err(|source| ImportError::Write { path: folder.to_owned(), source })?;
-    // A file that appeared since is not overwritten either.
-    let opened = OpenOptions::new().write(true).create_new(true).open(&path);
-    match opened.and_then(|mut file| file.write_all(model.as_bytes())) {
+    match write_new_files(folder, &[("model.toml", model.as_bytes())]) {
         Ok(()) => Ok(path),
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(ImportError::Exists { path }),
         Err(source) => Err(ImportError::Write { path, source }),
     }
 }

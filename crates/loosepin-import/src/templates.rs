@@ -1,9 +1,9 @@
 //! Commented files to start from, for `loosepin new`.
 
-use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
+use loosepin_files::{io_error_words, read_named, write_new_files};
 use loosepin_text::diagnostics::{Code, problems};
 
 /// A model file and a study file to start from.
@@ -77,28 +77,38 @@ problems! {
             says("{} is there already; it is not overwritten", path.display()),
             hint("give another folder, for example: loosepin new TEMPLATE my_mechanism");
         Write { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
-            says("cannot write {}: {source}", path.display());
+            says("cannot write {}: {}", path.display(), io_error_words(source));
     }
 }
 
-/// Writes `model.toml` and `study.toml` into a folder, which is made where there is none; gives their paths.
+/// Writes `model.toml` and `study.toml` into a folder, which is made where there is none; gives their paths. Both are there whole, or none
+/// is. Where a machine has stopped between the two in a folder that was there before, doing it again writes the other one.
 ///
 /// # Errors
 /// One of the files is there already (then neither is written), or the file system refuses.
 pub fn write_template(template: &Template, folder: &Path) -> Result<[PathBuf; 2], TemplateError> {
-    let files = [(folder.join("model.toml"), template.model), (folder.join("study.toml"), template.study)];
-    if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
-        return Err(TemplateError::Exists { path: path.clone() });
+    let files = [("model.toml", template.model), ("study.toml", template.study)];
+    let paths = files.map(|(name, _)| folder.join(name));
+    let mut missing: Vec<(&str, &[u8])> = Vec::new();
+    for ((name, text), path) in files.iter().zip(&paths) {
+        match read_named(path, text.len() as u64) {
+            Ok(held) if held == text.as_bytes() => {}
+            _ if path.symlink_metadata().is_ok() => return Err(TemplateError::Exists { path: path.clone() }),
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(TemplateError::Write { path: path.clone(), source: error });
+            }
+            _ => missing.push((name, text.as_bytes())),
+        }
     }
-    fs::create_dir_all(folder).map_err(|source| TemplateError::Write { path: folder.to_owned(), source })?;
-    for (path, text) in &files {
-        // A file that appeared since is not overwritten either.
-        let written = OpenOptions::new()
-            .write(true)
-            .create_new(true)
-            .open(path)
-            .and_then(|mut file| file.write_all(text.as_bytes()));
-        written.map_err(|source| TemplateError::Write { path: path.clone(), source })?;
+    if missing.is_empty() {
+        let [path, _] = paths;
+        return Err(TemplateError::Exists { path });
     }
-    Ok(files.map(|(path, _)| path))
+    match write_new_files(folder, &missing) {
+        Ok(()) => Ok(paths),
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+            Err(TemplateError::Exists { path: folder.join(missing[0].0) })
+        }
+        Err(source) => Err(TemplateError::Write { path: folder.to_owned(), source }),
+    }
 }

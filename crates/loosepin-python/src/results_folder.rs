@@ -69,7 +69,7 @@ pub fn conduct_in_folder(
         loosepin::study::plan_runs(study).map_err(|error| error.complaint(study))?;
     }
     let beginning = Beginning::stated(meeting.with_force, meeting.with_resume);
-    let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
+    let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         Begun::Open(folder, store) => (folder, store),
         Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),

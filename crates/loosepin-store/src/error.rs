@@ -1,7 +1,9 @@
 //! Why a store cannot be used.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
+use loosepin_files::{io_error_words, may_write};
 use loosepin_text::diagnostics::{Code, problems};
 use rusqlite::{ErrorCode, ffi};
 
@@ -41,6 +43,11 @@ problems! {
 }
 
 impl StoreError {
+    /// The error of the file system for the file at `path`.
+    pub(super) fn not_usable(path: &Path, error: &io::Error) -> Self {
+        Self::NotUsable { path: path.to_owned(), reason: io_error_words(error) }
+    }
+
     /// The error of SQLite for the store at `path`.
     pub(super) fn of(path: &Path, error: &rusqlite::Error) -> Self {
         let path = path.to_owned();
@@ -58,7 +65,7 @@ impl StoreError {
             }
             Some(ErrorCode::DiskFull) => Self::NotUsable { path, reason: "the disk is full".to_owned() },
             // The file may be written, and says that a later version has written it.
-            Some(ErrorCode::ReadOnly) if extended == Some(ffi::SQLITE_READONLY) && is_writable(&path) => {
+            Some(ErrorCode::ReadOnly) if extended == Some(ffi::SQLITE_READONLY) && may_write(&path) => {
                 Self::Damaged { path, reason: "its header is of another version of SQLite".to_owned() }
             }
             Some(ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
@@ -69,8 +76,4 @@ impl StoreError {
             None => Self::Damaged { path, reason: error.to_string() },
         }
     }
-}
-
-fn is_writable(path: &Path) -> bool {
-    std::fs::OpenOptions::new().write(true).open(path).is_ok()
 }

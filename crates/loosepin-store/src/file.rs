@@ -1,13 +1,15 @@
 //! The SQLite file of a store.
 
-use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use loosepin_files::{FileKind, Folder, FolderLock, Identity, Refused};
+use rusqlite::config::DbConfig;
 use rusqlite::{Connection, OpenFlags, OptionalExtension, Row, params};
 
 use super::error::StoreError;
+use super::files::{PUBLISHED_FILE, STORE_COMPANIONS, STORE_FILE};
 use super::identity::StoreIdentity;
 use super::row::{InputsKey, KeptRun, checksum};
 
@@ -52,14 +54,35 @@ fn shortened(name: &str) -> String {
 pub(super) struct StoreFile {
     path: PathBuf,
     connection: Connection,
+    folder: Folder,
+    /// The file that was opened. Another one may have its name later.
+    identity: Identity,
+}
+
+/// Where SQLite is to open a file of the folder. It opens by paths: this one has no links, and leads to the folder.
+fn checked_path(folder: &Folder, name: &str) -> io::Result<PathBuf> {
+    let named = if folder.path().as_os_str().is_empty() { Path::new(".") } else { folder.path() };
+    let path = if cfg!(unix) { named.canonicalize()? } else { named.to_owned() };
+    if Folder::open(&path)?.own_info()?.identity != folder.own_info()?.identity {
+        return Err(Refused::LockLost.into());
+    }
+    for name in STORE_COMPANIONS.into_iter().chain([name]) {
+        match folder.find(Path::new(name))?.map(|found| found.kind) {
+            None | Some(FileKind::File) => {}
+            Some(FileKind::Link) => return Err(Refused::Link.into()),
+            Some(FileKind::Folder | FileKind::Other) => return Err(Refused::NotAFile.into()),
+        }
+    }
+    Ok(path.join(name))
 }
 
 impl StoreFile {
-    /// Opens or makes the file at `path`, locks it and checks that it is whole and whose it is.
-    pub fn open(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
-        let of = |error: rusqlite::Error| StoreError::of(path, &error);
-        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-        let connection = Connection::open_with_flags(path, flags).map_err(of)?;
+    /// Opens or makes the file in the folder, locks it and checks that it is whole and whose it is.
+    pub fn open(folder: &Folder, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        let path = folder.path().join(STORE_FILE);
+        let of = |error: rusqlite::Error| StoreError::of(&path, &error);
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE;
+        let connection = open(folder, STORE_FILE, flags)?;
         connection.busy_timeout(std::time::Duration::ZERO).map_err(of)?;
         // Locked before the log is begun, so that no memory is shared with other processes: that works on network drives too.
         connection.pragma_update(None, "locking_mode", "EXCLUSIVE").map_err(of)?;
@@ -67,7 +90,7 @@ impl StoreFile {
         connection.pragma_update(None, "synchronous", "FULL").map_err(of)?;
         connection.execute_batch("BEGIN EXCLUSIVE; COMMIT").map_err(of)?;
         harden(&connection).map_err(of)?;
-        let store = Self { path: path.to_owned(), connection };
+        let store = Self::of_connection(connection, folder, STORE_FILE)?;
         let number =
             |name: &str| store.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0)).map_err(of);
         let is_new = number("application_id")? == 0 && number("user_version")? == 0 && store.is_empty()?;
@@ -79,15 +102,31 @@ impl StoreFile {
         Ok(store)
     }
 
-    /// Opens the file at `path` to be read, by any number of processes at a time, and checks it like [`StoreFile::open`]. It must
-    /// not be written meanwhile: only what [`StoreFile::publish`] has written is read so.
-    pub fn open_published(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
-        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-        let connection = Connection::open_with_flags(path, flags).map_err(|error| StoreError::of(path, &error))?;
-        harden(&connection).map_err(|error| StoreError::of(path, &error))?;
-        let store = Self { path: path.to_owned(), connection };
+    /// Opens the copy of a store in the folder to be read, by any number of processes at a time, and checks it like [`StoreFile::open`]. It
+    /// must not be written meanwhile: only what [`StoreFile::publish`] has written is read so.
+    pub fn open_published(folder: &Folder, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        let connection = open(folder, PUBLISHED_FILE, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+        harden(&connection).map_err(|error| StoreError::of(&folder.path().join(PUBLISHED_FILE), &error))?;
+        let store = Self::of_connection(connection, folder, PUBLISHED_FILE)?;
         store.check(identity)?;
         Ok(store)
+    }
+
+    fn of_connection(connection: Connection, folder: &Folder, name: &str) -> Result<Self, StoreError> {
+        let path = folder.path().join(name);
+        let found = folder.find(Path::new(name)).and_then(|found| found.ok_or(Refused::LockLost.into()));
+        let identity = found.map_err(|error| StoreError::not_usable(&path, &error))?.identity;
+        Ok(Self { path, connection, folder: folder.clone(), identity })
+    }
+
+    /// That the file still has its name in the folder: what is written into it is found again.
+    fn check_place(&self) -> Result<(), StoreError> {
+        let lost = match self.folder.find(Path::new(self.path.file_name().unwrap_or_default())) {
+            Ok(Some(found)) if found.identity == self.identity => return Ok(()),
+            Ok(_) => Refused::LockLost.into(),
+            Err(error) => error,
+        };
+        Err(StoreError::not_usable(&self.path, &lost))
     }
 
     /// Whether it has no table: just made, or left before its first commit.
@@ -171,6 +210,11 @@ impl StoreFile {
         }
     }
 
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// How many runs it holds.
     pub fn runs(&self) -> Result<u64, StoreError> {
         let count = self.connection.query_row("SELECT count(*) FROM run", [], |row| row.get::<_, i64>(0));
@@ -179,6 +223,7 @@ impl StoreFile {
 
     /// Writes these rows together, and waits until they are on the device.
     pub fn commit(&mut self, rows: &[(u32, u64, KeptRun)]) -> Result<(), StoreError> {
+        self.check_place()?;
         let mut written = || -> rusqlite::Result<()> {
             let transaction = self.connection.transaction()?;
             {
@@ -253,32 +298,41 @@ impl StoreFile {
         Ok((list, place, KeptRun { inputs, outcome }))
     }
 
-    /// Writes a copy to `to` that other processes may read while this one is written: whole or not at all, in place of the one
+    /// Writes a copy beside it that other processes may read while this one is written: whole or not at all, in place of the one
     /// that was there.
-    pub fn publish(&self, to: &Path) -> Result<(), StoreError> {
-        let refused = |error: io::Error| StoreError::NotUsable { path: to.to_owned(), reason: error.to_string() };
-        let partial = to.with_extension("partial");
-        match fs::remove_file(&partial) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(refused(error)),
-            _ => {}
-        }
-        let Some(name) = partial.to_str() else {
+    pub fn publish(&self, lock: &FolderLock) -> Result<(), StoreError> {
+        let to = self.folder.path().join(PUBLISHED_FILE);
+        let refused = |error: io::Error| StoreError::not_usable(&to, &error);
+        let temporary = lock.temporary_name().map_err(refused)?;
+        let path = checked_path(&self.folder, &temporary).map_err(refused)?;
+        let Some(name) = path.to_str() else {
             return Err(refused(io::Error::other("a path that is not Unicode")));
         };
-        let copied = self.connection.execute("VACUUM INTO ?1", [name]);
-        copied.map_err(|error| StoreError::of(to, &error))?;
-        let renamed = || {
-            fs::File::open(&partial)?.sync_all()?;
-            fs::rename(&partial, to)?;
-            match to.parent().filter(|folder| cfg!(unix) && !folder.as_os_str().is_empty()) {
-                Some(folder) => fs::File::open(folder)?.sync_all(),
-                None => Ok(()),
-            }
-        };
-        renamed().map_err(refused)
+        if let Err(error) = self.connection.execute("VACUUM INTO ?1", [name]) {
+            let _ = lock.remove(&temporary);
+            return Err(StoreError::of(&to, &error));
+        }
+        lock.adopt(&temporary, PUBLISHED_FILE).map_err(refused)
     }
 
     fn or_told<T>(&self, result: rusqlite::Result<T>) -> Result<T, StoreError> {
         result.map_err(|error| StoreError::of(&self.path, &error))
+    }
+}
+
+/// A connection to a file of the folder. SQLite follows no link.
+fn open(folder: &Folder, name: &str, flags: OpenFlags) -> Result<Connection, StoreError> {
+    let named = folder.path().join(name);
+    let path = checked_path(folder, name).map_err(|error| StoreError::not_usable(&named, &error))?;
+    let flags = flags | OpenFlags::SQLITE_OPEN_NO_MUTEX | OpenFlags::SQLITE_OPEN_NOFOLLOW;
+    Connection::open_with_flags(path, flags).map_err(|error| StoreError::of(&named, &error))
+}
+
+/// Where another file has its name, the log that has the name of its own is that of the other one: it is not removed.
+impl Drop for StoreFile {
+    fn drop(&mut self) {
+        if self.check_place().is_err() {
+            let _ = self.connection.set_db_config(DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, true);
+        }
     }
 }

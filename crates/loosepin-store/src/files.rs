@@ -1,6 +1,6 @@
 //! The files of a store in a folder of results.
 
-use std::path::Path;
+use loosepin_files::FolderLock;
 
 use super::error::StoreError;
 
@@ -12,19 +12,13 @@ pub const STORE_COMPANIONS: [&str; 2] = ["runs.sqlite-wal", "runs.sqlite-journal
 /// Name of the copy that shards of a study read of what was merged, beside the store.
 pub const PUBLISHED_FILE: &str = "merged.sqlite";
 
-/// Removes the files of a store that is not open, and the copy beside it; nothing where there is none.
+/// Removes the files of the store in a folder, which is not open, and the copy beside it; nothing where there is none.
 ///
 /// # Errors
 /// An error of the file system.
-pub fn remove_store(path: &Path) -> Result<(), StoreError> {
-    let companions = STORE_COMPANIONS.iter().map(|name| path.with_file_name(name));
-    for file in companions.chain([path.with_file_name(PUBLISHED_FILE), path.to_owned()]) {
-        match std::fs::remove_file(&file) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                return Err(StoreError::NotUsable { path: file, reason: error.to_string() });
-            }
-            _ => {}
-        }
+pub fn remove_store(lock: &FolderLock) -> Result<(), StoreError> {
+    for name in STORE_COMPANIONS.into_iter().chain([PUBLISHED_FILE, STORE_FILE]) {
+        lock.remove(name).map_err(|error| StoreError::not_usable(&lock.folder().path().join(name), &error))?;
     }
     Ok(())
 }

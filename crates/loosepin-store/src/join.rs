@@ -1,9 +1,10 @@
 //! The runs of several shards in one store.
 
-use std::path::{Path, PathBuf};
+use loosepin_files::Folder;
 
 use super::error::StoreError;
 use super::file::StoreFile;
+use super::files::STORE_FILE;
 use super::identity::StoreIdentity;
 use super::row::KeptRun;
 use super::shard::Shard;
@@ -11,7 +12,7 @@ use super::shard::Shard;
 /// Rows that are written together.
 const ROWS_PER_COMMIT: usize = 4096;
 
-/// Adds the runs of `shards` to `joined`, the store at `path`; gives how many were not there before. Each row is checked; one that is
+/// Adds the runs of the stores in the folders of `shards` to `joined`; gives how many were not there before. Each row is checked; one that is
 /// there already must be the same. Whenever it is stopped it can be done again.
 ///
 /// # Errors
@@ -19,14 +20,13 @@ const ROWS_PER_COMMIT: usize = 4096;
 /// is another shard's.
 pub(super) fn join(
     joined: &mut StoreFile,
-    path: &Path,
     identity: &StoreIdentity,
-    shards: &[(Shard, PathBuf)],
+    shards: &[(Shard, Folder)],
 ) -> Result<u64, StoreError> {
     let mut added = 0;
     for (shard, of_shard) in shards {
         let part = StoreFile::open(of_shard, identity)?;
-        let damaged = |reason: String| StoreError::Damaged { path: of_shard.clone(), reason };
+        let damaged = |reason: String| StoreError::Damaged { path: of_shard.path().join(STORE_FILE), reason };
         let mut waiting: Vec<(u32, u64, KeptRun)> = Vec::new();
         part.for_each(|list, place, run| {
             if !shard.makes(place) {
@@ -41,7 +41,7 @@ pub(super) fn join(
                 Some(_) => {
                     return Err(damaged(format!(
                         "run {place} of list {list} is in {} already, with other numbers",
-                        path.display()
+                        joined.path().display()
                     )));
                 }
                 None => waiting.push((list, place, run)),
@@ -61,7 +61,11 @@ pub(super) fn join(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Beginning, InputsKey, PUBLISHED_FILE, RunStore, STORE_FILE};
+    use crate::results::LOCK_FILE;
+    use crate::{Beginning, InputsKey, RunStore};
+    use loosepin_files::FolderLock;
+    use std::path::Path;
+    use std::sync::Arc;
 
     /// Rows of a list: not a multiple of the shards.
     const ROWS: u64 = 50;
@@ -76,40 +80,42 @@ mod tests {
     }
 
     /// The store of a shard with its rows of the lists 0 and 2.
-    fn shard(desk: &Path, index: u32, of: u32) -> (Shard, PathBuf) {
+    fn shard(desk: &Path, index: u32, of: u32) -> (Shard, Folder) {
         let shard = Shard::new(index, of).unwrap();
-        let folder = shard.folder(&desk.join("bounds"));
-        std::fs::create_dir_all(&folder).unwrap();
-        let path = folder.join(STORE_FILE);
-        let store = RunStore::open(&path, &identity()).unwrap();
+        let lock = lock(&shard.folder(&desk.join("bounds")));
+        let store = RunStore::open(&lock, &identity()).unwrap();
         for list in [0, 2] {
             (0..ROWS).filter(|&place| shard.makes(place)).for_each(|place| store.keep(list, place, run(list, place)));
         }
         store.settle().unwrap();
-        (shard, path)
+        (shard, lock.folder().clone())
     }
 
-    /// How many rows of `shards` were new to the store at `path`.
-    fn join_stores(path: &Path, shards: &[(Shard, PathBuf)]) -> Result<u64, StoreError> {
-        RunStore::begin_joined(path, &identity(), Beginning::GoOn, shards).map(|(_, added)| added)
+    fn lock(folder: &Path) -> Arc<FolderLock> {
+        Arc::new(FolderLock::take(folder, LOCK_FILE, "test").unwrap())
+    }
+
+    /// How many rows of `shards` were new to the store in a locked folder.
+    fn join_stores(lock: &Arc<FolderLock>, shards: &[(Shard, Folder)]) -> Result<u64, StoreError> {
+        RunStore::begin_joined(lock, &identity(), Beginning::GoOn, shards).map(|(_, added)| added)
     }
 
     #[test]
     fn identity_joined_shards_hold_every_row_once() {
         let desk = tempfile::tempdir().unwrap();
-        let shards: Vec<(Shard, PathBuf)> = (1..=3).map(|index| shard(desk.path(), index, 3)).collect();
-        let joined = desk.path().join(STORE_FILE);
+        let shards: Vec<(Shard, Folder)> = (1..=3).map(|index| shard(desk.path(), index, 3)).collect();
+        let joined = lock(desk.path());
         assert_eq!(join_stores(&joined, &shards[..2]).unwrap(), 2 * 34);
         assert_eq!(join_stores(&joined, &shards).unwrap(), 2 * (ROWS - 34));
         assert_eq!(join_stores(&joined, &shards).unwrap(), 0, "again changes nothing");
         let store = RunStore::open(&joined, &identity()).unwrap();
-        let published = desk.path().join(PUBLISHED_FILE);
-        store.publish(&published).unwrap();
+        store.publish().unwrap();
         // Another shard finds in the copy what it does not have itself, whatever happens to the store meanwhile.
-        let (_, own) = &shards[0];
-        let beside = RunStore::open_beside(own, Some(&published), &identity()).unwrap();
+        let own = lock(shards[0].1.path());
+        let published = joined.folder();
+        let beside = RunStore::open_beside(&own, Some(published), &identity()).unwrap();
         store.keep(0, ROWS, run(0, ROWS));
-        store.publish(&published).unwrap();
+        store.publish().unwrap();
         for list in [0, 2] {
             let found = beside.find(list, 0..ROWS + 1).unwrap();
             for (place, found) in (0..).zip(&found[..ROWS as usize]) {
@@ -118,25 +124,25 @@ mod tests {
             assert!(found[ROWS as usize].is_none());
         }
         drop(beside);
-        let later = RunStore::open_beside(own, Some(&published), &identity()).unwrap();
+        let later = RunStore::open_beside(&own, Some(published), &identity()).unwrap();
         assert!(later.find(0, ROWS..ROWS + 1).unwrap()[0].is_some());
     }
 
     #[test]
     fn rows_of_other_shards_and_other_numbers_are_refused_by_name() {
         let desk = tempfile::tempdir().unwrap();
-        let (one, path) = shard(desk.path(), 1, 2);
-        let joined = desk.path().join(STORE_FILE);
-        let said = |shards: &[(Shard, PathBuf)]| join_stores(&joined, shards).unwrap_err().to_string();
-        let other = said(&[(Shard::new(2, 2).unwrap(), path.clone())]);
+        let (one, folder) = shard(desk.path(), 1, 2);
+        let joined = lock(desk.path());
+        let said = |shards: &[(Shard, Folder)]| join_stores(&joined, shards).unwrap_err().to_string();
+        let other = said(&[(Shard::new(2, 2).unwrap(), folder.clone())]);
         assert!(other.ends_with("is damaged: run 0 of list 0 is one of shard 1/2, not of 2/2"), "{other}");
-        join_stores(&joined, &[(one, path.clone())]).unwrap();
-        let store = RunStore::open(&path, &identity()).unwrap();
-        let busy = said(&[(one, path.clone())]);
+        join_stores(&joined, &[(one, folder.clone())]).unwrap();
+        let store = RunStore::open(&lock(folder.path()), &identity()).unwrap();
+        let busy = said(&[(one, folder.clone())]);
         assert!(busy.ends_with("is in use by another loosepin"), "{busy}");
         store.keep(2, 4, KeptRun { outcome: Ok(vec![0.7]), ..run(2, 4) });
         drop(store);
-        let differs = said(&[(one, path)]);
+        let differs = said(&[(one, folder)]);
         assert!(differs.ends_with("runs.sqlite already, with other numbers"), "{differs}");
         assert!(differs.contains("is damaged: run 4 of list 2 is in "), "{differs}");
     }

@@ -7,9 +7,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Sender, SyncSender, channel, sync_channel};
 use std::thread::JoinHandle;
 
+use loosepin_files::{Folder, FolderLock};
+
 use super::error::StoreError;
 use super::file::StoreFile;
-use super::files::remove_store;
+use super::files::{STORE_FILE, remove_store};
 use super::identity::StoreIdentity;
 use super::join::join;
 use super::row::KeptRun;
@@ -42,6 +44,7 @@ impl Beginning {
 #[derive(Debug)]
 pub struct RunStore {
     path: PathBuf,
+    lock: Arc<FolderLock>,
     requests: Option<Sender<Request>>,
     thread: Option<JoinHandle<()>>,
     is_broken: Arc<AtomicBool>,
@@ -49,27 +52,32 @@ pub struct RunStore {
 }
 
 impl RunStore {
-    /// Opens the store at `path`, or makes an empty one where there is none.
+    /// Opens the store in a locked folder, or makes an empty one where there is none.
     ///
     /// # Errors
     /// [`StoreError`]: it is in use, belongs to another study or version, is damaged, or the file system refuses.
-    pub fn open(path: &Path, identity: &StoreIdentity) -> Result<Self, StoreError> {
-        Self::open_beside(path, None, identity)
+    pub fn open(lock: &Arc<FolderLock>, identity: &StoreIdentity) -> Result<Self, StoreError> {
+        Self::open_beside(lock, None, identity)
     }
 
-    /// Opens the store with `published` beside it, a copy of another store that [`RunStore::publish`] has written: what is in there is found here as
-    /// well.
+    /// Opens the store with the copy of another store beside it, which [`RunStore::publish`] has written into the folder `published`: what
+    /// is in there is found here as well.
     ///
     /// # Errors
     /// As for [`RunStore::open`], of both.
-    pub fn open_beside(path: &Path, published: Option<&Path>, identity: &StoreIdentity) -> Result<Self, StoreError> {
-        let file = StoreFile::open(path, identity)?;
+    pub fn open_beside(
+        lock: &Arc<FolderLock>,
+        published: Option<&Folder>,
+        identity: &StoreIdentity,
+    ) -> Result<Self, StoreError> {
+        let file = StoreFile::open(lock.folder(), identity)?;
         let published = published.map(|published| StoreFile::open_published(published, identity)).transpose()?;
-        Self::serve(path, file, published)
+        Self::serve(lock, file, published)
     }
 
     /// The store in `file`, with a thread that serves it.
-    fn serve(path: &Path, file: StoreFile, published: Option<StoreFile>) -> Result<Self, StoreError> {
+    fn serve(lock: &Arc<FolderLock>, file: StoreFile, published: Option<StoreFile>) -> Result<Self, StoreError> {
+        let path = lock.folder().path().join(STORE_FILE);
         let runs_at_start = file.runs()?;
         let (requests, inbox) = channel();
         let is_broken = Arc::new(AtomicBool::new(false));
@@ -77,16 +85,20 @@ impl RunStore {
         let thread = std::thread::Builder::new()
             .name("loosepin-store".to_owned())
             .spawn(move || write_requests(file, published.as_ref(), &inbox, &flag))
-            .map_err(|error| StoreError::NotUsable { path: path.to_owned(), reason: error.to_string() })?;
-        Ok(Self { path: path.to_owned(), requests: Some(requests), thread: Some(thread), is_broken, runs_at_start })
+            .map_err(|error| StoreError::not_usable(&path, &error))?;
+        Ok(Self { path, lock: Arc::clone(lock), requests: Some(requests), thread: Some(thread), is_broken, runs_at_start })
     }
 
-    /// Opens the store at `path` at the beginning of a study.
+    /// Opens the store in a locked folder at the beginning of a study.
     ///
     /// # Errors
     /// As for [`RunStore::open`], and [`StoreError::HoldsRuns`] where there were to be none.
-    pub fn begin(path: &Path, identity: &StoreIdentity, beginning: Beginning) -> Result<Self, StoreError> {
-        Self::begin_beside(path, None, identity, beginning)
+    pub fn begin(
+        lock: &Arc<FolderLock>,
+        identity: &StoreIdentity,
+        beginning: Beginning,
+    ) -> Result<Self, StoreError> {
+        Self::begin_beside(lock, None, identity, beginning)
     }
 
     /// Opens the store of a shard at the beginning of a study; the shard reads what is `published` as well.
@@ -94,43 +106,43 @@ impl RunStore {
     /// # Errors
     /// As for [`RunStore::open_beside`], and [`StoreError::HoldsRuns`] where there were to be none.
     pub fn begin_beside(
-        path: &Path,
-        published: Option<&Path>,
+        lock: &Arc<FolderLock>,
+        published: Option<&Folder>,
         identity: &StoreIdentity,
         beginning: Beginning,
     ) -> Result<Self, StoreError> {
-        let opened = Self::open_beside(path, published, identity);
+        let opened = Self::open_beside(lock, published, identity);
         match (beginning, opened) {
             (_, Err(error @ StoreError::InUse { .. })) => Err(error),
             (Beginning::Anew, opened) => {
                 drop(opened);
-                remove_store(path)?;
+                remove_store(lock)?;
                 // What was published belongs to what is begun anew.
-                Self::open_beside(path, None, identity)
+                Self::open_beside(lock, None, identity)
             }
             (Beginning::Empty, Ok(store)) if store.runs_at_start > 0 => {
-                Err(StoreError::HoldsRuns { path: path.to_owned(), runs: store.runs_at_start })
+                Err(StoreError::HoldsRuns { path: store.path.clone(), runs: store.runs_at_start })
             }
             (_, opened) => opened,
         }
     }
 
-    /// Opens the store at `path` with the runs of `shards` added, and gives how many of them were not there before. Each row is
+    /// Opens the store in a locked folder with the runs of the stores in the folders of `shards` added, and gives how many of them were not there before. Each row is
     /// checked; one that is there already must be the same. Whenever it is stopped it can be done again.
     ///
     /// # Errors
     /// As for [`RunStore::begin`]; a store of a shard is in use (the shard is at work still), damaged, of another study or version, or
     /// holds a run that is another shard's.
     pub fn begin_joined(
-        path: &Path,
+        lock: &Arc<FolderLock>,
         identity: &StoreIdentity,
         beginning: Beginning,
-        shards: &[(Shard, PathBuf)],
+        shards: &[(Shard, Folder)],
     ) -> Result<(Self, u64), StoreError> {
-        drop(Self::begin(path, identity, beginning)?);
-        let mut file = StoreFile::open(path, identity)?;
-        let added = join(&mut file, path, identity, shards)?;
-        Ok((Self::serve(path, file, None)?, added))
+        drop(Self::begin(lock, identity, beginning)?);
+        let mut file = StoreFile::open(lock.folder(), identity)?;
+        let added = join(&mut file, identity, shards)?;
+        Ok((Self::serve(lock, file, None)?, added))
     }
 
     /// Where it is.
@@ -172,12 +184,12 @@ impl RunStore {
         self.ask(|reply| Request::Settle { reply })
     }
 
-    /// Writes a copy of everything that was given to `to`, which other processes may read by [`RunStore::open_beside`] at any time.
+    /// Writes a copy of everything that was given beside the store, which other processes may read by [`RunStore::open_beside`] at any time.
     ///
     /// # Errors
     /// [`StoreError`]: what the file system refuses.
-    pub fn publish(&self, to: &Path) -> Result<(), StoreError> {
-        self.ask(|reply| Request::Publish { to: to.to_owned(), reply })
+    pub fn publish(&self) -> Result<(), StoreError> {
+        self.ask(|reply| Request::Publish { lock: Arc::clone(&self.lock), reply })
     }
 
     fn ask<T>(&self, request: impl FnOnce(SyncSender<Result<T, StoreError>>) -> Request) -> Result<T, StoreError> {
@@ -193,7 +205,7 @@ impl RunStore {
     /// An error of the file system.
     pub fn remove(mut self) -> Result<(), StoreError> {
         self.close();
-        remove_store(&self.path)
+        remove_store(&self.lock)
     }
 
     fn close(&mut self) {

@@ -1,10 +1,12 @@
 //! The thread that has the file: collects what is to be kept, and commits it in time.
 
 use std::ops::Range;
-use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
 use std::time::{Duration, Instant};
+
+use loosepin_files::FolderLock;
 
 use super::error::StoreError;
 use super::file::StoreFile;
@@ -38,8 +40,8 @@ pub(super) enum Request {
     },
     /// To write everything, and a copy of it for others.
     Publish {
-        /// Where the copy goes.
-        to: PathBuf,
+        /// The lock of its folder.
+        lock: Arc<FolderLock>,
         /// Where the answer goes.
         reply: SyncSender<Result<(), StoreError>>,
     },
@@ -124,9 +126,9 @@ pub(super) fn write_requests(
                 // Who asked may have given up.
                 let _ = reply.send(found);
             }
-            Ok(Request::Publish { to, reply }) => {
+            Ok(Request::Publish { lock, reply }) => {
                 waiting.commit(&mut file, &mut broken, flag);
-                let _ = reply.send(broken.clone().map_or_else(|| file.publish(&to), Err));
+                let _ = reply.send(broken.clone().map_or_else(|| file.publish(&lock), Err));
             }
             Ok(Request::Settle { reply }) => {
                 waiting.commit(&mut file, &mut broken, flag);

@@ -1,26 +1,29 @@
-//! The folder that is served: which paths there are in it, reading and writing. Nothing outside of it is opened.
+//! The folder that is served: which paths there are in it, reading and writing. Nothing outside of it is opened, and no link is followed.
 
-use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use axum::http::StatusCode;
-use loosepin::results::write_whole;
+use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
 
+use crate::listing::Known;
 use crate::refusal::Refusal;
 
 /// Largest text, bytes.
 pub const LARGEST_TEXT: usize = 1 << 20;
 /// Largest table that a text names, bytes.
 const LARGEST_TABLE: usize = 8 << 20;
+/// Characters of a new folder's name.
+const LONGEST_NAME: usize = 64;
 /// Longest path, bytes.
 const LONGEST_PATH: usize = 1024;
 
-/// The served folder.
+/// The served folder, held open: what its path leads to later does not matter.
 #[derive(Debug, Clone)]
 pub struct Folder {
-    /// Without links.
-    root: PathBuf,
+    opened: files::Folder,
+    known: Arc<Mutex<Known>>,
 }
 
 /// A text file as it stands on the disk.
@@ -37,44 +40,31 @@ impl Folder {
     /// # Errors
     /// It is not there, or no folder.
     pub fn new(path: &Path) -> io::Result<Self> {
-        let root = path.canonicalize()?;
-        if root.is_dir() { Ok(Self { root }) } else { Err(io::Error::from(io::ErrorKind::NotADirectory)) }
+        Ok(Self { opened: files::Folder::open(&path.canonicalize()?)?, known: Arc::default() })
     }
 
-    /// The folder itself.
+    /// Where it was when it was opened.
     pub fn root(&self) -> &Path {
-        &self.root
+        self.opened.path()
     }
 
-    /// Where `path`, as the page writes it, is on the disk. It must exist, and no link may lead out of the folder.
-    ///
-    /// # Errors
-    /// The path is none of this folder.
-    pub fn existing(&self, path: &str) -> Result<PathBuf, Refusal> {
-        let joined = self.root.join(relative(path)?);
-        let whole = joined.canonicalize().map_err(|error| not_readable(path, &error))?;
-        if whole.starts_with(&self.root) { Ok(whole) } else { Err(outside(path)) }
+    /// The open folder.
+    pub fn opened(&self) -> &files::Folder {
+        &self.opened
     }
 
-    /// Where a file `path` is to be written: its folder must exist, and it must be no link.
+    /// What earlier listings have read.
+    pub(crate) fn known(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What is known of the entry at `path`, as the page writes it.
     ///
     /// # Errors
-    /// The path is none of this folder.
-    fn writable(&self, path: &str) -> Result<PathBuf, Refusal> {
-        let relative = relative(path)?;
-        let name = relative.file_name().ok_or_else(|| outside(path))?;
-        let parent = self.root.join(relative.parent().unwrap_or(Path::new("")));
-        let parent = parent.canonicalize().map_err(|error| not_readable(path, &error))?;
-        if !parent.starts_with(&self.root) {
-            return Err(outside(path));
-        }
-        let whole = parent.join(name);
-        match fs::symlink_metadata(&whole) {
-            Ok(found) if !found.is_file() => {
-                Err(Refusal::bad(format!("'{path}' is no plain file: it is not written to")))
-            }
-            _ => Ok(whole),
-        }
+    /// The path is none of this folder; nothing is there.
+    pub fn info(&self, path: &str) -> Result<FileInfo, Refusal> {
+        let found = self.opened.find(&relative(path)?).map_err(|error| not_readable(path, &error))?;
+        found.ok_or_else(|| not_readable(path, &io::ErrorKind::NotFound.into()))
     }
 
     /// Reads a text file.
@@ -82,8 +72,7 @@ impl Folder {
     /// # Errors
     /// The path is none of this folder; a file that is too large, or no UTF-8.
     pub fn read(&self, path: &str) -> Result<StoredText, Refusal> {
-        let bytes = self.bytes(path, LARGEST_TEXT)?;
-        let text = String::from_utf8(bytes).map_err(|_| Refusal::bad(format!("'{path}' is not UTF-8")))?;
+        let text = text_of(path, self.bytes(path, LARGEST_TEXT)?)?;
         Ok(StoredText { tag: tag(&text), text })
     }
 
@@ -92,8 +81,7 @@ impl Folder {
     /// # Errors
     /// As [`Self::read`].
     pub fn read_table(&self, path: &str) -> Result<String, Refusal> {
-        let bytes = self.bytes(path, LARGEST_TABLE)?;
-        String::from_utf8(bytes).map_err(|_| Refusal::bad(format!("'{path}' is not UTF-8")))
+        text_of(path, self.bytes(path, LARGEST_TABLE)?)
     }
 
     /// Reads a file of at most so many bytes.
@@ -101,23 +89,12 @@ impl Folder {
     /// # Errors
     /// The path is none of this folder; a file that is too large.
     pub fn bytes(&self, path: &str, most: usize) -> Result<Vec<u8>, Refusal> {
-        let whole = self.existing(path)?;
-        // Asked first: opening a pipe would wait for who writes into it.
-        if !fs::metadata(&whole).is_ok_and(|found| found.is_file()) {
-            return Err(Refusal::bad(format!("'{path}' is no file")));
-        }
-        let file = fs::File::open(&whole).map_err(|error| not_readable(path, &error))?;
-        let mut bytes = Vec::new();
-        file.take(most as u64 + 1).read_to_end(&mut bytes).map_err(|error| not_readable(path, &error))?;
-        if bytes.len() > most {
-            let message = format!("'{path}' has more than {} MiB", most >> 20);
-            return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, message));
-        }
-        Ok(bytes)
+        self.opened.read(&relative(path)?, most as u64).map_err(|error| not_readable(path, &error))
     }
 
     /// Writes a text file whole, or not at all; gives the tag of what is there now. `known` is the tag of what the page has seen there,
-    /// nothing where no file is to be there.
+    /// nothing where no file is to be there. The tag is compared under a lock that all studios of the folder take: of several that save
+    /// at once with one tag, one saves.
     ///
     /// # Errors
     /// The path is none of this folder, or no `.toml` file; somebody else has changed the file.
@@ -128,8 +105,16 @@ impl Folder {
         if text.len() > LARGEST_TEXT {
             return Err(Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, format!("'{path}' has more than 1 MiB")));
         }
-        let whole = self.writable(path)?;
-        let found = if whole.exists() { Some(self.read(path)?.tag) } else { None };
+        let relative = relative(path)?;
+        let name = relative.file_name().and_then(|name| name.to_str()).ok_or_else(|| outside(path))?;
+        let parent = self.opened.open_below(relative.parent().unwrap_or(Path::new("")));
+        let parent = parent.map_err(|error| not_readable(path, &error))?;
+        let lock = lock_texts(&parent).map_err(|error| not_written(path, &error))?;
+        let found = match parent.read(Path::new(name), LARGEST_TEXT as u64) {
+            Ok(bytes) => Some(tag(&text_of(path, bytes)?)),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(not_written(path, &error)),
+        };
         if found.as_deref() != known {
             let message = match found {
                 Some(_) => format!("'{path}' was changed by somebody else since it was read"),
@@ -137,10 +122,37 @@ impl Folder {
             };
             return Err(Refusal::new(StatusCode::CONFLICT, message));
         }
-        write_whole(&whole, text.as_bytes())
-            .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
+        let written = match found {
+            Some(_) => lock.write(name, text.as_bytes()),
+            None => lock.write_new(&[(name, text.as_bytes())]),
+        };
+        written.map_err(|error| not_written(path, &error))?;
         Ok(tag(text))
     }
+
+    /// Makes a folder with files in it, which is there with all of them or not at all.
+    ///
+    /// # Errors
+    /// The name is none for a folder; something of that name is there already.
+    pub fn write_new_folder(&self, name: &str, texts: &[(&str, &str)]) -> Result<(), Refusal> {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(is_plain) {
+            return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
+        }
+        let contents: Vec<(&str, &[u8])> = texts.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
+        let written = lock_texts(&self.opened).and_then(|lock| lock.write_new_folder(name, &contents));
+        written.map_err(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists => Refusal::new(StatusCode::CONFLICT, format!("'{name}' is there already")),
+            io::ErrorKind::NotFound => {
+                Refusal::new(StatusCode::CONFLICT, "the served folder is not there any more; nothing is written")
+            }
+            _ => not_written(name, &error),
+        })
+    }
+}
+
+fn text_of(path: &str, bytes: Vec<u8>) -> Result<String, Refusal> {
+    String::from_utf8(bytes).map_err(|_| Refusal::bad(format!("'{path}' is not UTF-8")))
 }
 
 /// A path as the page writes it: names below the served folder, with `/` between them.
@@ -166,18 +178,34 @@ fn outside(path: &str) -> Refusal {
 }
 
 fn not_readable(path: &str, error: &io::Error) -> Refusal {
-    let status = match error.kind() {
-        io::ErrorKind::NotFound => StatusCode::NOT_FOUND,
-        io::ErrorKind::PermissionDenied => StatusCode::FORBIDDEN,
-        _ => StatusCode::BAD_REQUEST,
+    refused("read", path, error, StatusCode::BAD_REQUEST)
+}
+
+fn not_written(path: &str, error: &io::Error) -> Refusal {
+    refused("write", path, error, StatusCode::INTERNAL_SERVER_ERROR)
+}
+
+fn refused(what: &str, path: &str, error: &io::Error, otherwise: StatusCode) -> Refusal {
+    if Refused::of(error) == Some(Refused::BadName) {
+        return outside(path);
+    }
+    let status = match (Refused::of(error), error.kind()) {
+        (Some(Refused::TooLarge { .. }), _) => StatusCode::PAYLOAD_TOO_LARGE,
+        (Some(Refused::NotAFile), _) => StatusCode::BAD_REQUEST,
+        (Some(Refused::Link | Refused::ReadOnly), _) | (_, io::ErrorKind::PermissionDenied) => StatusCode::FORBIDDEN,
+        (_, io::ErrorKind::NotFound) => StatusCode::NOT_FOUND,
+        (_, io::ErrorKind::AlreadyExists) => StatusCode::CONFLICT,
+        (_, io::ErrorKind::ResourceBusy) => StatusCode::SERVICE_UNAVAILABLE,
+        _ => otherwise,
     };
     let shown: String = path.chars().take(80).collect();
-    Refusal::new(status, format!("cannot read '{shown}': {error}"))
+    Refusal::new(status, format!("cannot {what} '{shown}': {}", io_error_words(error)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn nothing_outside_of_the_folder_is_opened() {
@@ -211,7 +239,11 @@ mod tests {
             assert!(folder.write(path, "x = 1\n", None).is_err(), "{path}");
         }
         #[cfg(unix)]
-        assert!(folder.read("inside/model.toml").is_ok(), "a link inside of the folder leads nowhere else");
+        {
+            let refused = folder.read("inside/model.toml").map(|found| found.text).expect_err("a link");
+            let words = "it is a symbolic link, and links are not followed here";
+            assert_eq!((refused.status, refused.message), (StatusCode::FORBIDDEN, format!("cannot read 'inside/model.toml': {words}")));
+        }
         assert_eq!(fs::read_to_string(desk.path().join("secret.toml")).unwrap(), "secret = 1\n");
     }
 

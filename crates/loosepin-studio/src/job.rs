@@ -62,16 +62,7 @@ pub fn run(
     stop: &AtomicBool,
     threads: usize,
 ) -> Result<Outcome, Vec<String>> {
-    check_results(folder)?;
     conducted(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
-}
-
-/// A link of that name may lead out of the folder.
-fn check_results(folder: &Folder) -> Result<(), Vec<String>> {
-    if folder.root().join(RESULTS).symlink_metadata().is_ok() {
-        folder.existing(RESULTS).map_err(told)?;
-    }
-    Ok(())
 }
 
 fn told(refusal: Refusal) -> Vec<String> {
@@ -90,7 +81,6 @@ pub fn run_witness(
     named: &dyn Fn(String),
     stop: &AtomicBool,
 ) -> Result<Outcome, Vec<String>> {
-    check_results(folder)?;
     let result = stored_study(folder, path).map_err(told)?;
     let missing = || vec![format!("the result '{path}' has no witness {witness}")];
     let command = result.witness_commands.get(witness).ok_or_else(missing)?;
@@ -117,7 +107,7 @@ fn simulated(
         kind: ResultKind::Simulation,
         name: model.name.clone(),
         inputs: run_inputs(model, settings, plan, &[]),
-        place: Place::Below(folder.root().join(RESULTS)),
+        place: Place::Within(folder.opened().clone(), RESULTS.into()),
         with_force: false,
     };
     let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
@@ -153,14 +143,14 @@ fn conducted(
     threads: usize,
 ) -> Result<Outcome, Complaints> {
     let inputs = study_inputs(study, &[], None);
-    let place = Place::Below(folder.root().join(RESULTS));
+    let place = Place::Within(folder.opened().clone(), RESULTS.into());
     let claim = Claim { kind: ResultKind::Study, name: study.name.clone(), inputs, place, with_force: false };
     let is_there = claim.is_finished().map_err(|error| Complaints::one(&error, None))?;
     if !is_there {
         plan_runs(study).map_err(|error| error.complaint(study))?;
     }
     let identity = store_identity(&claim.inputs);
-    let (results, store) = match begin_in_folder(&claim, |path| RunStore::begin(path, &identity, Beginning::GoOn))? {
+    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, Beginning::GoOn))? {
         Begun::Open(results, store) => (results, store),
         Begun::Finished(results) => {
             let result = read_summary(&results).map_err(|error| Complaints::one(&error, None))?;

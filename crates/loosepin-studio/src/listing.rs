@@ -1,24 +1,35 @@
 //! What there is in the served folder: models, studies, results.
+//!
+//! A listing looks at no more than [`MAX_ENTRIES`] entries and reads the newest files only. What was read of a file is kept for as long
+//! as the file is the same one, of the same size and time.
 
-use std::fs;
+use std::cmp::Reverse;
+use std::collections::HashMap;
 use std::path::Path;
-use std::time::UNIX_EPOCH;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use loosepin::diagnostics::Source;
+use loosepin::files::{self, FileInfo, FileKind, Identity};
 use loosepin::report::verdict_words;
 use loosepin::results::{MARKER_FILE, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
 use serde::{Deserialize, Serialize};
 
-use crate::folder::Folder;
+use crate::folder::{Folder, LARGEST_TEXT};
 use crate::texts::{model_beside, plain};
 
 /// How far below the folder it is looked.
-const MOST_LEVELS: usize = 4;
-/// How many entries are looked at, and how many of each kind are told.
-const MOST_ENTRIES: usize = 20_000;
-const MOST_TOLD: usize = 200;
+const MAX_LEVELS: usize = 4;
+/// Most entries that are looked at.
+const MAX_ENTRIES: usize = 50_000;
+/// Most files, and most results, that are told.
+const MAX_TOLD: usize = 200;
+/// Most bytes that are read for one listing; what then is not known yet comes with the next one.
+const MAX_READ_BYTES: u64 = 64 << 20;
+/// Largest marker and largest record of a study that are read, bytes.
+const LARGEST_MARKER: u64 = 1 << 20;
+const LARGEST_SUMMARY: u64 = 16 << 20;
 
 /// The served folder as the page shows it.
 #[derive(Debug, Default, Serialize)]
@@ -29,7 +40,7 @@ pub struct Listing {
     truncated: bool,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 struct ListedFile {
     path: String,
     kind: &'static str,
@@ -39,7 +50,7 @@ struct ListedFile {
     at_ms: u64,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 struct ListedResult {
     path: String,
     title: String,
@@ -56,106 +67,183 @@ impl Listing {
     }
 }
 
-/// Looks through the folder, the newest first.
-pub fn listing(folder: &Folder) -> Listing {
-    let mut listing = Listing::default();
-    let mut left = MOST_ENTRIES;
-    walk(folder, folder.root(), MOST_LEVELS, &mut left, &mut listing);
-    listing.truncated = left == 0 || listing.files.len() > MOST_TOLD || listing.results.len() > MOST_TOLD;
-    listing.files.sort_by_key(|file| (std::cmp::Reverse(file.at_ms), file.path.clone()));
-    listing.results.sort_by_key(|result| (std::cmp::Reverse(result.at_ms), result.path.clone()));
-    listing.files.truncate(MOST_TOLD);
-    listing.results.truncate(MOST_TOLD);
-    listing
+/// What was read of files and results, by their paths; nothing of those that are none of ours.
+#[derive(Debug, Default)]
+pub struct Known {
+    files: HashMap<String, (Version, Option<ListedFile>)>,
+    results: HashMap<String, (Version, Option<ListedResult>)>,
 }
 
-fn walk(folder: &Folder, at: &Path, levels: usize, left: &mut usize, listing: &mut Listing) {
-    let Ok(entries) = fs::read_dir(at) else { return };
-    for entry in entries.flatten() {
-        if *left == 0 {
-            return;
+/// By which the content of a file is known to be the same.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Version {
+    identity: Identity,
+    size_bytes: u64,
+    modified: Option<SystemTime>,
+}
+
+impl From<FileInfo> for Version {
+    fn from(info: FileInfo) -> Self {
+        Self { identity: info.identity, size_bytes: info.size_bytes, modified: info.modified }
+    }
+}
+
+/// Something that may be listed: its path in the served folder, its file of the version, and its time.
+struct Found {
+    path: String,
+    version: Version,
+    at_ms: u64,
+}
+
+/// What is found below the folder without reading it.
+struct Walk {
+    entries_left: usize,
+    files: Vec<Found>,
+    results: Vec<Found>,
+}
+
+/// Looks through the folder, the newest first.
+pub fn listing(folder: &Folder) -> Listing {
+    let mut walk = Walk { entries_left: MAX_ENTRIES, files: Vec::new(), results: Vec::new() };
+    walk.look(folder.opened(), "", MAX_LEVELS);
+    let mut reading = Reading { folder, left_bytes: MAX_READ_BYTES, is_cut: walk.entries_left == 0 };
+    let mut known = folder.known();
+    let files = newest(walk.files, &mut known.files, &mut reading, |reading, found| reading.file(found));
+    let results = newest(walk.results, &mut known.results, &mut reading, |reading, found| reading.result(found));
+    Listing { files, results, truncated: reading.is_cut }
+}
+
+/// The newest of `found` that are ours. What is there no more is forgotten.
+fn newest<T: Clone>(
+    mut found: Vec<Found>,
+    known: &mut HashMap<String, (Version, Option<T>)>,
+    reading: &mut Reading<'_>,
+    read: fn(&mut Reading<'_>, &Found) -> Option<T>,
+) -> Vec<T> {
+    found.sort_by(|a, b| (Reverse(a.at_ms), &a.path).cmp(&(Reverse(b.at_ms), &b.path)));
+    let mut before = std::mem::take(known);
+    let mut told = Vec::new();
+    for found in found {
+        let kept = before.remove(&found.path).filter(|(version, _)| *version == found.version);
+        let is_none_of_ours = matches!(kept, Some((_, None)));
+        if told.len() == MAX_TOLD || (kept.is_none() && reading.left_bytes == 0) {
+            reading.is_cut |= !is_none_of_ours;
+            // What was read of it once need not be read again.
+            known.extend(kept.map(|kept| (found.path, kept)));
+            continue;
         }
-        *left -= 1;
-        let path = entry.path();
-        // Links are not followed: they may lead out, or in a circle.
-        let Ok(kind) = entry.file_type() else { continue };
-        let is_hidden = entry.file_name().to_string_lossy().starts_with('.');
-        if kind.is_dir() && levels > 0 && !is_hidden {
-            if path.join(MARKER_FILE).is_file() {
-                listing.results.extend(result(folder, &path));
-            } else {
-                walk(folder, &path, levels - 1, left, listing);
+        let (version, listed) = kept.unwrap_or_else(|| (found.version, read(reading, &found)));
+        told.extend(listed.clone());
+        known.insert(found.path, (version, listed));
+    }
+    told
+}
+
+impl Walk {
+    fn look(&mut self, folder: &files::Folder, path: &str, levels: usize) {
+        let Ok(entries) = folder.entries(self.entries_left) else { return };
+        self.entries_left -= entries.len();
+        for entry in entries {
+            // Names that are no UTF-8 have no path that the page could write.
+            let Some(name) = entry.name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+            let below = if path.is_empty() { name.to_owned() } else { format!("{path}/{name}") };
+            // Links are not followed: they may lead out, or in a circle.
+            match entry.kind {
+                FileKind::Folder if levels > 0 => {
+                    let Ok(inner) = folder.open_below(Path::new(name)) else { continue };
+                    match inner.find(Path::new(MARKER_FILE)) {
+                        Ok(Some(marker)) if marker.kind == FileKind::File => {
+                            // A result is as old as its page; one without has none to be shown.
+                            if let Ok(Some(report)) = inner.find(Path::new(REPORT_FILE))
+                                && report.kind == FileKind::File
+                            {
+                                self.results.push(Found { path: below, version: marker.into(), at_ms: at_ms(&report) });
+                            }
+                        }
+                        _ => self.look(&inner, &below, levels - 1),
+                    }
+                }
+                FileKind::File if name.ends_with(".toml") => {
+                    if let Ok(Some(file)) = folder.find(Path::new(name)) {
+                        self.files.push(Found { path: below, version: file.into(), at_ms: at_ms(&file) });
+                    }
+                }
+                _ => {}
             }
-        } else if kind.is_file() && path.extension().is_some_and(|extension| extension == "toml") {
-            listing.files.extend(file(folder, &path));
         }
     }
 }
 
-/// The path below the folder as the page writes it; nothing for names that are no UTF-8.
-fn told(folder: &Folder, path: &Path) -> Option<String> {
-    let relative = path.strip_prefix(folder.root()).ok()?;
-    let names: Option<Vec<&str>> = relative.components().map(|component| component.as_os_str().to_str()).collect();
-    Some(names?.join("/"))
-}
-
-fn at_ms(path: &Path) -> u64 {
-    let modified = fs::metadata(path).and_then(|found| found.modified()).ok();
-    let since = modified.and_then(|modified| modified.duration_since(UNIX_EPOCH).ok());
+fn at_ms(info: &FileInfo) -> u64 {
+    let since = info.modified.and_then(|modified| modified.duration_since(UNIX_EPOCH).ok());
     since.and_then(|since| u64::try_from(since.as_millis()).ok()).unwrap_or(0)
 }
 
-/// A model or a study; other TOML files are none of ours.
-fn file(folder: &Folder, path: &Path) -> Option<ListedFile> {
-    let path_told = told(folder, path)?;
-    let text = folder.read(&path_told).ok()?.text;
-    let source = Source::new(path_told.as_str(), text.as_str());
-    let model = model_beside(&path_told, &text).map(|model| plain(&model));
-    let is_model = text.contains("[body");
-    let kind = match says_study(&source) {
-        true if model.is_some() => "study",
-        false if is_model => "model",
-        _ => return None,
-    };
-    let name = text.lines().find_map(|line| line.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
-    let title = name.map(|name| name.split('#').next().unwrap_or(name).trim().trim_matches(['"', '\'']).to_owned());
-    Some(ListedFile {
-        kind,
-        title: title.filter(|title| !title.is_empty()).unwrap_or_else(|| path_told.clone()),
-        model,
-        at_ms: at_ms(path),
-        path: path_told,
-    })
+/// What reads the files of a listing.
+struct Reading<'f> {
+    folder: &'f Folder,
+    left_bytes: u64,
+    is_cut: bool,
 }
 
-/// A result that has its page.
-fn result(folder: &Folder, path: &Path) -> Option<ListedResult> {
-    let marker: Marker = serde_json::from_slice(&fs::read(path.join(MARKER_FILE)).ok()?).ok()?;
-    let report = path.join(REPORT_FILE);
-    if !marker.is_finished || !report.is_file() {
-        return None;
+impl Reading<'_> {
+    fn bytes(&mut self, path: &str, limit_bytes: u64) -> Option<Vec<u8>> {
+        let bytes = self.folder.opened().read(Path::new(path), limit_bytes).ok()?;
+        self.left_bytes = self.left_bytes.saturating_sub(bytes.len() as u64);
+        Some(bytes)
     }
-    let is_study = marker.kind == ResultKind::Study;
-    Some(ListedResult {
-        path: told(folder, path)?,
-        title: marker.name,
-        kind: marker.kind.words(),
-        verdict: if is_study { verdict(&path.join(SUMMARY_FILE)) } else { None },
-        at_ms: at_ms(&report),
-    })
-}
 
-/// The verdict of a stored study.
-fn verdict(summary: &Path) -> Option<&'static str> {
-    #[derive(Deserialize)]
-    struct Summary {
-        requirements: Vec<Requirement>,
+    /// A model or a study; other TOML files are none of ours.
+    fn file(&mut self, found: &Found) -> Option<ListedFile> {
+        let text = String::from_utf8(self.bytes(&found.path, LARGEST_TEXT as u64)?).ok()?;
+        let source = Source::new(found.path.as_str(), text.as_str());
+        let model = model_beside(&found.path, &text).map(|model| plain(&model));
+        let is_model = text.contains("[body");
+        let kind = match says_study(&source) {
+            true if model.is_some() => "study",
+            false if is_model => "model",
+            _ => return None,
+        };
+        let name = text.lines().find_map(|line| line.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
+        let title = name.map(|name| name.split('#').next().unwrap_or(name).trim().trim_matches(['"', '\'']).to_owned());
+        Some(ListedFile {
+            kind,
+            title: title.filter(|title| !title.is_empty()).unwrap_or_else(|| found.path.clone()),
+            model,
+            at_ms: found.at_ms,
+            path: found.path.clone(),
+        })
     }
-    #[derive(Deserialize)]
-    struct Requirement {
-        verdict: Verdict,
+
+    /// A result that is finished.
+    fn result(&mut self, found: &Found) -> Option<ListedResult> {
+        let marker = self.bytes(&format!("{}/{MARKER_FILE}", found.path), LARGEST_MARKER)?;
+        let marker: Marker = serde_json::from_slice(&marker).ok()?;
+        if !marker.is_finished {
+            return None;
+        }
+        let is_study = marker.kind == ResultKind::Study;
+        Some(ListedResult {
+            title: marker.name,
+            kind: marker.kind.words(),
+            verdict: if is_study { self.verdict(&found.path) } else { None },
+            at_ms: found.at_ms,
+            path: found.path.clone(),
+        })
     }
-    let reader = std::io::BufReader::new(fs::File::open(summary).ok()?);
-    let summary: Summary = serde_json::from_reader(reader).ok()?;
-    Verdict::of_all(summary.requirements.into_iter().map(|requirement| requirement.verdict)).map(verdict_words)
+
+    /// The verdict of a stored study.
+    fn verdict(&mut self, path: &str) -> Option<&'static str> {
+        #[derive(Deserialize)]
+        struct Summary {
+            requirements: Vec<Requirement>,
+        }
+        #[derive(Deserialize)]
+        struct Requirement {
+            verdict: Verdict,
+        }
+        let summary = self.bytes(&format!("{path}/{SUMMARY_FILE}"), LARGEST_SUMMARY)?;
+        let summary: Summary = serde_json::from_slice(&summary).ok()?;
+        Verdict::of_all(summary.requirements.into_iter().map(|requirement| requirement.verdict)).map(verdict_words)
+    }
 }

@@ -1,5 +1,7 @@
 //! What is asked of finished results: two of them compared, what can be done with one, its values taken into the texts of the page.
 
+use std::path::Path;
+
 use axum::body::Bytes;
 use axum::extract::State;
 use axum::response::Response;
@@ -24,8 +26,7 @@ pub async fn compare(State(studio): State<Studio>, body: Bytes) -> Answer {
     let Both { before, after } = parsed(&body)?;
     let folder = studio.folder.clone();
     let comparison = in_background(move || {
-        let place = |path: &str| folder.existing(path);
-        if place(&before)? == place(&after)? {
+        if Path::new(&before).components().eq(Path::new(&after).components()) {
             return Err(Refusal::bad("both are the same result").with_hint("choose another one to compare it with"));
         }
         Ok(compare_studies(&stored_study(&folder, &before)?, &stored_study(&folder, &after)?))

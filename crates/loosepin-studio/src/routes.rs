@@ -8,13 +8,13 @@ use loosepin::VERSION;
 use loosepin::diagnostics::{Code, Problem};
 use loosepin::import::{ImportError, ImportOptions, import_dxf};
 use loosepin::results::REPORT_FILE;
-use loosepin::templates::{find_template, write_template};
+use loosepin::templates::find_template;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::drawn::Drawn;
 use crate::edit::{self, Edit, Restructured};
-use crate::folder::{Folder, LARGEST_TEXT, StoredText};
+use crate::folder::{LARGEST_TEXT, StoredText};
 use crate::gallery::cards;
 use crate::listing::listing;
 use crate::messages::{Change, Look, SentText};
@@ -29,8 +29,8 @@ const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 
     script-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; frame-ancestors 'self'";
 /// Ends and centres of an imported drawing that are one, m: as the command takes them.
 const SAME_PLACE_M: f64 = 1e-5;
-/// Characters of a new folder's name.
-const LONGEST_NAME: usize = 64;
+/// Largest page of a result that is shown, bytes.
+const LARGEST_REPORT: usize = 64 << 20;
 
 /// What comes of a request.
 pub type Answer = Result<Response, Refusal>;
@@ -107,16 +107,18 @@ pub async fn open(
     }
     let Query(Opened { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
     let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
-    let first = studio.folder.read(&path)?;
-    let model_path = model_beside(&path, &first.text);
-    Ok(json(&match model_path {
-        None => Both { model: Some(opened(path, first)), study: None },
-        Some(model_path) => {
-            let model_path = plain(&model_path);
-            let model = studio.folder.read(&model_path).ok().map(|found| opened(model_path, found));
-            Both { model, study: Some(opened(path, first)) }
-        }
-    }))
+    let both = in_background(move || {
+        let first = studio.folder.read(&path)?;
+        Ok(match model_beside(&path, &first.text) {
+            None => Both { model: Some(opened(path, first)), study: None },
+            Some(model_path) => {
+                let model_path = plain(&model_path);
+                let model = studio.folder.read(&model_path).ok().map(|found| opened(model_path, found));
+                Both { model, study: Some(opened(path, first)) }
+            }
+        })
+    });
+    Ok(json(&both.await?))
 }
 
 pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
@@ -131,7 +133,8 @@ pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
         tag: String,
     }
     let Saved { path, text, tag } = parsed(&body)?;
-    Ok(json(&Tag { tag: studio.folder.write(&path, &text, tag.as_deref())? }))
+    let tag = in_background(move || studio.folder.write(&path, &text, tag.as_deref())).await?;
+    Ok(json(&Tag { tag }))
 }
 
 /// How well a number is known, written into the texts of the page.
@@ -204,28 +207,10 @@ pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
     let template = find_template(&template).ok_or_else(|| {
         Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
     })?;
-    let place = new_folder(&studio.folder, &folder)?;
-    write_template(template, &place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))?;
-    Ok(json(&Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") }))
-}
-
-/// Where a new folder may be made.
-fn new_folder(folder: &Folder, name: &str) -> Result<std::path::PathBuf, Refusal> {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(is_plain) {
-        return Err(Refusal::bad("a new folder is named by letters, digits, - and _"));
-    }
-    let place = folder.root().join(name);
-    if std::fs::symlink_metadata(&place).is_ok() {
-        return Err(Refusal::new(StatusCode::CONFLICT, format!("'{name}' is there already")));
-    }
-    Ok(place)
-}
-
-/// Makes a new folder.
-fn make_folder(folder: &Folder, name: &str) -> Result<(), Refusal> {
-    let place = new_folder(folder, name)?;
-    std::fs::create_dir(place).map_err(|error| Refusal::new(StatusCode::CONFLICT, error.to_string()))
+    let written = Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
+    let texts = [("model.toml", template.model), ("study.toml", template.study)];
+    in_background(move || studio.folder.write_new_folder(&folder, &texts)).await?;
+    Ok(json(&written))
 }
 
 /// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
@@ -255,11 +240,8 @@ pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
             Err(found) => return Ok(wrong(Refusal::bad(found.join("\n")))),
         };
         let Some(name) = name else { return Ok(Said { says, refusal: None, study: None }) };
-        make_folder(&folder, &name)?;
-        let study = format!("{name}/study.toml");
-        folder.write(&format!("{name}/model.toml"), &texts.model, None)?;
-        folder.write(&study, &texts.study, None)?;
-        Ok(Said { says, refusal: None, study: Some(study) })
+        folder.write_new_folder(&name, &[("model.toml", &texts.model), ("study.toml", &texts.study)])?;
+        Ok(Said { says, refusal: None, study: Some(format!("{name}/study.toml")) })
     });
     Ok(json(&said.await?))
 }
@@ -290,10 +272,8 @@ pub async fn import(
             };
             Refusal { hint, ..Refusal::bad(error.to_string()) }
         })?;
-        make_folder(&folder, &name)?;
-        let model = format!("{name}/model.toml");
-        folder.write(&model, &imported.model, None)?;
-        Ok(Said { model, notes: imported.notes })
+        folder.write_new_folder(&name, &[("model.toml", &imported.model)])?;
+        Ok(Said { model: format!("{name}/model.toml"), notes: imported.notes })
     });
     Ok(json(&said.await?))
 }
@@ -328,7 +308,8 @@ pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
         address: String,
     }
     let Viewed { path } = parsed(&body)?;
-    let report = studio.folder.existing(&format!("{}/{REPORT_FILE}", path.trim_end_matches('/')))?;
+    let report = format!("{}/{REPORT_FILE}", path.trim_end_matches('/'));
+    studio.folder.info(&report)?;
     let ticket = studio
         .tickets
         .issue(report)
@@ -339,7 +320,7 @@ pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
 pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
     let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was used already, or is too old");
     let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
-    let page = in_background(move || std::fs::read(&path).map_err(|error| Refusal::bad(error.to_string()))).await?;
+    let page = in_background(move || studio.folder.bytes(&path, LARGEST_REPORT)).await?;
     let headers = [("content-type", "text/html; charset=utf-8"), ("content-security-policy", REPORT_POLICY)];
     Ok((headers, page).into_response())
 }

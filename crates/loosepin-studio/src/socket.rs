@@ -191,7 +191,7 @@ impl Watched {
     fn changed(&mut self, folder: &Folder) -> Vec<String> {
         let mut changed = Vec::new();
         for (path, known) in &mut self.0 {
-            let found = folder.existing(path).ok().and_then(|whole| std::fs::metadata(whole).ok()?.modified().ok());
+            let found = folder.info(path).ok().and_then(|found| found.modified);
             if known.is_some() && found != *known {
                 changed.push(path.clone());
             }

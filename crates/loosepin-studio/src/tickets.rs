@@ -2,7 +2,6 @@
 //! sent by mail.
 
 use std::collections::HashMap;
-use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -15,14 +14,14 @@ const MOST: usize = 64;
 
 /// The tickets that are out.
 #[derive(Default)]
-pub struct Tickets(Mutex<HashMap<String, (Instant, PathBuf)>>);
+pub struct Tickets(Mutex<HashMap<String, (Instant, String)>>);
 
 impl Tickets {
-    /// A ticket for a file.
+    /// A ticket for the file at a path in the served folder.
     ///
     /// # Errors
     /// The system has no source of random bytes.
-    pub fn issue(&self, path: PathBuf) -> Result<String, getrandom::Error> {
+    pub fn issue(&self, path: String) -> Result<String, getrandom::Error> {
         let ticket = Token::new()?.text().to_owned();
         let mut tickets = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         tickets.retain(|_, (issued, _)| issued.elapsed() < LIFE);
@@ -33,8 +32,8 @@ impl Tickets {
         Ok(ticket)
     }
 
-    /// The file that a ticket is for; it is used up.
-    pub fn redeem(&self, ticket: &str) -> Option<PathBuf> {
+    /// The path of the file that a ticket is for; it is used up.
+    pub fn redeem(&self, ticket: &str) -> Option<String> {
         let mut tickets = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let (issued, path) = tickets.remove(ticket)?;
         (issued.elapsed() < LIFE).then_some(path)
@@ -48,9 +47,9 @@ mod tests {
     #[test]
     fn a_ticket_is_good_once() {
         let tickets = Tickets::default();
-        let ticket = tickets.issue(PathBuf::from("report.html")).unwrap();
+        let ticket = tickets.issue("results/a/report.html".to_owned()).unwrap();
         assert_eq!(tickets.redeem("other"), None);
-        assert_eq!(tickets.redeem(&ticket), Some(PathBuf::from("report.html")));
+        assert_eq!(tickets.redeem(&ticket), Some("results/a/report.html".to_owned()));
         assert_eq!(tickets.redeem(&ticket), None);
     }
 }

@@ -1,11 +1,11 @@
 //! Saved surrogates as files for other programs.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::files::SURROGATES_FILE;
 use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
+use loosepin_files::{io_error_words, read_named};
 use loosepin_store::results::{Claim, FinishedResult, InputsHasher, Place, ResultKind, ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
@@ -20,7 +20,7 @@ problems! {
             hint("a study that asks for surrogates leaves this file: surrogate = \"network\"");
         /// No file of surrogates.
         Read { path: PathBuf, source: io::Error } => Code::NoResults,
-            says("cannot read {}: {source}", path.display()),
+            says("cannot read {}: {}", path.display(), io_error_words(source)),
             hint("a study that asks for surrogates leaves {SURROGATES_FILE} in the folder of its results: surrogate = \
                   \"network\"");
         /// The file, or one of its surrogates.
@@ -81,11 +81,16 @@ pub fn export_networks(
     Ok(files.into_iter().map(|(file_name, _)| folder.join(file_name)).collect())
 }
 
+/// Largest file of surrogates, bytes.
+const MAX_SURROGATES_BYTES: u64 = 1 << 30;
+
 /// The text of saved surrogates, and the path of its file.
 fn surrogates_text(results: &Path) -> Result<(PathBuf, String), ExportError> {
     if !results.is_dir() {
-        let read = fs::read_to_string(results);
-        let text = read.map_err(|source| ExportError::Read { path: results.to_owned(), source })?;
+        let text = read_named(results, MAX_SURROGATES_BYTES).and_then(|bytes| {
+            String::from_utf8(bytes).map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8"))
+        });
+        let text = text.map_err(|source| ExportError::Read { path: results.to_owned(), source })?;
         return Ok((results.to_owned(), text));
     }
     let study = FinishedResult::open(results)?;

@@ -1,6 +1,7 @@
 //! A study in its folder of results: what is opened there before its runs, and what is left there after them.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use super::conduct::Conducted;
@@ -8,6 +9,7 @@ use super::error::StudyError;
 use super::file::Study;
 use super::files::{RUNS_FILE, SURROGATES_FILE, Timing, runs_parquet, surrogates_json, write_study};
 use super::runs::RunsTable;
+use loosepin_files::FolderLock;
 use loosepin_result::study::StudyResult;
 use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
 use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
@@ -53,20 +55,20 @@ pub enum Begun {
 /// The folder holds something else; the store cannot be used, or holds runs and nobody said what is to become of them.
 pub fn begin_in_folder(
     claim: &Claim,
-    open: impl Fn(&Path) -> Result<RunStore, StoreError>,
+    open: impl Fn(&Arc<FolderLock>) -> Result<RunStore, StoreError>,
 ) -> Result<Begun, Complaints> {
     let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
     let folder = claim.lock(&store_files).map_err(complain)?;
-    let path = folder.path().join(STORE_FILE);
     if folder.is_finished() {
-        remove_store(&path).map_err(complain)?;
+        remove_store(folder.lock()).map_err(complain)?;
         return Ok(Begun::Finished(folder.begin().map_err(complain)?));
     }
-    let was_there = path.exists();
-    let store = open(&path).map_err(|error| {
+    // A store that cannot be looked at is one that is there.
+    let was_there = folder.lock().folder().find(Path::new(STORE_FILE)).map_or(true, |found| found.is_some());
+    let store = open(folder.lock()).map_err(|error| {
         // What was made and cannot be used goes; what another process has made is his.
         if !was_there && !matches!(error, StoreError::InUse { .. }) {
-            let _ = remove_store(&path);
+            let _ = remove_store(folder.lock());
         }
         complain(error)
     })?;

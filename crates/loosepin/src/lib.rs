@@ -9,9 +9,12 @@
 //!   They know nothing of mechanisms.
 //! * [`study`] joins the two wings, [`identify`] goes from readings of a rig to play, [`cases`] holds the program against answers that are known, [`report`] reads results.
 //!
+//! [`files`] is all that writes to disk.
+//!
 //! `docs/architecture.md` shows which crate stands on which.
 
 pub use loosepin_bounds as bounds;
+pub use loosepin_files as files;
 pub use loosepin_identify as identify;
 pub use loosepin_import as import;
 pub use loosepin_import::templates;

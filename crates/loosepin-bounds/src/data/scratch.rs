@@ -7,11 +7,11 @@
 #![allow(unsafe_code, reason = "a file can be read as memory only by one who knows that nobody else changes it")]
 
 use std::fmt;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::ops::{Deref, Range};
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use memmap2::{Mmap, MmapOptions};
@@ -67,13 +67,7 @@ impl Scratch {
     ///
     /// The file cannot be made.
     pub fn in_folder(folder: &Path) -> io::Result<Self> {
-        static NUMBER: AtomicU32 = AtomicU32::new(0);
-        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let path = folder.join(format!(".numbers-{}-{number}", std::process::id()));
-        let file = OpenOptions::new().read(true).write(true).create_new(true).open(&path)?;
-        // A file that keeps its name is no scratch file: it is empty still, and the next program of the same number is told.
-        std::fs::remove_file(&path)?;
-        Ok(Self { file: Arc::new(Mutex::new(file)), read: Arc::default() })
+        Ok(Self { file: Arc::new(Mutex::new(loosepin_files::unnamed_file(folder)?)), read: Arc::default() })
     }
 
     /// Writes `numbers`, of which there are some.

@@ -1,10 +1,10 @@
 //! `loosepin cases`.
 
-use std::fs;
 use std::path::Path;
 
 use loosepin::cases::{Case, CaseProblem, case_names, compare_all};
 use loosepin::diagnostics::{Complaints, nearest_name};
+use loosepin::files::{io_error_words, replace_named};
 use loosepin::report::{cases_page, cases_text};
 
 use crate::arguments::{CasesAction, CasesArguments, CasesRunArguments};
@@ -41,8 +41,8 @@ fn run_cases(arguments: &CasesRunArguments) -> Ending {
     let records = compare_all(&read(folder, &names)?)?;
     console::print(&cases_text(&records))?;
     if let Some(path) = &arguments.write {
-        fs::write(path, cases_page(&records)).map_err(|error| {
-            let (file, reason) = (path.display().to_string(), error.to_string());
+        replace_named(path, cases_page(&records).as_bytes()).map_err(|error| {
+            let (file, reason) = (path.display().to_string(), io_error_words(&error));
             Failure::of(&CaseProblem::NotWritten { file, reason })
         })?;
     }

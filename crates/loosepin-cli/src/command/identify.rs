@@ -181,17 +181,12 @@ fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArgum
         return Ok(done);
     }
     let SpecimenStudy { text, narrowed: changes, mechanisms, .. } = SpecimenStudy::new(study, answer, path)?;
-    if let Some([name, rows]) = &mechanisms {
-        // First what the study names, so that no study is left that cannot be read.
-        let file = path.with_file_name(name);
-        write_narrowed(study, &file, rows)?;
-        if let Err(complaints) = write_narrowed(study, path, &text) {
-            let _ = std::fs::remove_file(&file);
-            return Err(complaints.into());
-        }
+    // What the study names comes with it: no study is left that cannot be read.
+    let rows = mechanisms.as_ref().map(|[name, rows]| (path.with_file_name(name), rows));
+    let named = rows.iter().map(|(file, rows)| (file.as_path(), rows.as_str()));
+    write_narrowed(study, &named.chain([(path.as_path(), text.as_str())]).collect::<Vec<_>>())?;
+    if let Some((file, _)) = &rows {
         console::message(&format!("wrote {}: mechanisms that agree with what was measured", file.display()));
-    } else {
-        write_narrowed(study, path, &text)?;
     }
     console::message(&format!(
         "wrote {}: {}",

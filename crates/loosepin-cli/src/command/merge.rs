@@ -1,12 +1,14 @@
 //! `loosepin merge`.
 
 use std::cell::Cell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::SystemTime;
 
+use loosepin::files::{Folder, FolderLock};
 use loosepin::report::study_page;
-use loosepin::results::{Claim, Place, ResultKind, ShardFolders, ShardsError};
-use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, STORE_FILE, Shard};
+use loosepin::results::{Claim, Place, ResultKind, ResultsError, ShardFolders, ShardsError};
+use loosepin::store::{Beginning, RunStore, Shard};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
     Begun, Means, OpenRound, Part, StudyError, begin_in_folder, conclude, conduct_part, plan_shards, store_identity,
@@ -47,14 +49,15 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     }
     let stop = stop_on_signals("Ctrl-C ends the merge at once; the shards keep their runs");
     let of = record.of;
-    let stores: Vec<(Shard, PathBuf)> = (1..)
-        .zip(&shards.folders)
-        .filter_map(|(index, folder)| Some((Shard::new(index, of)?, folder.join(STORE_FILE))))
-        .collect();
+    let mut stores: Vec<(Shard, Folder)> = Vec::new();
+    for (shard, path) in (1..=of).filter_map(|index| Shard::new(index, of)).zip(&shards.folders) {
+        let not_opened = |source| Failure::of(&ResultsError::Read { path: path.clone(), source });
+        stores.push((shard, Folder::open(path).map_err(not_opened)?));
+    }
     let beginning = if claim.with_force { Beginning::Anew } else { Beginning::GoOn };
     let added = Cell::new(0);
-    let open = |path: &Path| {
-        let (store, new) = RunStore::begin_joined(path, &store_identity(&claim.inputs), beginning, &stores)?;
+    let open = |lock: &Arc<FolderLock>| {
+        let (store, new) = RunStore::begin_joined(lock, &store_identity(&claim.inputs), beginning, &stores)?;
         added.set(new);
         Ok(store)
     };
@@ -71,7 +74,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let outcome = conduct_part(&study, &claim.inputs.to_string(), &means, part);
     bar.finish();
     if let Err(StudyError::RoundOpen(open)) = &outcome {
-        store.publish(&folder.path().join(PUBLISHED_FILE)).map_err(|error| Failure::of(&error))?;
+        store.publish().map_err(|error| Failure::of(&error))?;
         tell_open(open, of);
         return Ok(Done::RoundOpen);
     }

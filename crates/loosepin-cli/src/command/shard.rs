@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use loosepin::files::Folder;
 use loosepin::result::json::to_json;
-use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord, write_whole};
+use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord};
 use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
 use loosepin::study::{
     Begun, Means, Part, Study, StudyError, begin_in_folder, conduct_part, plan_shards, store_identity,
@@ -41,17 +42,20 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         inputs_blake3: claim.inputs.to_string(),
         version: loosepin::VERSION.to_owned(),
     };
-    let published = Some(results.join(PUBLISHED_FILE)).filter(|published| published.exists());
+    let has_published = |folder: &Folder| folder.find(Path::new(PUBLISHED_FILE)).is_ok_and(|found| found.is_some());
+    let published = Folder::open(&results).ok().filter(has_published);
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
     let identity = store_identity(&claim.inputs);
-    let open = |path: &Path| RunStore::begin_beside(path, published.as_deref(), &identity, beginning);
-    let Begun::Open(folder, store) = begin_in_folder(&claim, open)? else {
+    let begun = begin_in_folder(&claim, |lock| {
+        RunStore::begin_beside(lock, published.as_ref(), &identity, beginning)
+    })?;
+    let Begun::Open(folder, store) = begun else {
         console::message(&format!("{} already holds this study", claim.path().display()));
         return Ok(Done::Well);
     };
     let text = to_json(&record).map_err(|error| folder.foreign_file(SHARD_FILE, error))?;
     // Not among the files of the result, which go when it is begun again.
-    write_whole(&folder.path().join(SHARD_FILE), text.as_bytes())?;
+    folder.write_beside(SHARD_FILE, text.as_bytes())?;
     tell_going_on(&store);
     let stop = stop_on_signals("Ctrl-C ends the shard at once; saved runs are kept");
     let bar = Bar::new();

@@ -39,7 +39,7 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     }
     let stop = stop_on_signals("Ctrl-C ends the study at once; saved runs are kept");
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
-    let begun = begin_in_folder(&claim, |path| RunStore::begin(path, &store_identity(&claim.inputs), beginning))?;
+    let begun = begin_in_folder(&claim, |lock| RunStore::begin(lock, &store_identity(&claim.inputs), beginning))?;
     let (folder, store) = match begun {
         Begun::Open(folder, store) => (folder, store),
         Begun::Finished(folder) => return show_found::<StudyResult>(folder),

@@ -71,12 +71,12 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
     }
     let first = Study::from_path(&folder.path().join("first.toml")).unwrap_or_else(|complaints| panic!("{complaints}"));
     let target = folder.path().join("narrowed.toml");
-    write_narrowed(&first, &target, "a = 1\n").unwrap_or_else(|complaints| panic!("{complaints}"));
-    let twice = write_narrowed(&first, &target, "b = 1\n").expect_err("it is there").to_string();
+    write_narrowed(&first, &[(&target, "a = 1\n")]).unwrap_or_else(|complaints| panic!("{complaints}"));
+    let twice = write_narrowed(&first, &[(&target, "b = 1\n")]).expect_err("it is there").to_string();
     assert!(twice.contains("exists already; nothing is overwritten"), "{twice}");
     assert_eq!(std::fs::read_to_string(&target).expect("it is there"), "a = 1\n");
     let elsewhere = tempfile::tempdir().expect("a folder");
-    let error = write_narrowed(&first, &elsewhere.path().join("narrowed.toml"), "").expect_err("elsewhere").to_string();
+    let error = write_narrowed(&first, &[(&elsewhere.path().join("narrowed.toml"), "")]).expect_err("elsewhere").to_string();
     assert!(error.contains("the folder of the study, from which it names its model"), "{error}");
 }
 

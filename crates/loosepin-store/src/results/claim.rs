@@ -1,24 +1,26 @@
 //! Claiming a folder for a result.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use super::REPORT_FILE;
+use loosepin_files::{Folder, FolderLock, TEXT_LOCK_FILE, is_temporary};
+
+use super::{LOCK_FILE, REPORT_FILE};
 use super::error::ResultsError;
-use super::folder::{ResultsFolder, aside, folder_name, remove_files};
+use super::folder::{ResultsFolder, aside, folder_name, holder, is_file, not_opened, remove_files};
 use super::inputs::InputsHash;
 use super::kind::{MARKER_FILE, ResultKind};
-use super::lock::{FolderLock, LOCK_FILE};
-use super::marker::{Marker, inside};
-use super::whole::{PARTIAL, write_whole};
+use super::marker::{Marker, write};
 
 /// Where results are to go.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub enum Place {
-    /// `ROOT/NAME/HASH`: a folder for each set of inputs, so that nothing is ever in the way.
+    /// `ROOT/NAME/HASH`: a folder for each set of inputs, so that nothing is ever in the way. Links in `ROOT` are followed, none below it.
     Below(PathBuf),
-    /// This folder.
+    /// The same with a root below an open folder. No link below that folder is followed.
+    Within(Folder, PathBuf),
+    /// This folder. Links in its path are followed.
     Folder(PathBuf),
 }
 
@@ -41,8 +43,7 @@ pub struct Claim {
 #[derive(Debug)]
 pub struct LockedFolder<'a> {
     claim: &'a Claim,
-    path: PathBuf,
-    lock: FolderLock,
+    lock: Arc<FolderLock>,
     held: Option<Marker>,
 }
 
@@ -50,9 +51,39 @@ impl Claim {
     /// The folder that results go to.
     pub fn path(&self) -> PathBuf {
         match &self.place {
-            Place::Below(root) => root.join(folder_name(&self.name)).join(self.inputs.short()),
+            Place::Below(root) => root.join(self.below()),
+            Place::Within(folder, root) => folder.path().join(root).join(self.below()),
             Place::Folder(path) => path.clone(),
         }
+    }
+
+    /// `NAME/HASH`.
+    fn below(&self) -> PathBuf {
+        Path::new(&folder_name(&self.name)).join(self.inputs.short())
+    }
+
+    /// The folder, where it is there.
+    fn open(&self) -> Result<Option<Folder>, ResultsError> {
+        let opened = match &self.place {
+            Place::Below(root) => Folder::open(root).and_then(|root| root.open_below(&self.below())),
+            Place::Within(folder, root) => folder.open_below(&root.join(self.below())),
+            Place::Folder(path) => Folder::open(path),
+        };
+        match opened.map_err(|error| not_opened(&self.path(), error)) {
+            Err(ResultsError::NoSuchFolder { .. }) => Ok(None),
+            opened => opened.map(Some),
+        }
+    }
+
+    /// Locks the folder, making it where there is none.
+    fn take_lock(&self) -> Result<FolderLock, ResultsError> {
+        let holder = holder(&format!("{} '{}'", self.kind.words(), self.name));
+        let taken = match &self.place {
+            Place::Below(root) => FolderLock::take_under(root, &self.below(), LOCK_FILE, &holder),
+            Place::Within(folder, root) => FolderLock::take_below(folder, &root.join(self.below()), LOCK_FILE, &holder),
+            Place::Folder(path) => FolderLock::take(path, LOCK_FILE, &holder),
+        };
+        taken.map_err(|error| ResultsError::of_lock(&self.path(), error))
     }
 
     /// Whether the folder holds the finished result, which is to be made anew only with force. Nothing is changed. Files without a
@@ -85,25 +116,25 @@ impl Claim {
     pub fn lock(&self, beside: &[&str]) -> Result<LockedFolder<'_>, ResultsError> {
         // Looked at before it is locked as well: the folder of somebody else is not touched.
         self.find(beside)?;
-        let path = self.path();
-        let lock = FolderLock::take(&path, &format!("{} '{}'", self.kind.words(), self.name))?;
-        let held = self.find(beside)?;
+        let lock = self.take_lock()?;
+        let held = self.find_in(lock.folder(), beside)?;
         if let Some(held) = held.as_ref().filter(|held| self.is_made(held)) {
-            held.verify(&path, &[REPORT_FILE])?;
+            held.verify(lock.folder(), &[REPORT_FILE])?;
         }
-        Ok(LockedFolder { claim: self, path, lock, held })
+        Ok(LockedFolder { claim: self, lock: Arc::new(lock), held })
     }
 
     /// Content of the folder that may be replaced, now.
     fn find(&self, beside: &[&str]) -> Result<Option<Marker>, ResultsError> {
-        let path = self.path();
-        if !path.exists() {
-            return Ok(None);
+        match self.open()? {
+            Some(folder) => self.find_in(&folder, beside),
+            None => Ok(None),
         }
-        if !path.is_dir() {
-            return Err(ResultsError::NotAFolder { path });
-        }
-        match Marker::read(&path) {
+    }
+
+    fn find_in(&self, folder: &Folder, beside: &[&str]) -> Result<Option<Marker>, ResultsError> {
+        let path = folder.path().to_owned();
+        match Marker::read(folder) {
             Ok(held) if self.is_same(&held) || self.with_force => Ok(Some(held)),
             Ok(held) => Err(ResultsError::HoldsOtherResults {
                 folder: path,
@@ -113,7 +144,7 @@ impl Claim {
                 inputs_blake3: held.inputs_blake3,
                 version: held.version,
             }),
-            Err(ResultsError::NoMarker { .. }) => match first_entry(&path, beside)?.filter(|_| !self.with_force) {
+            Err(ResultsError::NoMarker { .. }) => match first_entry(folder, beside)?.filter(|_| !self.with_force) {
                 Some(example) => Err(ResultsError::HoldsOtherFiles { folder: path, example }),
                 None => Ok(None),
             },
@@ -136,7 +167,12 @@ impl Claim {
 impl LockedFolder<'_> {
     /// The folder.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.lock.folder().path()
+    }
+
+    /// Its lock, which the store of runs holds as well.
+    pub fn lock(&self) -> &Arc<FolderLock> {
+        &self.lock
     }
 
     /// Whether it holds the finished result, which is made anew only with force.
@@ -150,16 +186,16 @@ impl LockedFolder<'_> {
     /// The file system refuses.
     pub fn begin(self) -> Result<ResultsFolder, ResultsError> {
         let is_finished = self.is_finished();
-        let Self { claim, path, lock, held } = self;
+        let Self { claim, lock, held } = self;
         let replaced = match held {
             Some(marker) if is_finished => {
-                let mut folder = ResultsFolder { path, marker, _lock: lock };
+                let mut folder = ResultsFolder { marker, lock };
                 folder.remove_replaced()?;
                 return Ok(folder);
             }
-            Some(held) if held.is_finished => prepare_to_replace(&path, &held)?,
+            Some(held) if held.is_finished => prepare_to_replace(&lock, &held)?,
             Some(held) => {
-                remove_files(&path, held.files.keys())?;
+                remove_files(&lock, held.files.keys())?;
                 held.replaced
             }
             None => Vec::new(),
@@ -174,8 +210,8 @@ impl LockedFolder<'_> {
             replaced,
         };
         // Said before anything is renamed, so that whoever comes next knows what waits under which name.
-        marker.write(&path)?;
-        let folder = ResultsFolder { path, marker, _lock: lock };
+        marker.write(&lock)?;
+        let folder = ResultsFolder { marker, lock };
         folder.set_replaced_aside()?;
         Ok(folder)
     }
@@ -183,33 +219,35 @@ impl LockedFolder<'_> {
 
 /// The files of a finished result that are to be set aside, its marker among them, of which a copy is made: the marker itself is
 /// overwritten in one step, so that the folder is never without one.
-fn prepare_to_replace(folder: &Path, held: &Marker) -> Result<Vec<String>, ResultsError> {
-    let is_there = |file_name: &&String| inside(folder, file_name).is_some_and(|path| path.is_file());
-    let mut replaced: Vec<String> = held.files.keys().filter(is_there).cloned().collect();
+fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, ResultsError> {
+    let mut replaced = Vec::new();
+    for file_name in held.files.keys() {
+        if is_file(lock.folder(), file_name)? {
+            replaced.push(file_name.clone());
+        }
+    }
     // What an earlier result has left under these names is not what comes back.
     let waiting: Vec<String> = replaced.iter().chain(&held.replaced).map(|file_name| aside(file_name)).collect();
-    remove_files(folder, &waiting)?;
-    write_whole(&folder.join(aside(MARKER_FILE)), held.to_text()?.as_bytes())?;
+    remove_files(lock, &waiting)?;
+    write(lock, &aside(MARKER_FILE), held.to_text()?.as_bytes())?;
     replaced.push(MARKER_FILE.to_owned());
     Ok(replaced)
 }
 
-/// The first entry of a folder by name; none where it is empty. Files named `beside` and that of a lock are left aside, and a marker
-/// that is not whole: its writer was stopped before anything else was there.
-fn first_entry(folder: &Path, beside: &[&str]) -> Result<Option<String>, ResultsError> {
-    let not_readable = |source| ResultsError::Read { path: folder.to_owned(), source };
-    let mut first: Option<String> = None;
-    let entries = match fs::read_dir(folder) {
+/// The first entry of a folder by name; none where it is empty. Files named `beside` and those of locks are left aside, and what is not
+/// whole: its writer was stopped before it had its name.
+fn first_entry(folder: &Folder, beside: &[&str]) -> Result<Option<String>, ResultsError> {
+    const MAX_ENTRIES: usize = 1 << 20;
+    let entries = match folder.entries(MAX_ENTRIES) {
         // Whoever had made it has given it up meanwhile.
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-        entries => entries.map_err(not_readable)?,
+        entries => entries.map_err(|source| ResultsError::Read { path: folder.path().to_owned(), source })?,
     };
-    for entry in entries {
-        let name = entry.map_err(not_readable)?.file_name().to_string_lossy().into_owned();
-        let is_ours = name == LOCK_FILE || name.strip_suffix(PARTIAL) == Some(MARKER_FILE);
-        if !is_ours && !beside.contains(&&name[..]) && first.as_ref().is_none_or(|known| name < *known) {
-            first = Some(name);
-        }
-    }
-    Ok(first)
+    let others = entries.into_iter().filter(|entry| !is_temporary(&entry.name));
+    let names = others.map(|entry| entry.name.to_string_lossy().into_owned());
+    let is_other = |name: &String| {
+        let name = name.as_str();
+        name != LOCK_FILE && name != TEXT_LOCK_FILE && !beside.contains(&name)
+    };
+    Ok(names.filter(is_other).min())
 }

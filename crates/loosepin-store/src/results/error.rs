@@ -1,9 +1,10 @@
 //! Why a folder of results cannot be written or read.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::kind::{MARKER_FILE, ResultKind};
+use loosepin_files::{LockError, io_error_words};
 use loosepin_text::diagnostics::{Code, problems};
 
 problems! {
@@ -85,22 +86,19 @@ problems! {
             says("{MARKER_FILE} cannot be laid out: {source}");
         /// The file system refused.
         Write { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
-            says("cannot write {}: {}", path.display(), reason(source));
+            says("cannot write {}: {}", path.display(), io_error_words(source));
         /// The file system refused.
         Read { path: PathBuf, source: io::Error } => Code::FolderNotUsable,
-            says("cannot read {}: {}", path.display(), reason(source));
+            says("cannot read {}: {}", path.display(), io_error_words(source));
     }
 }
 
-/// Message of the file system, in plain words where it is a usual one.
-fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::PermissionDenied => "it is not permitted".to_owned(),
-        io::ErrorKind::StorageFull => "the disk is full".to_owned(),
-        io::ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
-        io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
-        io::ErrorKind::IsADirectory => "a folder of that name is in the way".to_owned(),
-        _ => error.to_string(),
+impl ResultsError {
+    /// Why `folder` cannot be locked.
+    pub(super) fn of_lock(folder: &Path, error: LockError) -> Self {
+        match error {
+            LockError::InUse { holder } => Self::InUse { folder: folder.to_owned(), holder },
+            LockError::File { path, source } => Self::Write { path, source },
+        }
     }
 }

@@ -1,14 +1,17 @@
 //! A folder of results: writing into it while it is locked, and reading what is finished.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::SystemTime;
 
-use super::REPORT_FILE;
+use loosepin_files::{FileKind, Folder, FolderLock, Refused};
+use loosepin_text::date::date;
+
+use super::{LOCK_FILE, REPORT_FILE};
 use super::error::ResultsError;
 use super::kind::{MARKER_FILE, ResultKind};
-use super::lock::FolderLock;
-use super::marker::{Marker, inside};
-use super::whole::write_whole;
+use super::marker::{Marker, write};
 
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
@@ -16,16 +19,15 @@ const LONGEST_NAME_CHARS: usize = 60;
 /// A folder of results that is written into: nobody else writes there meanwhile.
 #[derive(Debug)]
 pub struct ResultsFolder {
-    pub(super) path: PathBuf,
     pub(super) marker: Marker,
-    /// Held until the folder is dropped.
-    pub(super) _lock: FolderLock,
+    /// Held until the folder, and the store of runs in it, are dropped.
+    pub(super) lock: Arc<FolderLock>,
 }
 
 /// A finished result, to be read.
 #[derive(Debug)]
 pub struct FinishedResult {
-    path: PathBuf,
+    folder: Folder,
     marker: Marker,
 }
 
@@ -35,26 +37,21 @@ impl FinishedResult {
     /// # Errors
     /// There is none, it did not finish, or is not as it was written.
     pub fn open(path: &Path) -> Result<Self, ResultsError> {
-        Self::open_but(path, &[])
+        Self::open_but(open(path)?, &[])
     }
 
     /// Without a look at files that are `written_again` anyway.
-    fn open_but(path: &Path, written_again: &[&str]) -> Result<Self, ResultsError> {
-        if !path.exists() {
-            return Err(ResultsError::NoSuchFolder { folder: path.to_owned() });
-        }
-        if !path.is_dir() {
-            return Err(ResultsError::NotAFolder { path: path.to_owned() });
-        }
+    fn open_but(folder: Folder, written_again: &[&str]) -> Result<Self, ResultsError> {
         loop {
-            let marker = Marker::read(path)?;
+            let marker = Marker::read(&folder)?;
             if !marker.is_finished {
-                return Err(ResultsError::Unfinished { folder: path.to_owned(), kind: marker.kind, name: marker.name });
+                let folder = folder.path().to_owned();
+                return Err(ResultsError::Unfinished { folder, kind: marker.kind, name: marker.name });
             }
-            match marker.verify(path, written_again) {
-                Ok(()) => return Ok(Self { path: path.to_owned(), marker }),
+            match marker.verify(&folder, written_again) {
+                Ok(()) => return Ok(Self { folder, marker }),
                 // Somebody has begun to replace it meanwhile, or has replaced it.
-                Err(_) if Marker::read(path)? != marker => {}
+                Err(_) if Marker::read(&folder)? != marker => {}
                 Err(error) => return Err(error),
             }
         }
@@ -65,7 +62,7 @@ impl FinishedResult {
     /// # Errors
     /// It is none of its files, or not as it was written any more.
     pub fn read(&self, file_name: &str) -> Result<Vec<u8>, ResultsError> {
-        self.marker.read_file(&self.path, file_name)
+        self.marker.read_file(&self.folder, file_name)
     }
 
     /// The text of one of its files.
@@ -73,7 +70,7 @@ impl FinishedResult {
     /// # Errors
     /// As for [`FinishedResult::read`]; no text.
     pub fn read_text(&self, file_name: &str) -> Result<String, ResultsError> {
-        text(self.read(file_name)?, &self.path, file_name)
+        text(self.read(file_name)?, self.folder.path(), file_name)
     }
 }
 
@@ -83,16 +80,21 @@ impl ResultsFolder {
     /// # Errors
     /// As for [`FinishedResult::open`]; another process writes there.
     pub fn reopen(path: &Path) -> Result<Self, ResultsError> {
-        let FinishedResult { marker, .. } = FinishedResult::open_but(path, &[REPORT_FILE])?;
-        let lock = FolderLock::take(path, &format!("report of {} '{}'", marker.kind.words(), marker.name))?;
+        let FinishedResult { marker, .. } = FinishedResult::open_but(open(path)?, &[REPORT_FILE])?;
+        let holder = holder(&format!("report of {} '{}'", marker.kind.words(), marker.name));
+        let lock = FolderLock::take(path, LOCK_FILE, &holder).map_err(|error| ResultsError::of_lock(path, error))?;
         // Once more, now that nobody else writes there.
-        let FinishedResult { path, marker } = FinishedResult::open_but(path, &[REPORT_FILE])?;
-        Ok(Self { path, marker, _lock: lock })
+        let FinishedResult { marker, .. } = FinishedResult::open_but(lock.folder().clone(), &[REPORT_FILE])?;
+        Ok(Self { marker, lock: Arc::new(lock) })
     }
 
     /// The folder.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.folder().path()
+    }
+
+    fn folder(&self) -> &Folder {
+        self.lock.folder()
     }
 
     /// The kind of its result.
@@ -117,17 +119,20 @@ impl ResultsFolder {
     pub fn write(&mut self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
         let hash = blake3::hash(contents).to_hex().to_string();
         if self.marker.is_finished {
-            let is_there = || fs::read(self.path.join(file_name)).is_ok_and(|held| held == contents);
+            let is_there = || {
+                let held = self.folder().read(Path::new(file_name), contents.len() as u64);
+                held.is_ok_and(|held| held == contents)
+            };
             if self.marker.files.get(file_name) == Some(&Some(hash.clone())) && is_there() {
                 return Ok(());
             }
             // A result stays finished while a page of it is written again: until the page is there, it is not listed.
             self.marker.files.remove(file_name);
-            self.marker.write(&self.path)?;
+            self.marker.write(&self.lock)?;
         }
-        write_whole(&self.path.join(file_name), contents)?;
+        write(&self.lock, file_name, contents)?;
         self.marker.files.insert(file_name.to_owned(), Some(hash));
-        if self.marker.is_finished { self.marker.write(&self.path) } else { Ok(()) }
+        if self.marker.is_finished { self.marker.write(&self.lock) } else { Ok(()) }
     }
 
     /// Writes a file of the result that differs from run to run, whole or not at all. It has no hash in the marker, which repeats.
@@ -135,7 +140,7 @@ impl ResultsFolder {
     /// # Errors
     /// An error of the file system.
     pub fn write_without_hash(&mut self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
-        write_whole(&self.path.join(file_name), contents)?;
+        write(&self.lock, file_name, contents)?;
         self.marker.files.insert(file_name.to_owned(), None);
         Ok(())
     }
@@ -145,7 +150,7 @@ impl ResultsFolder {
     /// # Errors
     /// It is none of its files, or is not as it was written.
     pub fn read(&self, file_name: &str) -> Result<Vec<u8>, ResultsError> {
-        self.marker.read_file(&self.path, file_name)
+        self.marker.read_file(self.folder(), file_name)
     }
 
     /// The text of a file of the result.
@@ -153,12 +158,20 @@ impl ResultsFolder {
     /// # Errors
     /// As for [`ResultsFolder::read`]; no text.
     pub fn read_text(&self, file_name: &str) -> Result<String, ResultsError> {
-        text(self.read(file_name)?, &self.path, file_name)
+        text(self.read(file_name)?, self.path(), file_name)
     }
 
     /// The error for a file whose contents cannot be understood.
     pub fn foreign_file(&self, file_name: &str, reason: impl std::fmt::Display) -> ResultsError {
-        ResultsError::ForeignFile { path: self.path.join(file_name), reason: reason.to_string() }
+        ResultsError::ForeignFile { path: self.path().join(file_name), reason: reason.to_string() }
+    }
+
+    /// Writes a file beside those of the result, which stays when the result is begun again.
+    ///
+    /// # Errors
+    /// An error of the file system.
+    pub fn write_beside(&self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
+        write(&self.lock, file_name, contents)
     }
 
     /// Says that all files are there.
@@ -167,7 +180,7 @@ impl ResultsFolder {
     /// An error of the file system.
     pub fn finish(&mut self) -> Result<(), ResultsError> {
         let finished = Marker { is_finished: true, ..self.marker.clone() };
-        finished.write(&self.path)?;
+        finished.write(&self.lock)?;
         self.marker = finished;
         // What was replaced goes only now that its successor is whole.
         self.remove_replaced()
@@ -179,7 +192,7 @@ impl ResultsFolder {
     /// An error of the file system.
     pub fn leave_unfinished(&mut self) -> Result<(), ResultsError> {
         self.marker.is_finished = false;
-        self.marker.write(&self.path)
+        self.marker.write(&self.lock)
     }
 
     /// Removes what was written of a result that cannot be finished, and the folders that were made for it; a finished result
@@ -188,31 +201,35 @@ impl ResultsFolder {
     /// # Errors
     /// An error of the file system.
     pub fn abandon(self) -> Result<(), ResultsError> {
-        remove_files(&self.path, self.marker.files.keys())?;
+        remove_files(&self.lock, self.marker.files.keys())?;
         if !self.marker.replaced.is_empty() {
             // The marker of the finished result comes last: until then it is known what is still to come back.
             let files = self.marker.replaced.iter().filter(|file_name| *file_name != MARKER_FILE);
             for file_name in files.map(String::as_str).chain([MARKER_FILE]) {
-                let Some([path, aside]) = self.names(file_name).filter(|[_, aside]| aside.is_file()) else { continue };
-                fs::rename(aside, &path).map_err(|source| ResultsError::Write { path, source })?;
+                let aside = aside(file_name);
+                if is_file(self.folder(), &aside)? {
+                    let renamed = self.lock.rename(&aside, file_name);
+                    renamed.map_err(|source| ResultsError::Write { path: self.path().join(file_name), source })?;
+                }
             }
             return Ok(());
         }
-        let path = self.path.join(MARKER_FILE);
-        fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })
-    }
-
-    /// Where a file stands, and where it waits until its successor is whole.
-    fn names(&self, file_name: &str) -> Option<[PathBuf; 2]> {
-        inside(&self.path, file_name).zip(inside(&self.path, &aside(file_name))).map(|(path, aside)| [path, aside])
+        remove(&self.lock, MARKER_FILE)
     }
 
     /// Renames what is to be replaced, whatever of that was done before; what has come in its place meanwhile goes.
     pub(super) fn set_replaced_aside(&self) -> Result<(), ResultsError> {
         for file_name in self.marker.replaced.iter().filter(|file_name| *file_name != MARKER_FILE) {
-            let Some([path, aside]) = self.names(file_name).filter(|[path, _]| path.is_file()) else { continue };
-            let moved = if aside.is_file() { fs::remove_file(&path) } else { fs::rename(&path, aside) };
-            moved.map_err(|source| ResultsError::Write { path, source })?;
+            if !is_file(self.folder(), file_name)? {
+                continue;
+            }
+            let aside = aside(file_name);
+            if is_file(self.folder(), &aside)? {
+                remove(&self.lock, file_name)?;
+            } else {
+                let renamed = self.lock.rename(file_name, &aside);
+                renamed.map_err(|source| ResultsError::Write { path: self.path().join(file_name), source })?;
+            }
         }
         Ok(())
     }
@@ -223,10 +240,43 @@ impl ResultsFolder {
             return Ok(());
         }
         let waiting: Vec<String> = self.marker.replaced.iter().map(|file_name| aside(file_name)).collect();
-        remove_files(&self.path, &waiting)?;
+        remove_files(&self.lock, &waiting)?;
         self.marker.replaced.clear();
-        self.marker.write(&self.path)
+        self.marker.write(&self.lock)
     }
+}
+
+/// The folder at `path`.
+pub(super) fn open(path: &Path) -> Result<Folder, ResultsError> {
+    Folder::open(path).map_err(|source| not_opened(path, source))
+}
+
+/// Why the folder at `path` cannot be opened.
+pub(super) fn not_opened(path: &Path, source: io::Error) -> ResultsError {
+    let path = path.to_owned();
+    match source.kind() {
+        io::ErrorKind::NotFound => ResultsError::NoSuchFolder { folder: path },
+        io::ErrorKind::NotADirectory => ResultsError::NotAFolder { path },
+        _ => ResultsError::Read { path, source },
+    }
+}
+
+/// How the holder of a lock is told to others.
+pub(super) fn holder(work: &str) -> String {
+    format!("process {}{} ({work}{})", std::process::id(), on_host(), since(SystemTime::now()))
+}
+
+/// `, since DATE`, where the clock of the machine shows a date that has a form.
+fn since(now: SystemTime) -> String {
+    date(now).map_or_else(String::new, |date| format!(", since {date}"))
+}
+
+/// ` on NAME`, where the machine says its name: a folder may be shared by several.
+fn on_host() -> String {
+    const MAX_BYTES: u64 = 4096;
+    let named = loosepin_files::read_named(Path::new("/proc/sys/kernel/hostname"), MAX_BYTES).ok();
+    let named = named.and_then(|name| String::from_utf8(name).ok()).or_else(|| std::env::var("COMPUTERNAME").ok());
+    named.map_or_else(String::new, |name| format!(" on {}", name.trim()))
 }
 
 fn text(contents: Vec<u8>, folder: &Path, file_name: &str) -> Result<String, ResultsError> {
@@ -239,14 +289,31 @@ pub(super) fn aside(file_name: &str) -> String {
     format!("{file_name}.replaced")
 }
 
-/// Removes files, and nothing outside the folder.
+/// Whether the folder has a plain file of this name.
+pub(super) fn is_file(folder: &Folder, file_name: &str) -> Result<bool, ResultsError> {
+    let found = match folder.find(Path::new(file_name)) {
+        // Whoever has changed the marker names what is not in the folder.
+        Err(error) if Refused::of(&error) == Some(Refused::BadName) => return Ok(false),
+        found => found,
+    };
+    let found = found.map_err(|source| ResultsError::Read { path: folder.path().join(file_name), source })?;
+    Ok(found.is_some_and(|found| found.kind == FileKind::File))
+}
+
+fn remove(lock: &FolderLock, file_name: &str) -> Result<(), ResultsError> {
+    let path = || lock.folder().path().join(file_name);
+    lock.remove(file_name).map_err(|source| ResultsError::Write { path: path(), source })
+}
+
+/// Removes plain files; what else has such a name is not of the result.
 pub(super) fn remove_files<'a>(
-    folder: &Path,
+    lock: &FolderLock,
     file_names: impl IntoIterator<Item = &'a String>,
 ) -> Result<(), ResultsError> {
-    let files = file_names.into_iter().filter_map(|file_name| inside(folder, file_name));
-    for path in files.filter(|path| path.is_file()) {
-        fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
+    for file_name in file_names {
+        if is_file(lock.folder(), file_name)? {
+            remove(lock, file_name)?;
+        }
     }
     Ok(())
 }

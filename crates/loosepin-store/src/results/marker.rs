@@ -1,15 +1,19 @@
 //! The small file by which a folder of results is known.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
+use loosepin_files::{Folder, FolderLock, Refused, replace_named};
 use serde::{Deserialize, Serialize};
 
 use super::error::ResultsError;
 use super::kind::{MARKER_FILE, ResultKind};
-use super::whole::write_whole;
+
+/// Largest marker, bytes. It has a hundred for each file of its result.
+const MAX_MARKER_BYTES: u64 = 1 << 20;
+/// Largest file of a result that is read into memory, bytes: tables of runs have gigabytes.
+const MAX_FILE_BYTES: u64 = 1 << 36;
 
 /// The content of [`super::MARKER_FILE`]: what a folder holds, and from which inputs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -36,12 +40,12 @@ impl Marker {
     ///
     /// # Errors
     /// There is none, or another version wrote it.
-    pub(super) fn read(folder: &Path) -> Result<Self, ResultsError> {
-        let path = folder.join(MARKER_FILE);
-        match fs::read_to_string(&path) {
-            Ok(text) => serde_json::from_str(&text).map_err(|source| ResultsError::ForeignMarker { path, source }),
+    pub fn read(folder: &Folder) -> Result<Self, ResultsError> {
+        let path = folder.path().join(MARKER_FILE);
+        match folder.read(Path::new(MARKER_FILE), MAX_MARKER_BYTES) {
+            Ok(text) => serde_json::from_slice(&text).map_err(|source| ResultsError::ForeignMarker { path, source }),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                Err(ResultsError::NoMarker { folder: folder.to_owned() })
+                Err(ResultsError::NoMarker { folder: folder.path().to_owned() })
             }
             Err(source) => Err(ResultsError::Read { path, source }),
         }
@@ -51,8 +55,8 @@ impl Marker {
     ///
     /// # Errors
     /// An error of the file system.
-    pub(super) fn write(&self, folder: &Path) -> Result<(), ResultsError> {
-        write_whole(&folder.join(MARKER_FILE), self.to_text()?.as_bytes())
+    pub(super) fn write(&self, lock: &FolderLock) -> Result<(), ResultsError> {
+        write(lock, MARKER_FILE, self.to_text()?.as_bytes())
     }
 
     /// Its text.
@@ -69,16 +73,16 @@ impl Marker {
     ///
     /// # Errors
     /// A file is missing, or is not the one that was written.
-    pub(super) fn verify(&self, folder: &Path, written_again: &[&str]) -> Result<(), ResultsError> {
+    pub(super) fn verify(&self, folder: &Folder, written_again: &[&str]) -> Result<(), ResultsError> {
         let hashed = self.files.iter().filter_map(|(file_name, hash)| Some((file_name, hash.as_ref()?)));
         for (file_name, expected) in hashed.filter(|(file_name, _)| !written_again.contains(&file_name.as_str())) {
-            let Some(path) = inside(folder, file_name) else { return Err(self.changed(folder, file_name)) };
             let mut hasher = blake3::Hasher::new();
-            fs::File::open(&path)
-                .and_then(|mut file| io::copy(&mut file, &mut hasher))
-                .map_err(|error| self.not_readable(path, error))?;
+            folder
+                .open_file(Path::new(file_name))
+                .and_then(|(mut file, _)| io::copy(&mut file, &mut hasher))
+                .map_err(|error| self.not_readable(folder.path().join(file_name), error))?;
             if hasher.finalize().to_hex().as_str() != expected {
-                return Err(self.changed(folder, file_name));
+                return Err(self.changed(folder.path(), file_name));
             }
         }
         Ok(())
@@ -88,15 +92,16 @@ impl Marker {
     ///
     /// # Errors
     /// The file is not listed, is missing, or is not the one that was written.
-    pub(super) fn read_file(&self, folder: &Path, file_name: &str) -> Result<Vec<u8>, ResultsError> {
-        let path = folder.join(file_name);
+    pub(super) fn read_file(&self, folder: &Folder, file_name: &str) -> Result<Vec<u8>, ResultsError> {
+        let path = folder.path().join(file_name);
         let Some(listed) = self.files.get(file_name) else {
             return Err(ResultsError::NotListed { path, kind: self.kind, name: self.name.clone() });
         };
-        let contents = fs::read(&path).map_err(|error| self.not_readable(path, error))?;
+        let contents = folder.read(Path::new(file_name), MAX_FILE_BYTES);
+        let contents = contents.map_err(|error| self.not_readable(path, error))?;
         match listed {
             Some(expected) if blake3::hash(&contents).to_hex().as_str() != expected => {
-                Err(self.changed(folder, file_name))
+                Err(self.changed(folder.path(), file_name))
             }
             _ => Ok(contents),
         }
@@ -107,6 +112,9 @@ impl Marker {
     }
 
     fn not_readable(&self, path: PathBuf, error: io::Error) -> ResultsError {
+        if Refused::of(&error) == Some(Refused::BadName) {
+            return ResultsError::Changed { path, kind: self.kind, name: self.name.clone() };
+        }
         match error.kind() {
             io::ErrorKind::NotFound => ResultsError::Missing { path, kind: self.kind, name: self.name.clone() },
             _ => ResultsError::Read { path, source: error },
@@ -114,8 +122,16 @@ impl Marker {
     }
 }
 
-/// A file of the folder; nothing where the name leads out of it.
-pub(super) fn inside(folder: &Path, file_name: &str) -> Option<PathBuf> {
-    let is_inside = Path::new(file_name).components().all(|part| matches!(part, Component::Normal(_)));
-    is_inside.then(|| folder.join(file_name))
+/// Writes a file that whoever runs the program names, whole or not at all, in place of a plain file that is there.
+///
+/// # Errors
+/// An error of the file system.
+pub fn write_whole(path: &Path, contents: &[u8]) -> Result<(), ResultsError> {
+    replace_named(path, contents).map_err(|source| ResultsError::Write { path: path.to_owned(), source })
+}
+
+/// Writes a file of a result, whole or not at all.
+pub(super) fn write(lock: &FolderLock, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
+    let path = || lock.folder().path().join(file_name);
+    lock.write(file_name, contents).map_err(|source| ResultsError::Write { path: path(), source })
 }

@@ -8,21 +8,19 @@ mod error;
 mod folder;
 mod inputs;
 mod kind;
-mod lock;
 mod marker;
 mod shards;
-mod whole;
 
 pub use claim::{Claim, LockedFolder, Place};
 pub use error::ResultsError;
 pub use folder::{FinishedResult, ResultsFolder};
 pub use inputs::{InputsHash, InputsHasher};
 pub use kind::{MARKER_FILE, ResultKind};
-pub use lock::LOCK_FILE;
-pub use marker::Marker;
+pub use marker::{Marker, write_whole};
 pub use shards::{SHARD_FILE, ShardFolders, ShardRecord, ShardsError};
-pub use whole::write_whole;
 
+/// Name of the file that is locked while somebody writes into a folder of results. It says who that is.
+pub const LOCK_FILE: &str = "loosepin.lock";
 /// Name of the page that people read.
 pub const REPORT_FILE: &str = "report.html";
 /// Name of the file with the whole result, SI.

@@ -139,11 +139,12 @@ impl ShardFolders {
 /// The record of the start of the shard in `folder`.
 fn read_record(folder: &Path) -> Result<ShardRecord, ResultsError> {
     let path = folder.join(SHARD_FILE);
-    let text = match std::fs::read_to_string(&path) {
+    const MAX_BYTES: u64 = 1 << 20;
+    let text = match loosepin_files::read_named(&path, MAX_BYTES) {
         Ok(text) => text,
         Err(source) => return Err(ResultsError::Read { path, source }),
     };
-    serde_json::from_str(&text).map_err(|error| ResultsError::ForeignFile { path, reason: error.to_string() })
+    serde_json::from_slice(&text).map_err(|error| ResultsError::ForeignFile { path, reason: error.to_string() })
 }
 
 #[cfg(test)]

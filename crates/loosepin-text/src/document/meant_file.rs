@@ -2,14 +2,17 @@
 
 use std::path::Path;
 
+use loosepin_files::Folder;
+
 use crate::diagnostics::nearest_name;
 use crate::units::listed;
 
 /// The names in a folder, in their order.
 fn names_in(folder: &Path) -> Vec<String> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    // A hint is not worth more.
+    const MAX_ENTRIES: usize = 10_000;
+    let entries = Folder::open(folder).and_then(|folder| folder.entries(MAX_ENTRIES)).unwrap_or_default();
+    let mut names: Vec<String> = entries.into_iter().filter_map(|entry| entry.name.into_string().ok()).collect();
     names.sort();
     names
 }

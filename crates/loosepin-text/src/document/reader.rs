@@ -1,9 +1,9 @@
 //! The layer between TOML and meaning: every accessor either gives the value or leaves a complaint at its place.
 
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
+use loosepin_files::{Refused, read_named};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -22,6 +22,7 @@ const TO_FILL_IN: &str = "?";
 /// Why a file cannot be read, with the name that was probably meant.
 pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
     let reason = match error.kind() {
+        _ if Refused::of(error) == Some(Refused::NotAFile) => "it is neither a file nor a folder".to_owned(),
         std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
         std::io::ErrorKind::PermissionDenied => "reading it is not permitted".to_owned(),
         std::io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
@@ -41,25 +42,16 @@ pub fn not_readable(path: &Path, error: &std::io::Error) -> Complaints {
 /// A file that cannot be read, is too large, or is not UTF-8 (with the place of the first wrong byte).
 pub fn read_source(path: &Path) -> Result<Arc<Source>, Complaints> {
     let name = path.display().to_string();
-    let not_readable = |error: std::io::Error| not_readable(path, &error);
-    // Asked first, so that a device or an enormous file is not read into memory.
-    let metadata = std::fs::metadata(path).map_err(not_readable)?;
-    if !metadata.is_file() && !metadata.is_dir() {
-        let reason = "it is neither a file nor a folder".to_owned();
-        return Err(Complaints::one(&DocumentProblem::NotReadable { file: name, reason, hint: None }, None));
+    match read_named(path, LARGEST_FILE_BYTES as u64) {
+        Ok(bytes) => source_from_bytes(&name, bytes),
+        Err(error) => match Refused::of(&error) {
+            Some(Refused::TooLarge { size_bytes, .. }) => {
+                let size_bytes = usize::try_from(size_bytes).unwrap_or(usize::MAX);
+                Err(Complaints::one(&DocumentProblem::TooLarge { file: name, size_bytes }, None))
+            }
+            _ => Err(not_readable(path, &error)),
+        },
     }
-    let size_bytes = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
-    let check_size = |size_bytes| {
-        let problem = DocumentProblem::TooLarge { file: name.clone(), size_bytes };
-        if size_bytes > LARGEST_FILE_BYTES { Err(Complaints::one(&problem, None)) } else { Ok(()) }
-    };
-    check_size(size_bytes)?;
-    // What the system makes up as it is read, as below /proc, says that it has no bytes.
-    let mut bytes = Vec::with_capacity(size_bytes);
-    let file = std::fs::File::open(path).map_err(not_readable)?;
-    file.take(LARGEST_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(not_readable)?;
-    check_size(bytes.len())?;
-    source_from_bytes(&name, bytes)
 }
 
 /// Reads the file that a text names as `written`: from the folder of `source`, or among the files that were given with it.

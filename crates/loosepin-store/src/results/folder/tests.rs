@@ -1,6 +1,7 @@
 //! Folders are claimed, refused, taken over and finished.
 
 use super::*;
+use std::fs;
 use crate::results::{Claim, InputsHasher, Place};
 use loosepin_text::diagnostics::Problem;
 
@@ -12,6 +13,10 @@ fn claim(path: &Path, input: &str, with_force: bool) -> Claim {
         place: Place::Folder(path.to_owned()),
         with_force,
     }
+}
+
+fn lock(path: &Path) -> FolderLock {
+    FolderLock::take(path, LOCK_FILE, "test").expect("nobody holds it")
 }
 
 fn finished(path: &Path, input: &str) {
@@ -74,11 +79,11 @@ fn a_marker_that_was_being_written_when_the_process_was_stopped_is_ours() {
     let root = tempfile::tempdir().expect("a folder");
     let path = root.path().join("out");
     fs::create_dir(&path).expect("writable");
-    fs::write(path.join("loosepin.json.partial"), b"{\"kin").expect("writable");
+    fs::write(path.join(".loosepin-0123456789abcdef.partial"), b"{\"kin").expect("writable");
     finished(&path, "a");
-    assert!(!path.join("loosepin.json.partial").exists());
+    assert!(!path.join(".loosepin-0123456789abcdef.partial").exists());
     fs::remove_file(path.join(MARKER_FILE)).expect("writable");
-    fs::write(path.join("loosepin.json.partial"), b"{\"kin").expect("writable");
+    fs::write(path.join(".loosepin-0123456789abcdef.partial"), b"{\"kin").expect("writable");
     let error = claim(&path, "a", false).take().expect_err("there is a file that nothing says is ours");
     assert!(matches!(&error, ResultsError::HoldsOtherFiles { example, .. } if example == "history.csv"), "{error}");
 }
@@ -216,7 +221,7 @@ fn a_crash_while_files_are_renamed_loses_nothing() {
     let text = fs::read_to_string(path.join(MARKER_FILE)).expect("the marker");
     let mut marker: Marker = serde_json::from_str(&text).expect("a marker");
     marker.replaced.push("history.csv".to_owned());
-    marker.write(&path).expect("writable");
+    marker.write(&lock(&path)).expect("writable");
     assert!(claim(&path, "a", false).take().expect("ours").is_finished());
     assert_eq!(contents(&path), before);
 }
@@ -338,7 +343,7 @@ fn a_page_that_is_written_again_enters_the_list_again() {
     let text = fs::read_to_string(path.join(MARKER_FILE)).expect("the marker");
     let mut marker: Marker = serde_json::from_str(&text).expect("a marker");
     marker.files.remove("report.html");
-    marker.write(&path).expect("writable");
+    marker.write(&lock(&path)).expect("writable");
     fs::write(path.join("report.html"), "third").expect("writable");
     FinishedResult::open(&path).expect("the result is whole without its page");
     // As if somebody had changed it: it is written again.
@@ -347,4 +352,70 @@ fn a_page_that_is_written_again_enters_the_list_again() {
     FinishedResult::open(&path).expect_err("its page is not as it was written");
     ResultsFolder::reopen(&path).expect("its page does not matter").write("report.html", b"second").expect("writable");
     assert_eq!(FinishedResult::open(&path).expect("whole").read("report.html").expect("listed"), b"second");
+}
+
+#[test]
+fn a_clock_before_1970_is_left_out() {
+    let epoch = SystemTime::UNIX_EPOCH;
+    assert_eq!(since(epoch - std::time::Duration::from_secs(1)), "");
+    assert_eq!(since(epoch), ", since 1970-01-01T00:00:00Z");
+}
+
+#[cfg(unix)]
+#[test]
+fn no_link_below_the_root_of_results_is_followed() {
+    use std::os::unix::fs::symlink;
+    let desk = tempfile::tempdir().expect("a folder");
+    let outside = desk.path().join("outside");
+    fs::create_dir(&outside).expect("writable");
+    fs::create_dir(desk.path().join("disk")).expect("writable");
+    // The root itself may be a link: results often go to a larger disk.
+    let root = desk.path().join("results");
+    symlink("disk", &root).expect("writable");
+    let served = Folder::open(desk.path()).expect("readable");
+    let places = [Place::Below(root.clone()), Place::Within(served, "results".into())];
+    let [below, within] = places.map(|place| Claim { place, ..claim(&root, "a", false) });
+    let is_link = |error: ResultsError| match error {
+        ResultsError::Read { source, .. } => Refused::of(&source) == Some(Refused::Link),
+        _ => false,
+    };
+    drop(below.take().expect("the root is followed"));
+    assert!(is_link(within.take().expect_err("below an open folder no link is followed")));
+    symlink("../outside", root.join("other")).expect("writable");
+    let other = Claim { name: "other".to_owned(), ..below };
+    assert!(is_link(other.take().expect_err("NAME is a link")));
+    assert_eq!(fs::read_dir(&outside).expect("readable").count(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_folder_of_results_lead_nowhere() {
+    use std::os::unix::fs::symlink;
+    let desk = tempfile::tempdir().expect("a folder");
+    let [path, victim, secret] = ["out", "victim", "secret"].map(|name| desk.path().join(name));
+    finished(&path, "a");
+    fs::write(&victim, "of somebody").expect("writable");
+    fs::write(&secret, "{\"secret\": 1}").expect("writable");
+    // Names that earlier versions wrote to.
+    for name in ["loosepin.json.partial", "history.csv.partial"] {
+        symlink("../victim", path.join(name)).expect("writable");
+    }
+    finished_again(&path);
+    assert_eq!(fs::read_to_string(&victim).expect("it stays"), "of somebody");
+    for name in ["history.csv", MARKER_FILE] {
+        let kept = fs::read(path.join(name)).expect("a file");
+        fs::remove_file(path.join(name)).expect("removable");
+        symlink("../secret", path.join(name)).expect("writable");
+        let error = FinishedResult::open(&path).expect_err("a link").to_string();
+        assert!(error.ends_with("it is a symbolic link, and links are not followed here"), "{error}");
+        fs::remove_file(path.join(name)).expect("removable");
+        fs::write(path.join(name), kept).expect("writable");
+    }
+}
+
+#[cfg(unix)]
+fn finished_again(path: &Path) {
+    let mut folder = claim(path, "a", true).take().expect("ours");
+    folder.write("history.csv", b"time_s\n").expect("writable");
+    folder.finish().expect("writable");
 }
