@@ -226,8 +226,17 @@ fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, R
             replaced.push(file_name.clone());
         }
     }
-    // What an earlier result has left under these names is not what comes back.
-    let waiting: Vec<String> = replaced.iter().chain(&held.replaced).map(|file_name| aside(file_name)).collect();
+    // What an earlier result has left under these names is not what comes back. It is told in the marker; anything else is somebody else's.
+    let is_foreign = |file_name: &&String| !held.replaced.contains(file_name);
+    for name in replaced.iter().filter(is_foreign).map(|file_name| aside(file_name)) {
+        let path = lock.folder().path().join(&name);
+        match lock.folder().find(Path::new(&name)) {
+            Ok(None) => {}
+            Ok(Some(_)) => return Err(ResultsError::AsideTaken { path }),
+            Err(source) => return Err(ResultsError::Read { path, source }),
+        }
+    }
+    let waiting: Vec<String> = held.replaced.iter().map(|file_name| aside(file_name)).collect();
     remove_files(lock, &waiting)?;
     write(lock, &aside(MARKER_FILE), held.to_text()?.as_bytes())?;
     replaced.push(MARKER_FILE.to_owned());

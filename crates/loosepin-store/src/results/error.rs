@@ -31,6 +31,10 @@ problems! {
         HoldsOtherFiles { folder: PathBuf, example: String } => Code::FolderHoldsOther,
             says("{} holds files that are not results, '{example}' for one; nothing is overwritten", folder.display()),
             hint("give another folder, or --force to write beside these files and over those of the same names");
+        /// A file that is none of the results has the name under which a file of theirs is to wait.
+        AsideTaken { path: PathBuf } => Code::FolderHoldsOther,
+            says("{} is in the way: files of results that are replaced wait under such names", path.display()),
+            hint("move it away, or give another folder");
         /// Another process writes there; `holder` is what it says of itself.
         InUse { folder: PathBuf, holder: Option<String> } => Code::FolderInUse,
             says(

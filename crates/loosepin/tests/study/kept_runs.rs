@@ -1,11 +1,13 @@
 //! Runs that were made outlive the study that failed after them.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::SystemTime;
 
+use loosepin::files::FolderLock;
 use loosepin::model::Model;
-use loosepin::results::{Claim, InputsHasher, Place, ResultKind};
-use loosepin::store::{InputsKey, KeptRun, RunStore, STORE_FILE, StoreError};
+use loosepin::results::{Claim, InputsHasher, LOCK_FILE, Place, ResultKind};
+use loosepin::store::{InputsKey, KeptRun, RunStore, StoreError};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{Begun, Study, StudyError, begin_in_folder, conclude, store_identity};
 use loosepin::templates::find_template;
@@ -32,13 +34,13 @@ impl Failing {
         Self { study, claim }
     }
 
-    fn store(&self, path: &Path) -> Result<RunStore, StoreError> {
-        RunStore::open(path, &store_identity(&self.claim.inputs))
+    fn store(&self, lock: &Arc<FolderLock>) -> Result<RunStore, StoreError> {
+        RunStore::open(lock, &store_identity(&self.claim.inputs))
     }
 
     /// Makes so many runs and fails.
     fn fail_after(&self, runs: u64) {
-        let begun = begin_in_folder(&self.claim, |path| self.store(path));
+        let begun = begin_in_folder(&self.claim, |lock| self.store(lock));
         let Ok(Begun::Open(folder, store)) = begun else { panic!("the folder is new") };
         for place in 0..runs {
             store.keep(0, place, KeptRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome: Ok(vec![1.0]) });
@@ -56,7 +58,8 @@ fn runs_are_kept_where_a_study_fails_after_them() {
     let folder = root.path().join("some");
     let failing = Failing::new(&folder);
     failing.fail_after(3);
-    assert_eq!(failing.store(&folder.join(STORE_FILE)).expect("it is there").runs_at_start(), 3);
+    let lock = FolderLock::take(&folder, LOCK_FILE, "test").expect("nobody holds it");
+    assert_eq!(failing.store(&Arc::new(lock)).expect("it is there").runs_at_start(), 3);
 }
 
 #[test]

@@ -419,3 +419,15 @@ fn finished_again(path: &Path) {
     folder.write("history.csv", b"time_s\n").expect("writable");
     folder.finish().expect("writable");
 }
+
+#[test]
+fn a_file_of_the_user_is_not_taken_for_one_that_waits() {
+    let root = tempfile::tempdir().expect("a folder");
+    let path = root.path().join("out");
+    finished(&path, "a");
+    fs::write(path.join("history.csv.replaced"), "of the user").expect("writable");
+    let before = contents(&path);
+    let error = claim(&path, "b", true).take().expect_err("it is in the way");
+    assert!(matches!(&error, ResultsError::AsideTaken { path } if path.ends_with("history.csv.replaced")), "{error}");
+    assert_eq!(contents(&path), before);
+}
