@@ -5,7 +5,8 @@
 //!
 //! | What | File |
 //! |---|---|
-//! | the server, its connections, what they share, its routes | `server.rs`, `connections.rs`, `studio.rs`, `routes.rs` |
+//! | the server, what connections share, its routes | `server.rs`, `studio.rs`, `routes.rs` |
+//! | connections: who may stay, for how long, how many bytes | `connections.rs`, `visitors.rs`, `stream.rs`, `times.rs` |
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
@@ -47,10 +48,14 @@ mod server;
 mod socket;
 mod still;
 mod stored;
+mod stream;
 mod studio;
 mod texts;
 mod tickets;
 mod time_limit;
+mod times;
 mod token;
+mod visitors;
 
-pub use server::{Serving, StudioError, serve};
+pub use server::{Serving, StudioError, serve, serve_within};
+pub use times::Times;
