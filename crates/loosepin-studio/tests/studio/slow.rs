@@ -132,6 +132,16 @@ fn pages_without_the_token_take_no_seat() {
 }
 
 #[test]
+fn pages_that_say_nothing_are_let_go() {
+    let desk = desk();
+    let server = Server::within(desk.path(), Times { hello: SHORT, ..PATIENT });
+    let mut page = server.connection();
+    let began = Instant::now();
+    assert_eq!(page.next(), None);
+    assert!(began.elapsed() < Duration::from_secs(50), "the client's own patience is 60 s");
+}
+
+#[test]
 fn a_client_that_takes_nothing_is_let_go() {
     let desk = desk();
     let server = Server::within(desk.path(), Times { write: SHORT, ..PATIENT });
@@ -237,8 +247,10 @@ fn pings_count_among_the_messages_of_a_second() {
     let desk = desk();
     let server = Server::within(desk.path(), PATIENT);
     let mut live = server.live();
+    let began = Instant::now();
     for _ in 0..2000 {
         live.ping();
     }
     assert_eq!(live.next(), None, "2000 pings at once end the connection");
+    assert!(began.elapsed() < Duration::from_secs(50), "the client's own patience is 60 s");
 }
