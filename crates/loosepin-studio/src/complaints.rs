@@ -7,9 +7,28 @@ use crate::messages::{Document, SeenComplaint, SeenLabel};
 use crate::places::stretch;
 use crate::texts::Texts;
 
-/// All complaints in the order of their places.
+/// Most complaints that a page is sent: a list of thousands is of no use to anybody, and takes seconds to be drawn.
+const MOST_SHOWN: usize = 200;
+
+/// The first complaints in the order of their places; the last one says how many more there are.
 pub fn seen(complaints: &Complaints, texts: &Texts) -> Vec<SeenComplaint> {
-    complaints.sorted().into_iter().map(|complaint| one(complaint, texts)).collect()
+    let sorted = complaints.sorted();
+    let mut seen: Vec<SeenComplaint> = sorted.iter().take(MOST_SHOWN).map(|complaint| one(complaint, texts)).collect();
+    if let Some(left) = sorted.get(MOST_SHOWN..).filter(|left| !left.is_empty()) {
+        let gravest = left.iter().max_by_key(|complaint| complaint.severity).unwrap_or(&left[0]);
+        seen.push(SeenComplaint {
+            document: None,
+            path: None,
+            code: gravest.code.as_str(),
+            severity: gravest.severity.to_string(),
+            message: format!("and {} more", left.len()),
+            hint: Some("they are shown when those before them are mended".to_owned()),
+            stretch: None,
+            labels: Vec::new(),
+            fix: None,
+        });
+    }
+    seen
 }
 
 fn one(complaint: &Complaint, texts: &Texts) -> SeenComplaint {

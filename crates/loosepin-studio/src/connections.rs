@@ -1,40 +1,64 @@
-//! Accepting connections: so many at once, each with a time for the heads of its requests.
+//! Accepting connections: so many at once, each for so long.
 
-use std::sync::Arc;
+use std::pin::pin;
 use std::time::Duration;
 
 use axum::Router;
+use axum::extract::Request;
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
+use hyper::service::{Service, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::net::TcpListener;
-use tokio::sync::Semaphore;
+use tokio::task::yield_now;
 use tokio::time::sleep;
 
-/// Most connections at once; further ones wait.
+use crate::stream::Stream;
+use crate::times::Times;
+use crate::visitors::Visitors;
+
+/// Most connections at once, live ones too; where all have shown the token, further ones wait.
 const MOST_CONNECTIONS: usize = 64;
-/// Time for the head of a request; a connection that asks for nothing is closed after it.
-const HEAD_PATIENCE: Duration = Duration::from_secs(5);
+/// Most bytes of a head, and of what is read or written at a time.
+const BUFFER: usize = 64 << 10;
 /// Rest after the system has refused a connection, for example since too many files are open.
 const REST: Duration = Duration::from_millis(50);
 
-/// Serves `router` to all who connect, for ever.
-pub async fn accept(listener: TcpListener, router: Router) {
-    let seats = Arc::new(Semaphore::new(MOST_CONNECTIONS));
+/// Serves `router` to all who connect, for ever. Requests carry their [`Visitor`](crate::visitors::Visitor).
+pub async fn accept(listener: TcpListener, router: Router, times: Times) {
+    let visitors = Visitors::new(MOST_CONNECTIONS, times.stay);
     loop {
-        // The semaphore is never closed.
-        let Ok(seat) = Arc::clone(&seats).acquire_owned().await else { return };
         let Ok((stream, _)) = listener.accept().await else {
             sleep(REST).await;
             continue;
         };
-        let service = TowerToHyperService::new(router.clone());
-        tokio::spawn(async move {
-            let mut builder = http1::Builder::new();
-            builder.timer(TokioTimer::new()).header_read_timeout(HEAD_PATIENCE);
-            // Whoever is not understood was told so; nobody else wants to know.
-            let _ = builder.serve_connection(TokioIo::new(stream), service).with_upgrades().await;
-            drop(seat);
-        });
+        let (place, end) = visitors.admit().await;
+        let visitor = place.visitor.clone();
+        let stream = Stream::new(stream, place, end, &times);
+        tokio::spawn(serve(stream, router.clone(), times, move |request: &mut Request<Incoming>| {
+            request.extensions_mut().insert(visitor.clone());
+        }));
+        // Who came first may show the token before others make it leave.
+        yield_now().await;
     }
+}
+
+/// Serves the requests of one connection until its time is over.
+async fn serve(stream: Stream, router: Router, times: Times, sign: impl Fn(&mut Request<Incoming>)) {
+    let routes = TowerToHyperService::new(router);
+    let service = service_fn(move |mut request| {
+        sign(&mut request);
+        routes.call(request)
+    });
+    let mut builder = http1::Builder::new();
+    builder.timer(TokioTimer::new()).header_read_timeout(times.head).max_buf_size(BUFFER);
+    let mut connection = pin!(builder.serve_connection(TokioIo::new(stream), service).with_upgrades());
+    // Whoever is not understood was told so; nobody else wants to know.
+    tokio::select! {
+        _ = connection.as_mut() => return,
+        () = sleep(times.connection) => connection.as_mut().graceful_shutdown(),
+    }
+    // The stream ends when the time for the last request is over.
+    let _ = connection.await;
 }

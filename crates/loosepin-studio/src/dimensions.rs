@@ -1,20 +1,33 @@
 //! Dimensions on the drawing: lengths of links, and angles of the lines of guides and slots.
 
+use std::cell::Cell;
+
 use loosepin::model::{JointKind, Model, PointId, QuantityId, Values};
 use loosepin::units::{Dimension, format_value};
 
+use crate::centres::{Centres, SAME_CENTRE_M};
 use crate::edit::number_behind;
 use crate::messages::SeenDimension;
 use crate::still::in_body_m;
 
 const MM_PER_M: f64 = 1e3;
-/// Two points of a body nearer to each other are one, m.
-const SAME_CENTRE_M: f64 = 1e-9;
+/// Most numbers that are looked for behind lengths and angles: each is found by working out all expressions of the model. A drawing with
+/// more dimensions is not readable; those beyond have no field.
+const MOST_NUMBERS: usize = 200;
 
 /// The dimensions of a model, in the order of its bodies, then of its joints.
 pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
     let values = model.quantities.nominal();
-    let lengths = (1..model.bodies.len()).flat_map(|body| lengths(model, &values, body));
+    let mut held: Vec<Vec<PointId>> = vec![Vec::new(); model.bodies.len()];
+    for point in model.joints.iter().flat_map(|joint| joint.kind.points()) {
+        held[point.body.0].push(point);
+    }
+    let left = Cell::new(MOST_NUMBERS);
+    let number = |id: QuantityId| {
+        left.set(left.get().checked_sub(1)?);
+        number_behind(model, id)
+    };
+    let lengths = (1..model.bodies.len()).flat_map(|body| lengths(model, &values, body, &held[body], &number));
     let angles = model.joints.iter().filter_map(|joint| {
         let (point, angle) = match joint.kind {
             JointKind::Prismatic { guide, guide_angle_rad, .. } => (guide, guide_angle_rad),
@@ -30,17 +43,22 @@ pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
             from: [x, y],
             to: [x + cosine, y + sine],
             written: format_value(values[angle], Dimension::ANGLE),
-            path: number_behind(model, angle),
+            path: number(angle),
         })
     });
     lengths.chain(angles).collect()
 }
 
 /// From the first centre of a body to its others; where joints hold fewer than two points of it, all points count.
-fn lengths(model: &Model, values: &Values, body: usize) -> Vec<SeenDimension> {
-    let held = model.joints.iter().flat_map(|joint| joint.kind.points()).filter(|point| point.body.0 == body);
+fn lengths(
+    model: &Model,
+    values: &Values,
+    body: usize,
+    held: &[PointId],
+    number: &dyn Fn(QuantityId) -> Option<String>,
+) -> Vec<SeenDimension> {
     let all = (0..model.bodies[body].points.len()).map(|point| PointId { body: loosepin::model::BodyId(body), point });
-    let mut centres = apart(model, values, held);
+    let mut centres = apart(model, values, held.iter().copied());
     if centres.len() < 2 {
         centres = apart(model, values, centres.into_iter().chain(all));
     }
@@ -63,9 +81,9 @@ fn lengths(model: &Model, values: &Values, body: usize) -> Vec<SeenDimension> {
             written: format_value(length_m, Dimension::LENGTH),
             path: along_axis(model, from_m, to_m, *point).and_then(|id| {
                 // Only what is the length itself: half of it has another tolerance.
-                let path = number_behind(model, id)?;
-                let number = model.quantities.id(&path)?;
-                ((values[number] - length_m).abs() < SAME_CENTRE_M).then_some(path)
+                let path = number(id)?;
+                let id = model.quantities.id(&path)?;
+                ((values[id] - length_m).abs() < SAME_CENTRE_M).then_some(path)
             }),
         }
     };
@@ -84,18 +102,8 @@ fn along_axis(model: &Model, from_m: [f64; 2], [x, y]: [f64; 2], point: PointId)
 
 /// Those points of a body that lie apart from each other.
 fn apart(model: &Model, values: &Values, points: impl Iterator<Item = PointId>) -> Vec<PointId> {
-    let mut found: Vec<PointId> = Vec::new();
-    for point in points {
-        let [x, y] = in_body_m(model, values, point);
-        let is_new = found.iter().all(|known| {
-            let [other_x, other_y] = in_body_m(model, values, *known);
-            (x - other_x).hypot(y - other_y) >= SAME_CENTRE_M
-        });
-        if is_new {
-            found.push(point);
-        }
-    }
-    found
+    let mut centres = Centres::default();
+    points.filter(|point| centres.is_new(point.body.0, in_body_m(model, values, *point))).collect()
 }
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! Changes that mend a complaint: a word that was probably meant, in place of the one that is written.
 
-use loosepin::diagnostics::{Complaint, Source};
+use loosepin::diagnostics::Complaint;
 use strsim::osa_distance;
 
 use crate::messages::{Change, Document, Fix};
-use crate::places::utf16_units;
 
 /// Marks in which messages set what is written and what was probably meant.
 const MARKS: [char; 2] = ['\'', '"'];
@@ -22,7 +21,7 @@ pub fn fix(complaint: &Complaint, document: Option<Document>) -> Option<Fix> {
     let here = quoted.filter_map(|word| Some((word, only(text, word)?)));
     let (written, at) = here.min_by_key(|(word, _)| osa_distance(word, meant))?;
     let from = range.start + at;
-    let units = |byte: usize| utf16_units(&place.source as &Source, byte);
+    let units = |byte: usize| place.source.utf16_units(byte);
     let change =
         Change { document: document?, from: units(from), to: units(from + written.len()), insert: meant.to_owned() };
     Some(Fix { change, words: format!("Write {meant} in place of {written}") })

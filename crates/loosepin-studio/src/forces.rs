@@ -1,5 +1,7 @@
 //! Springs and loads, with their places in the drawing.
 
+use std::collections::HashMap;
+
 use loosepin::model::{BodyId, LoadKind, Model, PointId, SpringKind, Values};
 
 use crate::messages::{SeenForce, SeenPin};
@@ -11,11 +13,12 @@ const MM_PER_M: f64 = 1e3;
 pub fn forces(model: &Model) -> Vec<SeenForce> {
     let values = model.quantities.nominal();
     let pin = |point: PointId| pin(model, &values, point);
+    let held = Held::of(model);
     let springs = model.springs.iter().map(|spring| {
         let (kind, ends) = match spring.kind {
             SpringKind::Linear { first, second } => ("spring", vec![pin(first), pin(second)]),
             SpringKind::Torsional { first, second } => {
-                ("torsion spring", between(model, first, second).map(pin).into_iter().collect())
+                ("torsion spring", held.between(first, second).map(pin).into_iter().collect())
             }
         };
         SeenForce { table: "spring", name: spring.name.clone(), kind, ends, direction_deg: None, turns: false }
@@ -25,7 +28,9 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
             LoadKind::Force { point, direction_rad, follows_body } => {
                 ("force", vec![pin(point)], Some(values[direction_rad].to_degrees()), follows_body)
             }
-            LoadKind::Torque { body } => ("torque", held(model, body).map(pin).into_iter().collect(), None, false),
+            LoadKind::Torque { body } => {
+                ("torque", held.of_body.get(&body).copied().map(pin).into_iter().collect(), None, false)
+            }
         };
         SeenForce { table: "load", name: load.name.clone(), kind, ends, direction_deg, turns }
     });
@@ -37,18 +42,29 @@ fn pin(model: &Model, values: &Values, point: PointId) -> SeenPin {
     SeenPin { body: point.body.0, x, y }
 }
 
-/// The point of the first body at a joint with the second.
-fn between(model: &Model, first: BodyId, second: BodyId) -> Option<PointId> {
-    let joint = model.joints.iter().find(|joint| {
-        let bodies = joint.kind.bodies();
-        bodies.contains(&first) && bodies.contains(&second)
-    })?;
-    joint.kind.points().into_iter().find(|point| point.body == first)
+/// Points at which joints hold bodies, of the first joint each.
+#[derive(Default)]
+struct Held {
+    of_body: HashMap<BodyId, PointId>,
+    /// The point of the first body at a joint with the second.
+    of_pair: HashMap<[BodyId; 2], PointId>,
 }
 
-/// A point at which a joint holds a body.
-fn held(model: &Model, body: BodyId) -> Option<PointId> {
-    model.joints.iter().flat_map(|joint| joint.kind.points()).find(|point| point.body == body)
+impl Held {
+    fn of(model: &Model) -> Self {
+        let mut held = Self::default();
+        for [one, other] in model.joints.iter().map(|joint| joint.kind.points()) {
+            for (own, next) in [(one, other), (other, one)] {
+                held.of_body.entry(own.body).or_insert(own);
+                held.of_pair.entry([own.body, next.body]).or_insert(own);
+            }
+        }
+        held
+    }
+
+    fn between(&self, first: BodyId, second: BodyId) -> Option<PointId> {
+        self.of_pair.get(&[first, second]).copied()
+    }
 }
 
 #[cfg(test)]

@@ -1,27 +1,31 @@
 //! Who may ask. A page of another origin, and a name that somebody else's name server points to this machine, may not.
 
-use std::time::Duration;
-
 use axum::extract::{Request, State};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use tokio::time::timeout;
 
 use crate::refusal::Refusal;
 use crate::studio::Studio;
+use crate::visitors::Visitor;
 
-/// Time for the body of a request and for its answer.
-const PATIENCE: Duration = Duration::from_secs(10);
 /// Names of this machine to itself.
 const LOOPBACK: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// Refuses requests of other hosts and origins, and of the interface without the token; puts the headers of safety on every answer.
+/// Addresses below this one are asked with the token.
+const INTERFACE: &str = "/api/";
+
+/// Refuses requests of other hosts and origins, and of the interface without the token; puts the headers of safety on every answer. The
+/// body of a request is read after that, and only so many at once.
 pub async fn guard(State(studio): State<Studio>, request: Request, next: Next) -> Response {
     let mut response = match admitted(&studio, &request) {
-        Ok(()) => match timeout(PATIENCE, next.run(request)).await {
+        Ok(()) => match timeout(studio.times.request, answer(&studio, request, next)).await {
             Ok(response) => response,
-            Err(_) => Refusal::new(StatusCode::REQUEST_TIMEOUT, "this request took longer than 10 s").into_response(),
+            Err(_) => {
+                let words = format!("this request took longer than {} s", studio.times.request.as_secs_f64());
+                Refusal::new(StatusCode::REQUEST_TIMEOUT, words).into_response()
+            }
         },
         Err(refusal) => refusal.into_response(),
     };
@@ -37,11 +41,30 @@ pub async fn guard(State(studio): State<Studio>, request: Request, next: Next) -
     response
 }
 
+/// The answer to a request that is admitted.
+async fn answer(studio: &Studio, request: Request, next: Next) -> Response {
+    let visitor = request.extensions().get::<Visitor>().cloned().unwrap_or_default();
+    let path = request.uri().path();
+    let (is_interface, is_report) = (path.starts_with(INTERFACE), path.starts_with("/view/"));
+    let has_body = is_interface && !matches!(*request.method(), Method::GET | Method::HEAD);
+    if is_interface {
+        visitor.show_token();
+    }
+    // The semaphore is never closed.
+    let _body = if has_body { studio.bodies.acquire().await.ok() } else { None };
+    let response = next.run(request).await;
+    if is_report && response.status().is_success() {
+        // Whoever has the address of a report has shown the token for it.
+        visitor.show_token();
+    }
+    response
+}
+
 fn admitted(studio: &Studio, request: &Request) -> Result<(), Refusal> {
     let host = check_host(request.headers())?;
     let path = request.uri().path();
     check_origin(request.headers(), host, path == "/live")?;
-    if path.starts_with("/api/") {
+    if path.starts_with(INTERFACE) {
         let given = text(request.headers(), "authorization").and_then(|value| value.strip_prefix("Bearer "));
         if !given.is_some_and(|token| studio.token.is(token)) {
             return Err(Refusal::new(StatusCode::UNAUTHORIZED, "the token of the studio is missing or wrong")

@@ -5,12 +5,13 @@
 //!
 //! | What | File |
 //! |---|---|
-//! | the server, its connections, what they share, its routes | `server.rs`, `connections.rs`, `studio.rs`, `routes.rs` |
+//! | the server, what connections share, its routes | `server.rs`, `studio.rs`, `routes.rs` |
+//! | connections: who may stay, for how long, how many bytes | `connections.rs`, `visitors.rs`, `stream.rs`, `times.rs` |
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
 //! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
-//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs`, `forces.rs` |
+//! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs`, `centres.rs`, `forces.rs` |
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
@@ -20,6 +21,7 @@
 //! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
 
 mod adopt;
+mod centres;
 mod complaints;
 mod connections;
 mod dimensions;
@@ -32,6 +34,8 @@ mod gallery;
 mod guard;
 mod job;
 mod jobs;
+#[cfg(test)]
+mod length_tests;
 mod limits;
 mod listing;
 mod look;
@@ -47,10 +51,14 @@ mod server;
 mod socket;
 mod still;
 mod stored;
+mod stream;
 mod studio;
 mod texts;
 mod tickets;
 mod time_limit;
+mod times;
 mod token;
+mod visitors;
 
-pub use server::{Serving, StudioError, serve};
+pub use server::{Serving, StudioError, serve, serve_within};
+pub use times::Times;

@@ -8,7 +8,7 @@ use loosepin::report::LiveLimit;
 use loosepin::study::{Deviation, Limit, Study, Where};
 
 use crate::messages::SeenLimit;
-use crate::places::{unquoted, utf16_units};
+use crate::places::unquoted;
 
 /// Each with the stretch of the text of the study that says it.
 pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<SeenLimit>)> {
@@ -16,7 +16,7 @@ pub fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<See
     let written = |index: usize| {
         let required = toml.as_ref()?.get_ref().get("require")?.get_ref().as_array()?.get(index)?;
         let range = unquoted(source, required.get_ref().as_table()?.get("within")?.span().into());
-        Some((source.text()[range.clone()].to_owned(), [range.start, range.end].map(|byte| utf16_units(source, byte))))
+        Some((source.text()[range.clone()].to_owned(), [range.start, range.end].map(|byte| source.utf16_units(byte))))
     };
     let line = |(index, required): (usize, &loosepin::study::Requirement)| {
         let Limit::Within(within_si) = required.limit else { return None };

@@ -10,13 +10,8 @@ use crate::messages::Stretch;
 pub fn stretch(place: &Place) -> Stretch {
     let (line, column) = place.line_and_column();
     let range = place.source.clamp(place.span);
-    let [from, to] = [range.start, range.end].map(|byte| utf16_units(&place.source, byte));
+    let [from, to] = [range.start, range.end].map(|byte| place.source.utf16_units(byte));
     Stretch { line, column, from, to }
-}
-
-/// UTF-16 units before a byte, which begins a character.
-pub fn utf16_units(source: &Source, byte: usize) -> usize {
-    source.text()[..byte].encode_utf16().count()
 }
 
 /// The bytes of a value, without the quotes around it.
@@ -36,7 +31,7 @@ mod tests {
         let source = Source::new("model.toml", "a = \"µ𝛼\" # ü\nb = 1\n");
         // µ has two bytes and one unit, 𝛼 four bytes and two units.
         let byte = source.text().find("b =").unwrap();
-        assert_eq!(utf16_units(&source, byte), "a = \"µ𝛼\" # ü\n".encode_utf16().count());
+        assert_eq!(source.utf16_units(byte), "a = \"µ𝛼\" # ü\n".encode_utf16().count());
         let found = stretch(&Place::new(&source, byte..byte + 1));
         assert_eq!((found.line, found.column, found.to - found.from), (2, 1, 1));
     }

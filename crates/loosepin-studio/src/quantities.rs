@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::edit::Locks;
 use crate::messages::{Document, SeenQuantity};
-use crate::places::{unquoted, utf16_units};
+use crate::places::unquoted;
 use crate::texts::Texts;
 
 /// Tables of a study whose entries say what is known of a number, and how the page calls them.
@@ -48,8 +48,8 @@ fn entry(source: &Source, document: Document, path: &str, span: Span, kind: &'st
         words: describe_path(path),
         document,
         written: source.text()[range.clone()].to_owned(),
-        from: utf16_units(source, range.start),
-        to: utf16_units(source, range.end),
+        from: source.utf16_units(range.start),
+        to: source.utf16_units(range.end),
         kind,
         is_locked: false,
     }

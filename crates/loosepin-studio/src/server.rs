@@ -23,10 +23,13 @@ use crate::result_routes;
 use crate::routes;
 use crate::socket;
 use crate::studio::Studio;
+use crate::times::Times;
 use crate::token::Token;
 
 /// Largest body of a request: a text, each letter escaped.
 const LARGEST_BODY: usize = 4 * LARGEST_TEXT;
+/// Most requests whose bodies are read at once: they hold 32 MiB together.
+const MOST_BODIES: usize = 8;
 /// Most live connections.
 const MOST_SEATS: usize = 8;
 /// How often it is looked whether the server is to end.
@@ -60,6 +63,20 @@ pub struct Serving<'s> {
 /// # Errors
 /// The folder is not there; the port is in use.
 pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Serving<'_>)) -> Result<(), StudioError> {
+    serve_within(&Times::default(), folder, port, stop, ready)
+}
+
+/// As [`serve`], waiting as long as `times` says for whoever is connected.
+///
+/// # Errors
+/// As [`serve`].
+pub fn serve_within(
+    times: &Times,
+    folder: &Path,
+    port: u16,
+    stop: &AtomicBool,
+    ready: impl FnOnce(&Serving<'_>),
+) -> Result<(), StudioError> {
     let system = |source| StudioError::System { source };
     let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
     let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
@@ -71,6 +88,8 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
         jobs: Arc::clone(&jobs),
         tickets: Arc::default(),
         seats: Arc::new(Semaphore::new(MOST_SEATS)),
+        bodies: Arc::new(Semaphore::new(MOST_BODIES)),
+        times: *times,
     };
     let outcome = runtime.block_on(async {
         let wanted = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
@@ -79,7 +98,7 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
         let address = format!("http://{bound}/#token={}", studio.token.text());
         ready(&Serving { address, folder: studio.folder.root() });
         tokio::select! {
-            () = accept(listener, router(studio.clone())) => {}
+            () = accept(listener, router(studio.clone()), *times) => {}
             () = stopped(stop) => {}
         }
         Ok(())

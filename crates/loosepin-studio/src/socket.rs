@@ -4,12 +4,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use axum::extract::State;
-use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
-use axum::response::{IntoResponse, Response};
+use axum::extract::ws::{Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
+use axum::extract::{Extension, State};
+use axum::response::Response;
 use loosepin::VERSION;
 use tokio::sync::broadcast::error::RecvError;
-use tokio::sync::mpsc;
+use tokio::sync::watch;
 use tokio::time::timeout;
 
 use crate::folder::{Folder, LARGEST_TEXT};
@@ -17,12 +17,10 @@ use crate::jobs::Task;
 use crate::look::{cut, look_until};
 use crate::mailbox::Mailbox;
 use crate::messages::{FromPage, Look, Seen, ToPage};
-use crate::refusal::Refusal;
 use crate::studio::Studio;
 use crate::time_limit::{LONGEST_LOOK, within};
+use crate::visitors::Visitor;
 
-/// Time for the first message.
-const PATIENCE: Duration = Duration::from_secs(2);
 /// Longest message: two texts, each letter escaped.
 const LARGEST_MESSAGE: usize = 4 * LARGEST_TEXT;
 /// Most messages in a second: twice those of a screen that drags.
@@ -31,76 +29,82 @@ const MOST_A_SECOND: u32 = 200;
 const WATCH: Duration = Duration::from_secs(1);
 
 /// Opens a live connection.
-pub async fn live(State(studio): State<Studio>, upgrade: WebSocketUpgrade) -> Response {
-    let Ok(seat) = Arc::clone(&studio.seats).try_acquire_owned() else {
-        return Refusal::new(axum::http::StatusCode::SERVICE_UNAVAILABLE, "too many pages of the studio are open")
-            .with_hint("close some of them")
-            .into_response();
-    };
-    upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE).on_upgrade(async move |socket| {
-        converse(studio, socket).await;
-        drop(seat);
-    })
+pub async fn live(
+    State(studio): State<Studio>,
+    Extension(visitor): Extension<Visitor>,
+    upgrade: WebSocketUpgrade,
+) -> Response {
+    let upgrade = upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE);
+    upgrade.on_upgrade(async move |socket| converse(studio, visitor, socket).await)
 }
 
-async fn converse(studio: Studio, mut socket: WebSocket) {
-    let hello = timeout(PATIENCE, socket.recv()).await;
+async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
+    let hello = timeout(studio.times.hello, socket.recv()).await;
     let Ok(Some(Ok(Message::Text(first)))) = hello else { return };
     let is_known = matches!(serde_json::from_str(&first), Ok(FromPage::Hello { token }) if studio.token.is(&token));
     if !is_known {
         let _ = tell(&mut socket, &ToPage::Refused { message: "the token of the studio is missing or wrong" }).await;
         return;
     }
+    visitor.show_token();
+    // Taken by those alone who have shown the token.
+    let Ok(_seat) = studio.seats.try_acquire() else {
+        let message = "too many pages of the studio are open: close some of them";
+        let _ = tell(&mut socket, &ToPage::Refused { message }).await;
+        return;
+    };
+    visitor.go_live();
     let mut jobs = studio.jobs.listen();
     if tell(&mut socket, &ToPage::Hello { version: VERSION, jobs: studio.jobs.all() }).await.is_err() {
         return;
     }
     let mailbox = Arc::new(Mailbox::new());
-    let (answers, mut seen) = mpsc::unbounded_channel();
+    // One answer waits at most: a newer one takes its place.
+    let (answers, mut seen) = watch::channel(Utf8Bytes::default());
     let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
     let worker = std::thread::spawn(move || look_on(&worker_folder, &worker_box, &answers));
     let mut rate = Rate::new();
     let mut watched = Watched::default();
-    let mut watch = tokio::time::interval(WATCH);
+    let mut ticks = tokio::time::interval(WATCH);
     loop {
         let outcome = tokio::select! {
             message = socket.recv() => match message {
-                Some(Ok(Message::Text(text))) => {
-                    if !rate.admits() {
-                        break;
+                // Pings count too: each is answered.
+                _ if !rate.admits() => break,
+                Some(Ok(Message::Text(text))) => match serde_json::from_str(&text) {
+                    Ok(FromPage::Look(look)) => {
+                        watched.looked(&look);
+                        mailbox.put(*look);
+                        Ok(())
                     }
-                    match serde_json::from_str(&text) {
-                        Ok(FromPage::Look(look)) => {
-                            watched.looked(&look);
-                            mailbox.put(*look);
-                            Ok(())
-                        }
-                        Ok(FromPage::Run { study }) => add(&studio, &mut socket, Task::Study(study)).await,
-                        Ok(FromPage::Simulate { result, witness }) => {
-                            add(&studio, &mut socket, Task::Witness { result, witness }).await
-                        }
-                        Ok(FromPage::Stop { id }) => {
-                            studio.jobs.stop(id);
-                            Ok(())
-                        }
-                        Ok(FromPage::Hello { .. }) => Ok(()),
-                        Err(error) => {
-                            let message = format!("this message is none of the studio's: {error}");
-                            tell(&mut socket, &ToPage::Refused { message: &message }).await
-                        }
+                    Ok(FromPage::Run { study }) => add(&studio, &mut socket, Task::Study(study)).await,
+                    Ok(FromPage::Simulate { result, witness }) => {
+                        add(&studio, &mut socket, Task::Witness { result, witness }).await
                     }
-                }
+                    Ok(FromPage::Stop { id }) => {
+                        studio.jobs.stop(id);
+                        Ok(())
+                    }
+                    Ok(FromPage::Hello { .. }) => Ok(()),
+                    Err(error) => {
+                        let message = format!("this message is none of the studio's: {error}");
+                        tell(&mut socket, &ToPage::Refused { message: &message }).await
+                    }
+                },
                 Some(Ok(Message::Ping(_) | Message::Pong(_))) => Ok(()),
                 _ => break,
             },
-            Some(text) = seen.recv() => send(&mut socket, text).await,
+            Ok(()) = seen.changed() => {
+                let text = seen.borrow_and_update().clone();
+                send(&mut socket, text).await
+            }
             job = jobs.recv() => match job {
                 Ok(job) => tell(&mut socket, &ToPage::Job { job: &job }).await,
                 // The next message on each job says how far it is.
                 Err(RecvError::Lagged(_)) => Ok(()),
                 Err(RecvError::Closed) => break,
             },
-            _ = watch.tick() => {
+            _ = ticks.tick() => {
                 let mut outcome = Ok(());
                 for path in watched.changed(&studio.folder) {
                     outcome = outcome.and(tell(&mut socket, &ToPage::Changed { path: &path }).await);
@@ -126,11 +130,11 @@ async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), 
 }
 
 /// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
-fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &mpsc::UnboundedSender<String>) {
+fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
     while let Some(request) = mailbox.take() {
         let told = |seen: &Seen| serde_json::to_string(&ToPage::Seen(seen)).unwrap_or_default();
         let late = || {
-            let _ = answers.send(told(&cut(&request, LONGEST_LOOK)));
+            let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
         };
         let text = catch_unwind(AssertUnwindSafe(|| {
             within(LONGEST_LOOK, late, |stop| told(&look_until(folder, &request, stop)))
@@ -141,18 +145,19 @@ fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &mpsc::UnboundedSe
             let message = "the program met an error of its own while it read these texts";
             serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()
         });
-        if answers.send(text).is_err() {
+        if answers.send(text.into()).is_err() {
             return;
         }
     }
 }
 
 async fn tell(socket: &mut WebSocket, message: &ToPage<'_>) -> Result<(), axum::Error> {
-    send(socket, serde_json::to_string(message).unwrap_or_default()).await
+    send(socket, serde_json::to_string(message).unwrap_or_default().into()).await
 }
 
-async fn send(socket: &mut WebSocket, text: String) -> Result<(), axum::Error> {
-    socket.send(Message::Text(text.into())).await
+/// Sends a text, or ends where the page takes nothing for too long: see [`crate::stream`].
+async fn send(socket: &mut WebSocket, text: Utf8Bytes) -> Result<(), axum::Error> {
+    socket.send(Message::Text(text)).await
 }
 
 /// Messages of the second that runs.

@@ -1,8 +1,9 @@
 //! The picture of a mechanism that does not move yet: its bodies where they were drawn.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
-use loosepin::model::{Derivative, JointKind, Model, OutputKind, PointId, Position, Values};
+use loosepin::model::{Derivative, Drive, JointKind, Model, OutputKind, PointId, Position, Values};
 use loosepin::result::simulation::{
     Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, PointReference,
     PoseTable,
@@ -63,23 +64,43 @@ pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
     if let Some(ground) = poses.first_mut() {
         *ground = Some(Pose::default());
     }
-    let guess_rad = |body: usize| {
-        let guess = model.guesses.iter().find(|guess| guess.body.0 == body);
-        guess.map(|guess| values[guess.angle_rad])
-    };
+    let mut guesses_rad: HashMap<usize, f64> = HashMap::new();
+    for guess in &model.guesses {
+        guesses_rad.entry(guess.body.0).or_insert(values[guess.angle_rad]);
+    }
+    let guess_rad = |body: usize| guesses_rad.get(&body).copied();
+    let mut drives: HashMap<usize, &Drive> = HashMap::new();
+    for drive in &model.drives {
+        drives.entry(drive.joint.0).or_insert(drive);
+    }
+    let mut joints_of: Vec<Vec<usize>> = vec![Vec::new(); model.bodies.len()];
+    for (index, joint) in model.joints.iter().enumerate() {
+        joint.kind.points().iter().for_each(|point| joints_of[point.body.0].push(index));
+    }
+    // Joints of what is placed, the first of the model first.
+    let mut open: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
+    let placed_first = (0..poses.len()).filter(|body| poses[*body].is_some());
+    open.extend(placed_first.flat_map(|body| &joints_of[body]).map(|joint| Reverse(*joint)));
+    let mut lost = 0;
     // Each round places what is joined to something that is placed; where nothing is, the next body lies at the origin.
-    while let Some(lost) = poses.iter().position(Option::is_none) {
-        let next = model.joints.iter().find_map(|joint| {
-            let [first, second] = joint.kind.points();
-            match (poses[first.body.0], poses[second.body.0]) {
-                (Some(pose), None) => Some((first, pose, second, 1.0, joint)),
-                (None, Some(pose)) => Some((second, pose, first, -1.0, joint)),
-                _ => None,
+    loop {
+        let Some(Reverse(next)) = open.pop() else {
+            while poses.get(lost).is_some_and(Option::is_some) {
+                lost += 1;
             }
-        });
-        let Some((held, pose, point, sense, joint)) = next else {
+            if lost == poses.len() {
+                break;
+            }
             poses[lost] = Some(Pose { angle_rad: guess_rad(lost).unwrap_or(0.0), ..Pose::default() });
+            open.extend(joints_of[lost].iter().map(|joint| Reverse(*joint)));
             continue;
+        };
+        let joint = &model.joints[next];
+        let [first, second] = joint.kind.points();
+        let (held, pose, point, sense) = match (poses[first.body.0], poses[second.body.0]) {
+            (Some(pose), None) => (first, pose, second, 1.0),
+            (None, Some(pose)) => (second, pose, first, -1.0),
+            _ => continue,
         };
         let angle_rad = match joint.kind {
             JointKind::Rigid { angle_rad, .. } => pose.angle_rad + sense * values[angle_rad],
@@ -87,7 +108,7 @@ pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
                 pose.angle_rad + sense * (values[guide_angle_rad] - values[slider_angle_rad])
             }
             _ => {
-                let drive = model.drives.iter().find(|drive| model.joints[drive.joint.0].name == joint.name);
+                let drive = drives.get(&next);
                 let start = drive.and_then(|drive| model.quantities.id(&format!("drive.{}.start_angle", drive.name)));
                 let driven = start.map(|start| pose.angle_rad + sense * values[start]);
                 driven.or_else(|| guess_rad(point.body.0)).unwrap_or(pose.angle_rad)
@@ -96,6 +117,7 @@ pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
         let at_m = pose.world_m(in_body_m(model, &values, held));
         let turned = Pose { angle_rad, ..Pose::default() }.world_m(in_body_m(model, &values, point));
         poses[point.body.0] = Some(Pose { origin_m: [at_m[0] - turned[0], at_m[1] - turned[1]], angle_rad });
+        open.extend(joints_of[point.body.0].iter().map(|joint| Reverse(*joint)));
     }
     poses.into_iter().map(Option::unwrap_or_default).collect()
 }

@@ -7,6 +7,7 @@ use tokio::sync::Semaphore;
 use crate::folder::Folder;
 use crate::jobs::Jobs;
 use crate::tickets::Tickets;
+use crate::times::Times;
 use crate::token::Token;
 
 /// What all connections share.
@@ -22,4 +23,8 @@ pub struct Studio {
     pub tickets: Arc<Tickets>,
     /// Live connections that may still be opened.
     pub seats: Arc<Semaphore>,
+    /// Requests whose bodies may still be read at once.
+    pub bodies: Arc<Semaphore>,
+    /// How long whoever is connected is waited for.
+    pub times: Times,
 }

@@ -1,5 +1,7 @@
 //! Which number of the text gives a coordinate, and what it must become for the coordinate to have a certain value.
 
+use std::collections::HashSet;
+
 use loosepin::model::{Model, Origin, QuantityId};
 
 /// Relative steps of a parameter at which an expression is tried for a straight line.
@@ -58,13 +60,13 @@ fn name(path: &str) -> String {
 /// The numbers of the file on which a quantity depends.
 fn literals(model: &Model, quantity: QuantityId) -> Vec<QuantityId> {
     let mut found = Vec::new();
-    // Each quantity stands behind those that it uses, so that this ends.
     let mut open = vec![quantity];
+    // Two expressions may use the same ones in many ways: each is looked at once.
+    let mut seen = HashSet::from([quantity]);
     while let Some(next) = open.pop() {
         match &model.quantities[next].origin {
-            Origin::Expression { depends_on } => open.extend(depends_on),
-            _ if !found.contains(&next) => found.push(next),
-            _ => {}
+            Origin::Expression { depends_on } => open.extend(depends_on.iter().filter(|id| seen.insert(**id))),
+            _ => found.push(next),
         }
     }
     found

@@ -5,12 +5,12 @@
 //! The origin of a link keeps (0, 0), and its other points move instead. A block keeps its guide: P is dropped onto its line. So it is
 //! with a link whose angle a slot or a guide on it gives: P is dropped onto the line from its other centre.
 
-use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId};
+use std::collections::{HashMap, HashSet};
 
-use crate::still::Pose;
+use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId, Values};
 
-/// Two points of a body nearer to each other are one centre, m.
-const SAME_CENTRE_M: f64 = 1e-9;
+use crate::centres::{Centres, SAME_CENTRE_M};
+use crate::still::{Pose, in_body_m};
 
 /// A coordinate of a point and the value that it is to have, m.
 pub type Coordinate = (QuantityId, f64);
@@ -18,19 +18,19 @@ pub type Coordinate = (QuantityId, f64);
 /// A mechanism at a pose.
 pub struct Posed<'a> {
     model: &'a Model,
+    values: Values,
     poses: &'a [Pose],
 }
 
 impl<'a> Posed<'a> {
     /// `poses` in the order of the bodies.
     pub fn new(model: &'a Model, poses: &'a [Pose]) -> Self {
-        Self { model, poses }
+        Self { model, values: model.quantities.nominal(), poses }
     }
 
     /// Where a point is in its body, m.
     fn in_body_m(&self, point: PointId) -> [f64; 2] {
-        let nominal = self.model.quantities.nominal();
-        self.model.bodies[point.body.0].points[point.point].position_m.map(|id| nominal[id])
+        in_body_m(self.model, &self.values, point)
     }
 
     /// Where a point is, m.
@@ -40,19 +40,30 @@ impl<'a> Posed<'a> {
 
     /// The points that a revolute joint holds together, with those of the other revolute joints at the same place of a body.
     pub fn together(&self, joint: usize) -> Vec<PointId> {
+        let mut ends_of: HashMap<BodyId, Vec<[PointId; 2]>> = HashMap::new();
+        for joint in self.model.joints.iter().filter(|joint| matches!(joint.kind, JointKind::Revolute { .. })) {
+            let [one, other] = joint.kind.points();
+            ends_of.entry(one.body).or_default().push([one, other]);
+            ends_of.entry(other.body).or_default().push([other, one]);
+        }
         let mut held = self.model.joints[joint].kind.points().to_vec();
-        loop {
-            let before = held.len();
-            for joint in self.model.joints.iter().filter(|joint| matches!(joint.kind, JointKind::Revolute { .. })) {
-                let points = joint.kind.points();
-                if points.iter().any(|point| held.iter().any(|known| self.is_same(*point, *known))) {
-                    held.extend(points.into_iter().filter(|point| !held.contains(point)).collect::<Vec<_>>());
+        let mut known: HashSet<PointId> = held.iter().copied().collect();
+        let mut centres = Centres::default();
+        let mut next = 0;
+        while let Some(at) = held.get(next).copied() {
+            next += 1;
+            // Other names of a place have the same joints.
+            if !centres.is_new(at.body.0, self.in_body_m(at)) {
+                continue;
+            }
+            let ends = ends_of.get(&at.body).into_iter().flatten();
+            for point in ends.filter(|[own, _]| self.is_same(*own, at)).flatten() {
+                if known.insert(*point) {
+                    held.push(*point);
                 }
             }
-            if held.len() == before {
-                return held;
-            }
         }
+        held
     }
 
     /// Whether two points are one place of one body.
@@ -188,14 +199,10 @@ impl<'a> Posed<'a> {
 
     /// One point of each other place of a body that a joint holds.
     fn other_centres(&self, at: PointId) -> Vec<PointId> {
-        let mut centres: Vec<PointId> = Vec::new();
-        for point in self.model.joints.iter().flat_map(|joint| joint.kind.points()) {
-            let is_new = point.body == at.body && !centres.iter().chain([&at]).any(|known| self.is_same(*known, point));
-            if is_new {
-                centres.push(point);
-            }
-        }
-        centres
+        let mut centres = Centres::default();
+        centres.is_new(at.body.0, self.in_body_m(at));
+        let points = self.model.joints.iter().flat_map(|joint| joint.kind.points());
+        points.filter(|point| point.body == at.body && centres.is_new(at.body.0, self.in_body_m(*point))).collect()
     }
 
     fn at_same_place(&self, at: PointId) -> Vec<PointId> {

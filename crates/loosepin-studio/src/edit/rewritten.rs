@@ -5,11 +5,12 @@ use std::ops::Range;
 use loosepin::diagnostics::Source;
 
 use crate::messages::{Change, Document};
-use crate::places::utf16_units;
 
 /// A text and what is to be replaced in it.
 pub struct Rewritten<'a> {
     old: &'a Source,
+    /// Its lines end by two characters.
+    is_dos: bool,
     /// Bytes that go, and what comes in their place; in the order of the text.
     pieces: Vec<(Range<usize>, String)>,
 }
@@ -17,16 +18,16 @@ pub struct Rewritten<'a> {
 impl<'a> Rewritten<'a> {
     /// The text as it is.
     pub fn new(old: &'a Source) -> Self {
-        Self { old, pieces: Vec::new() }
+        Self { old, is_dos: old.text().contains("\r\n"), pieces: Vec::new() }
     }
 
     /// Puts `new` in place of some bytes, which no other piece has. Its lines end as those of the text do.
     pub fn replace(&mut self, range: Range<usize>, new: String) {
-        let new = if self.old.text().contains("\r\n") { new.replace('\n', "\r\n") } else { new };
+        let new = if self.is_dos { new.replace('\n', "\r\n") } else { new };
         if self.old.text()[range.clone()] != new {
-            self.pieces.push((range, new));
             // Insertions at one place stay in the order in which they were made.
-            self.pieces.sort_by_key(|(range, _)| range.start);
+            let place = self.pieces.partition_point(|(known, _)| known.start <= range.start);
+            self.pieces.insert(place, (range, new));
         }
     }
 
@@ -51,7 +52,7 @@ impl<'a> Rewritten<'a> {
 
     /// The pieces as the page counts them.
     pub fn changes(&self, document: Document) -> Vec<Change> {
-        let units = |byte: usize| utf16_units(self.old, byte);
+        let units = |byte: usize| self.old.utf16_units(byte);
         let change = |(range, insert): &(Range<usize>, String)| Change {
             document,
             from: units(range.start),

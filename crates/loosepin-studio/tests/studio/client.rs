@@ -9,6 +9,7 @@ use std::sync::mpsc::channel;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use loosepin_studio::Times;
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
@@ -25,16 +26,31 @@ pub struct Server {
 
 impl Server {
     pub fn of(folder: &Path) -> Self {
+        Self::within(folder, Times::default())
+    }
+
+    /// A server that waits as long as `times` says.
+    pub fn within(folder: &Path, times: Times) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let (sender, receiver) = channel();
         let (flag, folder) = (Arc::clone(&stop), folder.to_owned());
         let thread = std::thread::spawn(move || {
             let ready = |serving: &loosepin_studio::Serving<'_>| sender.send(serving.address.clone()).unwrap();
-            loosepin_studio::serve(&folder, 0, &flag, ready).unwrap_or_else(|error| panic!("{error}"));
+            loosepin_studio::serve_within(&times, &folder, 0, &flag, ready).unwrap_or_else(|error| panic!("{error}"));
         });
         let address = receiver.recv_timeout(PATIENCE).expect("the address");
         let (host, token) = address.strip_prefix("http://").and_then(|rest| rest.split_once("/#token=")).unwrap();
         Self { host: host.to_owned(), token: token.to_owned(), stop, thread: Some(thread) }
+    }
+
+    /// A connection that has sent these bytes, and whose client reads when it likes.
+    pub fn sent(&self, bytes: &[u8]) -> TcpStream {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+        stream.set_write_timeout(Some(Duration::from_millis(500))).unwrap();
+        // A server that waits for its answers to be read takes no more.
+        let _ = stream.write_all(bytes);
+        stream
     }
 
     /// Sends bytes after which nothing comes, and reads until the server ends the connection.
@@ -119,6 +135,11 @@ impl Drop for Server {
 pub struct Live(WebSocket<TcpStream>);
 
 impl Live {
+    /// Sending takes no longer than this: a server that waits for its answers to be read takes no more.
+    pub fn send_within(&self, time: Duration) {
+        self.0.get_ref().set_write_timeout(Some(time)).unwrap();
+    }
+
     pub fn send(&mut self, message: &Value) {
         self.send_text(&message.to_string());
     }
@@ -126,6 +147,10 @@ impl Live {
     pub fn send_text(&mut self, text: &str) {
         // The server may have ended the connection, which the next answer says.
         let _ = self.0.send(Message::text(text));
+    }
+
+    pub fn ping(&mut self) {
+        let _ = self.0.send(Message::Ping(b"ping".to_vec().into()));
     }
 
     pub fn send_bytes(&mut self, bytes: &[u8]) {

@@ -6,3 +6,4 @@ mod hostile;
 mod jobs;
 mod looks;
 mod results;
+mod slow;

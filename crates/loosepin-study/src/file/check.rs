@@ -134,9 +134,8 @@ impl StudyReader {
     }
 
     /// What is written of the input `path` in `table`.
-    pub(super) fn entry_of<'t>(&mut self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
-        let entries = self.reader.any_keys(&root.get(table)?);
-        entries.into_iter().find(|entry| entry.name == path)
+    pub(super) fn entry_of<'t>(&self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
+        root.get(table)?.get(path)
     }
 
     /// A parameter with a distribution has one value for all samples, and no masses go with its probabilities.

@@ -83,8 +83,8 @@ impl Complaint {
         self
     }
 
-    fn sort_key(&self) -> (String, usize) {
-        self.place.as_ref().map_or((String::new(), 0), |place| (place.source.name().to_owned(), place.span.start))
+    fn sort_key(&self) -> (&str, usize) {
+        self.place.as_ref().map_or(("", 0), |place| (place.source.name(), place.span.start))
     }
 }
 
@@ -133,7 +133,7 @@ impl Complaints {
     /// The complaints, by file and place.
     pub fn sorted(&self) -> Vec<&Complaint> {
         let mut sorted: Vec<&Complaint> = self.list.iter().collect();
-        sorted.sort_by_key(|complaint| complaint.sort_key());
+        sorted.sort_by(|one, other| one.sort_key().cmp(&other.sort_key()));
         sorted
     }
 }

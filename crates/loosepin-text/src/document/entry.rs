@@ -49,7 +49,7 @@ impl<'t> Table<'t> {
     pub fn get(&self, key: &str) -> Option<Entry<'t>> {
         let known = self.keys.find(key);
         debug_assert!(known.is_some(), "the reader asks for '{key}', which the table of keys does not have");
-        let (written, value) = self.entries.iter().find(|(written, _)| written.get_ref() == key)?;
+        let (written, value) = self.entries.get_key_value(key)?;
         Some(Entry {
             path: self.path.join(key),
             name: written.get_ref(),
@@ -127,6 +127,19 @@ impl<'t> Entry<'t> {
     /// Whether a table stands here.
     pub fn is_table(&self) -> bool {
         self.value.is_table()
+    }
+
+    /// The entry of a key of the table that stands here, whatever its keys.
+    pub fn get(&self, key: &str) -> Option<Entry<'t>> {
+        let (written, value) = self.value.as_table()?.get_key_value(key)?;
+        Some(Entry {
+            path: self.path.join(key),
+            name: written.get_ref(),
+            key_span: written.span().into(),
+            span: value.span().into(),
+            value: value.get_ref(),
+            key: None,
+        })
     }
 
     /// Whether a table with this key stands here.

@@ -113,9 +113,18 @@ pub fn parse_toml(source: &Arc<Source>) -> Result<Spanned<DeTable<'_>>, Complain
     Err(complaints)
 }
 
-/// The line that a place is in.
+/// The line that a place is in; empty where it is longer than any that somebody writes, so that thousands of errors in one line do not
+/// copy it each.
 fn line_of(source: &Source, place: &Place) -> String {
-    source.text().lines().nth(place.line_and_column().0 - 1).unwrap_or_default().to_owned()
+    const LONGEST_BYTES: usize = 500;
+    let at = source.clamp(place.span).start;
+    let text = source.text();
+    let first = text.floor_char_boundary(at.saturating_sub(LONGEST_BYTES));
+    let last = text.floor_char_boundary(at.saturating_add(LONGEST_BYTES));
+    let start = text[first..at].rfind('\n').map(|end| first + end + 1).or((first == 0).then_some(0));
+    let end = text[at..last].find('\n').map(|end| at + end).or((last == text.len()).then_some(last));
+    let line = start.zip(end).map_or("", |(start, end)| &text[start..end]);
+    line.strip_suffix('\r').unwrap_or(line).to_owned()
 }
 
 /// Collects complaints while a file is read.

@@ -1,6 +1,6 @@
 //! What comes into the model: links, points, joints, blocks, outputs. First guesses are marked so, as on the drawing screen.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use loosepin::model::{JointKind, Model, PointId, Values};
 use loosepin::units::format_number;
@@ -34,6 +34,8 @@ pub struct Draft<'m> {
     lines: Lines,
     /// Paths of what was added or set, with dots between their steps.
     added: BTreeSet<String>,
+    /// Paths of what has a name in the model.
+    named: HashSet<String>,
     new_poses: NamedPoses,
 }
 
@@ -65,6 +67,7 @@ impl<'m> Draft<'m> {
             poses: named.collect(),
             lines: Lines::new(text),
             added: BTreeSet::new(),
+            named: named_in(model),
             new_poses: NamedPoses::new(),
         }
     }
@@ -402,14 +405,7 @@ impl<'m> Draft<'m> {
 
     fn has(&self, group: &str, name: &str) -> bool {
         let path = format!("{group}.{name}");
-        let is_known = match group {
-            "body" => self.model.bodies.iter().any(|one| one.name == name),
-            "joint" => self.model.joints.iter().any(|one| one.name == name),
-            "output" => self.model.outputs.iter().any(|one| one.name == name),
-            "drive" => self.model.drives.iter().any(|one| one.name == name),
-            _ => self.model.quantities.id(&path).is_some(),
-        };
-        is_known || self.added.contains(&path)
+        self.named.contains(&path) || self.model.quantities.id(&path).is_some() || self.added.contains(&path)
     }
 
     /// The first name with a number that is free.
@@ -423,12 +419,19 @@ impl<'m> Draft<'m> {
 
     fn free_point(&self, body: &str) -> String {
         let points = self.model.bodies.iter().find(|one| one.name == body).map(|one| &one.points);
-        let is_known = |name: &str| {
-            points.is_some_and(|points| points.iter().any(|one| one.name == name))
-                || self.added.contains(&format!("body.{body}.points.{name}"))
-        };
+        let names: HashSet<&str> = points.into_iter().flatten().map(|point| point.name.as_str()).collect();
+        let is_known = |name: &str| names.contains(name) || self.added.contains(&format!("body.{body}.points.{name}"));
         (1..).map(|number| format!("p{number}")).find(|name| !is_known(name)).unwrap_or_default()
     }
+}
+
+/// Paths of bodies, joints, outputs and drives.
+fn named_in(model: &Model) -> HashSet<String> {
+    let bodies = model.bodies.iter().map(|one| format!("body.{}", one.name));
+    let joints = model.joints.iter().map(|one| format!("joint.{}", one.name));
+    let outputs = model.outputs.iter().map(|one| format!("output.{}", one.name));
+    let drives = model.drives.iter().map(|one| format!("drive.{}", one.name));
+    bodies.chain(joints).chain(outputs).chain(drives).collect()
 }
 
 fn is_angle(degrees: f64) -> Result<(), Refusal> {

@@ -5,7 +5,6 @@ use std::ops::Range;
 use loosepin::diagnostics::Source;
 
 use crate::messages::{Change, Document};
-use crate::places::utf16_units;
 
 /// Lines that are compared with each other, at most; larger changes become one.
 const MOST_PAIRS: usize = 1_000_000;
@@ -14,11 +13,17 @@ const MOST_PAIRS: usize = 1_000_000;
 pub fn changes(document: Document, old: &Source, new: &str) -> Vec<Change> {
     let before: Vec<&str> = old.text().split_inclusive('\n').collect();
     let after: Vec<&str> = new.split_inclusive('\n').collect();
-    let bytes = |lines: &[&str]| lines.iter().map(|line| line.len()).sum::<usize>();
-    let change = |old_lines: Range<usize>, new_lines: Range<usize>| {
-        let from = bytes(&before[..old_lines.start]);
-        let to = from + bytes(&before[old_lines]);
-        Change { document, from: utf16_units(old, from), to: utf16_units(old, to), insert: after[new_lines].concat() }
+    let mut starts = vec![0];
+    starts.extend(before.iter().scan(0, |end, line| {
+        *end += line.len();
+        Some(*end)
+    }));
+    let units = |line: usize| old.utf16_units(starts[line]);
+    let change = |old_lines: Range<usize>, new_lines: Range<usize>| Change {
+        document,
+        from: units(old_lines.start),
+        to: units(old_lines.end),
+        insert: after[new_lines].concat(),
     };
     differing(&before, &after).into_iter().map(|(old, new)| change(old, new)).collect()
 }

@@ -9,6 +9,7 @@ use loosepin::study::{InputFile, Study};
 use loosepin::units::counted;
 
 use super::edit::Named;
+use super::lines::Stems;
 use super::names::mentions;
 use super::scan::scan;
 use crate::messages::Document;
@@ -70,7 +71,8 @@ fn check_study(old: &Texts, new: &Texts, due: &Due, before: Model, after: &Model
     let [Some(old_scan), Some(new_scan)] = [old_source, new_source].map(|source| scan(source.text())) else {
         return Err(unreadable("study"));
     };
-    let goes = |path: &[String]| due.of_study.iter().any(|gone| path.starts_with(gone));
+    let gone = Stems::of(&due.of_study);
+    let goes = |path: &[String]| gone.first_of(path).is_some();
     let named = mentions(Document::Study, &old_scan).into_iter().filter(|mention| !goes(&mention.path));
     let expected_names: Vec<Named> = named.map(|mention| due.named(mention.of)).collect();
     let names: Vec<Named> = mentions(Document::Study, &new_scan).into_iter().map(|mention| mention.of).collect();
@@ -160,15 +162,22 @@ fn beside_added(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String,
 
 /// What is to be left of some facts, beside what is added.
 fn expected(facts: &BTreeMap<String, String>, due: &Due) -> BTreeMap<String, String> {
-    let is_gone = |path: &str| {
-        due.gone.iter().any(|gone| match &gone.point {
-            Some(point) => is_under(path, &format!("body.{}.points.{point}", gone.name)),
+    let mut gone = BTreeSet::new();
+    for one in &due.gone {
+        match &one.point {
+            Some(point) => _ = gone.insert(format!("body.{}.points.{point}", one.name)),
             None => {
-                is_under(path, &format!("{}.{}", gone.table, gone.name))
-                    || is_under(path, &format!("initial.{}.{}", gone.table, gone.name))
-                    || gone.table == "body" && is_under(path, &format!("assembly.guess.{}", gone.name))
+                gone.insert(format!("{}.{}", one.table, one.name));
+                gone.insert(format!("initial.{}.{}", one.table, one.name));
+                if one.table == "body" {
+                    gone.insert(format!("assembly.guess.{}", one.name));
+                }
             }
-        })
+        }
+    }
+    let is_gone = |path: &str| {
+        let mut ends = path.match_indices('.').map(|(end, _)| end).chain([path.len()]);
+        ends.any(|end| gone.contains(&path[..end]))
     };
     let left = beside_added(facts, due).into_iter().filter(|(path, _)| !is_gone(path));
     left.map(|(path, value)| (due.path(&path), due.value(&value))).collect()

@@ -1,5 +1,6 @@
 //! Lines and entries that come into a text, and that go out of it. All else keeps its bytes.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::scan::{Item, Scanned, Statement, Value, ValueKind, element, scan};
@@ -58,15 +59,23 @@ impl Lines {
         let is_dos = self.text.contains("\r\n");
         pieces.sort_by_key(|(range, _)| range.start);
         let mut limit = self.text.len();
-        for (range, new) in pieces.into_iter().rev() {
-            // What would fall into another piece is left out: who reads the text again sees that something is missing.
-            if range.start > range.end || range.end > limit {
-                continue;
-            }
-            limit = range.start;
+        // What would fall into another piece is left out: who reads the text again sees that something is missing.
+        let is_apart = |(range, _): &Piece| {
+            let is_apart = range.start <= range.end && range.end <= limit;
+            limit = if is_apart { range.start } else { limit };
+            is_apart
+        };
+        let mut pieces: Vec<Piece> = pieces.into_iter().rev().filter(is_apart).collect();
+        let mut text = String::with_capacity(self.text.len());
+        let mut from = 0;
+        while let Some((range, new)) = pieces.pop() {
             let new = if is_dos { new.replace("\r\n", "\n").replace('\n', "\r\n") } else { new };
-            self.text.replace_range(range, &new);
+            text.push_str(&self.text[from..range.start]);
+            text.push_str(&new);
+            from = range.end;
         }
+        text.push_str(&self.text[from..]);
+        self.text = text;
     }
 
     fn insert(&mut self, at: usize, new: &str) {
@@ -188,7 +197,8 @@ impl Lines {
     /// The text is not TOML.
     pub fn remove(&mut self, paths: &[Vec<String>]) -> Result<(), Refusal> {
         let scanned = self.scanned()?;
-        let which = |path: &[String]| paths.iter().position(|one| path.starts_with(one));
+        let stems = Stems::of(paths);
+        let which = |path: &[String]| stems.first_of(path);
         let goes = |path: &[String]| which(path).is_some();
         let mut pieces: Vec<Piece> = Vec::new();
         let mut first: Option<usize> = None;
@@ -220,6 +230,30 @@ impl Lines {
             return lines.start..end;
         }
         if is_gap_after { gap.min(lines.start)..lines.end } else { lines }
+    }
+}
+
+/// Paths by which others are found that begin with one of them, however many they are.
+pub struct Stems<'p> {
+    /// Each with its place in the list.
+    paths: BTreeMap<&'p [String], usize>,
+    longest: usize,
+}
+
+impl<'p> Stems<'p> {
+    /// Some paths.
+    pub fn of(paths: &'p [Vec<String>]) -> Self {
+        let mut found = BTreeMap::new();
+        for (place, path) in paths.iter().enumerate() {
+            found.entry(path.as_slice()).or_insert(place);
+        }
+        let longest = paths.iter().map(Vec::len).max().unwrap_or(0);
+        Self { paths: found, longest }
+    }
+
+    /// Place of the first one with which `path` begins.
+    pub fn first_of(&self, path: &[String]) -> Option<usize> {
+        (0..=path.len().min(self.longest)).filter_map(|steps| self.paths.get(&path[..steps]).copied()).min()
     }
 }
 

@@ -11,7 +11,7 @@ use crate::refusal::Refusal;
 const LOCKED: &str = "locked";
 const LOCKED_AND: &str = "locked:";
 
-/// The lines of a text that are locked, in bytes.
+/// The lines of a text that are locked, in bytes and in the order of the text.
 pub struct Locks(Vec<Range<usize>>);
 
 impl Locks {
@@ -27,7 +27,8 @@ impl Locks {
 
     /// Whether a byte stands in a locked line.
     pub fn hold(&self, byte: usize) -> bool {
-        self.0.iter().any(|lines| lines.contains(&byte))
+        let next = self.0.partition_point(|lines| lines.start <= byte);
+        next.checked_sub(1).is_some_and(|last| self.0[last].contains(&byte))
     }
 }
 

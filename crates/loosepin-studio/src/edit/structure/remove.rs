@@ -15,6 +15,9 @@ use crate::refusal::Refusal;
 /// What can be taken out here.
 const TABLES: [&str; 9] = ["body", "joint", "coupling", "cam", "spring", "load", "drive", "control", "output"];
 const GROUND: &str = "ground";
+/// Parameters that describe others, which describe others again: each round reads the model. Those behind so many stay, and a warning
+/// says that nothing uses them.
+const MOST_ROUNDS: usize = 20;
 
 /// Both texts without something, and all that went, in words: first what was to go.
 pub struct Removed {
@@ -63,11 +66,13 @@ pub fn removed(model: &Lines, study: Option<&Lines>, what: &Named) -> Result<Rem
         }
     }
     let known = unused_parameters(model);
+    let mut rounds = 0;
     loop {
         let new_model = without(model, &gone_paths(Document::Model, model, &gone)?)?;
         // Parameters that described what goes describe nothing any more.
         let fresh: Vec<Named> = unused_parameters(&new_model).difference(&known).cloned().collect();
-        if fresh.is_empty() {
+        rounds += 1;
+        if fresh.is_empty() || rounds == MOST_ROUNDS {
             let of_study = match study {
                 Some(study) => gone_paths(Document::Study, study, &gone)?,
                 None => Vec::new(),
@@ -110,12 +115,14 @@ fn without(lines: &Lines, paths: &[Vec<String>]) -> Result<Lines, Refusal> {
 /// The paths of a text that hold what is gone or name it, each once.
 fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Result<Vec<Vec<String>>, Refusal> {
     let mut paths: Vec<Vec<String>> = Vec::new();
+    let mut known: BTreeSet<Vec<String>> = BTreeSet::new();
     let all = mentions(document, &lines.scanned()?);
     let is_guess = |mention: &&Mention| mention.path.starts_with(&["assembly".to_owned(), "guess".to_owned()]);
     let mut guesses = all.iter().filter(is_guess).peekable();
     if guesses.peek().is_some() && guesses.all(|mention| is_gone(gone, &mention.of)) {
         // Without a guess there is nothing to say of the assembly.
         paths.push(vec!["assembly".to_owned()]);
+        known.insert(vec!["assembly".to_owned()]);
     }
     for mention in all.into_iter().filter(|mention| is_gone(gone, &mention.of)) {
         let path: Vec<&str> = mention.path.iter().map(String::as_str).collect();
@@ -127,9 +134,12 @@ fn gone_paths(document: Document, lines: &Lines, gone: &BTreeSet<Named>) -> Resu
         let path = mention.path[..steps.min(mention.path.len())].to_vec();
         if path == ["wear", "limit_of"] {
             // A limit is one of something.
-            paths.push(vec!["wear".to_owned(), "limit".to_owned()]);
+            let limit = vec!["wear".to_owned(), "limit".to_owned()];
+            known.insert(limit.clone());
+            paths.push(limit);
         }
-        if !paths.iter().any(|known| path.starts_with(known)) {
+        if !(1..=path.len()).any(|steps| known.contains(&path[..steps])) {
+            known.insert(path.clone());
             paths.push(path);
         }
     }

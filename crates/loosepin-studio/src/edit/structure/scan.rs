@@ -207,6 +207,9 @@ impl Scanner<'_> {
         loop {
             self.skip_spaces();
             keys.push(self.key()?);
+            if keys.len() > DEEPEST {
+                return None;
+            }
             let after = self.at;
             self.skip_spaces();
             if !self.take(".") {
