@@ -1,11 +1,14 @@
 """What the campaigns `system-calls`, `saves` and `studio-siege` share: the program, folders as they are, and a client of the studio."""
 
+import base64
 import http.client
 import json
 import os
 import shutil
 import signal
+import socket
 import stat
+import struct
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -45,6 +48,8 @@ TIMES = "timing.json"
 PASSING_STARTS = (".loosepin-", ".loosepin.lock", "loosepin.lock", "runs.sqlite")
 PASSING_ENDS = (".partial", ".replaced")
 LONGEST_S = 120
+# s; for the end of a studio after Ctrl-C.
+LONGEST_END_S = 20
 
 
 def program():
@@ -162,12 +167,54 @@ class Studio:
         if self.process.poll() is None:
             self.process.terminate()
         try:
-            return self.process.wait(LONGEST_S)
+            return self.process.wait(LONGEST_END_S)
         except subprocess.TimeoutExpired:
             os.killpg(self.process.pid, signal.SIGKILL)
             return self.process.wait()
         finally:
             self.process.stdout.close()
+
+
+class Live:
+    """A live connection to the studio, as far as it is needed here; `token` shows it."""
+
+    def __init__(self, host, token=None, timeout=LONGEST_S):
+        name, port = host.split(":")
+        self.socket = socket.create_connection((name, int(port)), timeout=timeout)
+        key = base64.b64encode(os.urandom(16)).decode()
+        self.socket.sendall(
+            f"GET /live HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+            f"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n\r\n".encode())
+        self.file = self.socket.makefile("rb")
+        self.status = int((self.file.readline().split(b" ", 2) + [b"0", b"0"])[1] or 0)
+        while self.file.readline().strip():
+            pass
+        if token:
+            self.send({"kind": "hello", "token": token})
+            self.receive()
+
+    def send(self, message):
+        payload = json.dumps(message).encode()
+        size = len(payload)
+        head = bytes([0x81]) + (bytes([0x80 | size]) if size < 126 else
+                                bytes([0xFE]) + struct.pack(">H", size) if size < 65536 else bytes([0xFF]) + struct.pack(">Q", size))
+        # A mask of zeros leaves the payload as it is.
+        self.socket.sendall(head + bytes(4) + payload)
+
+    def receive(self):
+        while True:
+            head = self.file.read(2)
+            if len(head) < 2 or head[0] & 15 == 8:
+                raise ConnectionError("the server ended the connection")
+            size = head[1] & 127
+            size = struct.unpack(">H", self.file.read(2))[0] if size == 126 else struct.unpack(">Q", self.file.read(8))[0] if size == 127 else size
+            payload = self.file.read(size)
+            if head[0] & 15 == 1:
+                return json.loads(payload)
+
+    def close(self):
+        self.file.close()
+        self.socket.close()
 
 
 def compile_tool(source, folder):

@@ -1,6 +1,6 @@
 /* Runs a program and disturbs one of its system calls: the call fails, transfers only half of its bytes, or is the moment of a kill.
 
-   disturb [--after NAME | --on-signal] [--log FILE] [--call NAME --nth N (--error NUMBER | --short | --kill) [--from]] PROGRAM ARGUMENT...
+   disturb [--after NAME | --on-signal] [--log FILE] [--call NAME --nth N (--error NUMBER | --short | --kill | --pause) [--from]] PROGRAM ARGUMENT...
 
    --after NAME   counts from the first call with a path that has NAME in it; what the loader does before is left alone
    --on-signal    counts from the first SIGUSR1 to this process
@@ -8,6 +8,7 @@
    --from         the N-th and all after it
    --short        halves the count of read, pread64, write, pwrite64; leaves one vector to readv, writev and their kin
    --kill         SIGKILL to the program before the call
+   --pause        holds the program before the call until a SIGUSR1 to this process
    --log FILE     what was disturbed; without --call all that can be disturbed:
                   NAME NTH THREAD NTH_OF_THREAD FLAGS PATH. NTH_OF_THREAD counts as `strace -f -e inject=NAME:when=` does.
 
@@ -110,13 +111,13 @@ struct thread {
 static struct thread threads[4096];
 static size_t thread_count;
 static unsigned counted[LENGTH(CALLS)];
-static volatile sig_atomic_t is_counting = 1;
+static volatile sig_atomic_t is_counting = 1, signals;
 static pid_t child;
 static FILE *out;
 
 static const char *after, *wanted;
 static unsigned nth;
-static int error_number, is_short, is_kill, is_from;
+static int error_number, is_short, is_kill, is_pause, is_from;
 
 static void end(const char *what) {
   fprintf(stderr, "disturb: %s: %s\n", what, strerror(errno));
@@ -127,6 +128,7 @@ static void end(const char *what) {
 static void begin_counting(int signal_number) {
   (void)signal_number;
   is_counting = 1;
+  signals++;
 }
 
 static void pass_on(int signal_number) { kill(child, signal_number); }
@@ -255,6 +257,9 @@ static void enter(struct thread *thread, long number, const unsigned long long *
   if (!is_wanted) return;
   if (is_kill) {
     kill(child, SIGKILL);
+  } else if (is_pause) {
+    /* The other side signals after it has read the log. */
+    while (!signals) usleep(1000);
   } else if (is_short) {
     thread->is_halved = 1;
     thread->argument = call->bytes ? call->bytes : call->vectors;
@@ -327,6 +332,7 @@ int main(int count, char **arguments) {
     const char *flag = arguments[k];
     if (!strcmp(flag, "--short")) is_short = 1;
     else if (!strcmp(flag, "--kill")) is_kill = 1;
+    else if (!strcmp(flag, "--pause")) is_pause = 1;
     else if (!strcmp(flag, "--from")) is_from = 1;
     else if (!strcmp(flag, "--on-signal")) is_counting = 0;
     else if (k + 1 == count) break;
