@@ -1,4 +1,4 @@
-"""What the campaigns `system-calls`, `saves` and `studio-siege` share: the program, folders as they are, and a client of the studio."""
+"""What the campaigns `faults`, `system-calls`, `saves` and `studio-siege` share: the program, folders as they are, and a client of the studio."""
 
 import base64
 import http.client
@@ -44,7 +44,7 @@ kind = "network"
 MARKER = "loosepin.json"
 # They differ from run to run, and have no hash.
 TIMES = "timing.json"
-# Names that stand in a folder while it is written, or after a kill; of the versions before and after 0.9 as well.
+# Names that stand in a folder while it is written, or after a kill. The store of a study that was killed is dropped by the next.
 PASSING_STARTS = (".loosepin-", ".loosepin.lock", "loosepin.lock", "runs.sqlite")
 PASSING_ENDS = (".partial", ".replaced")
 LONGEST_S = 120
