@@ -5,6 +5,8 @@
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
+use std::fmt;
+use std::io::{BufReader, Read};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -14,6 +16,7 @@ use loosepin::report::verdict_words;
 use loosepin::results::{MARKER_FILE, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
+use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::folder::{Folder, LARGEST_TEXT};
@@ -27,9 +30,9 @@ const MAX_ENTRIES: usize = 50_000;
 const MAX_TOLD: usize = 200;
 /// Most bytes that are read for one listing; what then is not known yet comes with the next one.
 const MAX_READ_BYTES: u64 = 64 << 20;
-/// Largest marker and largest record of a study that are read, bytes.
+/// Largest marker, and most of the record of a study that is read for its verdict, bytes.
 const LARGEST_MARKER: u64 = 1 << 20;
-const LARGEST_SUMMARY: u64 = 16 << 20;
+const LARGEST_HEAD: u64 = 64 << 10;
 
 /// The served folder as the page shows it.
 #[derive(Debug, Default, Serialize)]
@@ -232,18 +235,42 @@ impl Reading<'_> {
         })
     }
 
-    /// The verdict of a stored study.
+    /// The verdict of a stored study. Its requirements stand at the head of its record, which is read no further.
     fn verdict(&mut self, path: &str) -> Option<&'static str> {
-        #[derive(Deserialize)]
-        struct Summary {
-            requirements: Vec<Requirement>,
+        let (summary, _) = self.folder.opened().open_file(&Path::new(path).join(SUMMARY_FILE)).ok()?;
+        let head = BufReader::new(summary.take(LARGEST_HEAD));
+        let mut requirements = None;
+        // It ends with an error in any case: the rest is not read.
+        let _ = serde_json::Deserializer::from_reader(head).deserialize_map(UpToRequirements(&mut requirements));
+        self.left_bytes = self.left_bytes.saturating_sub(LARGEST_HEAD);
+        let verdicts = requirements?.into_iter().map(|requirement| requirement.verdict);
+        Verdict::of_all(verdicts).map(verdict_words)
+    }
+}
+
+#[derive(Deserialize)]
+struct Requirement {
+    verdict: Verdict,
+}
+
+/// Takes the requirements out of a record, and refuses what follows.
+struct UpToRequirements<'r>(&'r mut Option<Vec<Requirement>>);
+
+impl<'de> Visitor<'de> for UpToRequirements<'_> {
+    type Value = ();
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("the record of a study")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<(), A::Error> {
+        while let Some(key) = entries.next_key::<String>()? {
+            if key == "requirements" {
+                *self.0 = Some(entries.next_value()?);
+                return Err(A::Error::custom("the rest is not read"));
+            }
+            entries.next_value::<IgnoredAny>()?;
         }
-        #[derive(Deserialize)]
-        struct Requirement {
-            verdict: Verdict,
-        }
-        let summary = self.bytes(&format!("{path}/{SUMMARY_FILE}"), LARGEST_SUMMARY)?;
-        let summary: Summary = serde_json::from_slice(&summary).ok()?;
-        Verdict::of_all(summary.requirements.into_iter().map(|requirement| requirement.verdict)).map(verdict_words)
+        Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! The studio as its page meets it, and as somebody does who wants in.
 
 mod client;
+mod disk;
 mod files;
 mod hostile;
 mod jobs;
