@@ -200,3 +200,17 @@ fn a_look_that_takes_longer_than_two_seconds_is_cut_off_and_says_so() {
     assert_eq!((&seen["seq"], &seen["is_cut"]), (&Value::from(2), &Value::from(false)));
     assert!(seen["view"]["drawing"]["svg"].is_string(), "{}", seen["complaints"]);
 }
+
+#[test]
+fn of_thousands_of_complaints_the_first_are_shown_and_the_others_counted() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    let text: String = (0..3000).map(|number| format!("line {number}\n")).collect();
+    let seen = live.look(1, ("model.toml", &text), None);
+    let complaints = seen["complaints"].as_array().unwrap();
+    assert_eq!(complaints.len(), 201);
+    assert_eq!(complaints[199]["line"], 200);
+    assert_eq!(complaints[200]["message"], "and 2800 more");
+    assert_eq!(complaints[200]["severity"], "error");
+}
