@@ -3,6 +3,8 @@
 //! The commit is that of the environment variable LOOSEPIN_COMMIT, else that of the checkout around this file. Sources without git,
 //! as from a tarball, have none, and the version stands alone. Results record the version without it (`loosepin::VERSION`).
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use std::process::Command;
 
 fn main() {

@@ -3,6 +3,8 @@
 //! `cargo bench --package loosepin-bench --bench work_precision` prints the tables, a word behind `--` those of the cases with that word in their names
 //! alone; `-- --write` also writes `docs/work-precision.md` and its two pictures in `docs/images`, the same bytes on every run.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use loosepin_bench::diagram::Diagram;
 use loosepin_bench::precision::{Case, TIMES};
 use loosepin_bench::precision_cases::{FLEXIBLE_CASES, RIGID_CASES};

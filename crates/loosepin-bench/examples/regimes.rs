@@ -10,6 +10,8 @@
 //! too narrow  widened < reference - error of the reference         (upwards; the other way for a lower bound)
 //! ```
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use std::fmt::Write as _;
 use std::time::Instant;
 

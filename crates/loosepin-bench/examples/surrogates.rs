@@ -3,6 +3,8 @@
 //! `surrogates CASE RUNS DESIGNS KINDS [FOLDER]`: CASE is `ishigami` or `oscillator`, KINDS a list such as `auto,chaos`. Prints
 //! one line of JSON for each design and kind. With FOLDER, writes the inputs and outputs of the designs and of the test there.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use loosepin::surrogate::trials::{ishigami, ishigami_inputs, oscillator, oscillator_inputs, points};
 use loosepin::surrogate::{Input, Options, Surrogate, SurrogateError, TrainingData, TrainingOutput};
 use loosepin_bench::choice;

@@ -5,6 +5,8 @@
 //! corners (which the study has seen), N mechanisms with random numbers of their own (1,024 if left out); the share c inside a band
 //! has the standard error `sqrt(c (1 - c)/N)` of independent ones.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Instant;

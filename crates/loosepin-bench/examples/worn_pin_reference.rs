@@ -14,6 +14,8 @@
 //! `worn_pin_reference hold SEEDS`: the study with seeds 1 to SEEDS. A bound misses where it does not reach the end of the reference less
 //! 2.6 of its standard errors.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use loosepin::bounds::Statistic;
 use loosepin::math::dense::Cholesky;
 use loosepin::study::result::{BoundRecord, Treatment};

@@ -1,5 +1,7 @@
 //! What the benches and campaigns share.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 pub mod batch;
 pub mod diagram;
 pub mod equations;

@@ -28,6 +28,8 @@
 //! plan         which runs are made;   by_surrogate: the same with runs replaced by what was learned from a few
 //! ```
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 mod by_surrogate;
 mod data;
 mod estimators;

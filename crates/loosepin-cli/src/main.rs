@@ -4,6 +4,8 @@
 //! of the study is not met, or a number of a reference case, or no play explains readings; 2 an error; 3 merged, and the shards have a further round to run;
 //! 130 interrupted.
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 mod arguments;
 #[cfg(feature = "studio")]
 mod browser;

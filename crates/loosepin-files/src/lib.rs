@@ -11,6 +11,8 @@
 //!
 //! Clippy refuses the functions of the standard library that write or open files everywhere else (`clippy.toml`).
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 mod entry;
 mod folder;
 mod lock;
@@ -23,7 +25,10 @@ mod write;
 pub use entry::{Entry, FileInfo, FileKind, Identity};
 pub use folder::Folder;
 pub use lock::{FolderLock, LockError};
-pub use named::{PrivateFile, create_private, lock_texts, may_write, read_named, replace_named, unnamed_file, write_new_files, write_new_named};
+pub use named::{
+    PrivateFile, create_private, lock_texts, may_write, read_named, replace_named, unnamed_file, write_new_files,
+    write_new_named,
+};
 pub use refused::{Refused, io_error_words};
 pub use temporary::is_temporary;
 

@@ -46,9 +46,8 @@ impl fmt::Display for Refused {
             }
             Self::TooLarge { limit_bytes, .. } => write!(formatter, "it has more than {} MiB", limit_bytes >> 20),
             Self::ReadOnly => formatter.write_str("it is read-only"),
-            Self::LockLost => {
-                formatter.write_str("the folder was emptied or taken by another process meanwhile; nothing more is written")
-            }
+            Self::LockLost => formatter
+                .write_str("the folder was emptied or taken by another process meanwhile; nothing more is written"),
             Self::BadName => formatter.write_str("it is not a name below the folder"),
         }
     }
@@ -79,7 +78,9 @@ pub fn io_error_words(error: &io::Error) -> String {
         io::ErrorKind::PermissionDenied => "it is not permitted".to_owned(),
         io::ErrorKind::StorageFull => "the disk is full".to_owned(),
         io::ErrorKind::QuotaExceeded => "the disk quota is used up".to_owned(),
-        io::ErrorKind::FileTooLarge => "the disk is full, or the file would exceed the size limit (ulimit -f)".to_owned(),
+        io::ErrorKind::FileTooLarge => {
+            "the disk is full, or the file would exceed the size limit (ulimit -f)".to_owned()
+        }
         io::ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
         io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
         io::ErrorKind::IsADirectory => "a folder of that name is in the way".to_owned(),

@@ -29,7 +29,12 @@ impl FolderLock {
         let temporary = self.write_temporary(&self.folder, contents, mode, replaced.as_ref())?;
         let renamed = self.check().and_then(|()| self.folder.directory.rename(OsStr::new(&temporary.name), name));
         self.or_remove(renamed, &temporary.name)?;
-        self.folder.directory.sync()
+        self.folder.directory.sync().inspect_err(|_| {
+            // What is told as not written is not there, where nothing was in its place.
+            if replaced.is_none() {
+                self.remove_own(&temporary, name);
+            }
+        })
     }
 
     /// Writes files that are not there yet: all of them, each whole, or none.
@@ -45,24 +50,21 @@ impl FolderLock {
         });
         let mut renamed = 0;
         let named = written.and_then(|()| {
-            waiting.iter().try_for_each(|(temporary, name)| {
+            for (temporary, name) in &waiting {
                 self.check()?;
                 self.folder.directory.rename_new(OsStr::new(&temporary.name), name)?;
                 renamed += 1;
-                Ok(())
-            })
-        });
-        if let Err(error) = named {
-            for (place, (temporary, name)) in waiting.iter().enumerate() {
-                if place >= renamed {
-                    let _ = self.folder.directory.remove_file(OsStr::new(&temporary.name));
-                } else if self.folder.directory.info(name).is_ok_and(|found| found.identity == temporary.identity) {
-                    let _ = self.folder.directory.remove_file(name);
-                }
             }
-            return Err(error);
-        }
-        self.folder.directory.sync()
+            self.folder.directory.sync()
+        });
+        named.inspect_err(|_| {
+            for (temporary, name) in &waiting[..renamed] {
+                self.remove_own(temporary, name);
+            }
+            for (temporary, _) in &waiting[renamed..] {
+                let _ = self.folder.directory.remove_file(OsStr::new(&temporary.name));
+            }
+        })
     }
 
     /// Makes a folder with files in it, which is there with all of them or not at all.
@@ -91,7 +93,14 @@ impl FolderLock {
         written().inspect_err(|_| {
             let _ = self.remove_temporary_folder(temporary);
         })?;
-        self.folder.directory.sync()
+        self.folder.directory.sync().inspect_err(|_| {
+            let Ok(folder) = self.folder.open_below(Path::new(name)) else { return };
+            for (name, _) in files {
+                let _ = folder.directory.remove_file(OsStr::new(name));
+            }
+            // What somebody else has put into it meanwhile stays, with it.
+            let _ = self.folder.directory.remove_directory(name);
+        })
     }
 
     /// Removes a plain file; nothing where there is none.
@@ -172,6 +181,13 @@ impl FolderLock {
         };
         let written = written();
         Ok(Temporary { identity: self.or_remove(written, &name)?, name })
+    }
+
+    /// Removes a file that was brought to its name, where it is that file still.
+    fn remove_own(&self, file: &Temporary, name: &OsStr) {
+        if self.folder.directory.info(name).is_ok_and(|found| found.identity == file.identity) {
+            let _ = self.folder.directory.remove_file(name);
+        }
     }
 
     /// Removes what is not whole where `outcome` is an error: it takes the room that may be missing.

@@ -2,6 +2,8 @@
 //! --release --package loosepin-identify --example worn_pin_readings RUNS.csv [READINGS.csv]`. Writes play, peak and rms of every run at evenly spread plays to RUNS.csv, for
 //! other programs, and prints a line for each reading. `tools/compare/identify.py` calls it.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use loosepin_identify::motion_record::MotionPosterior;
 use loosepin_identify::{CONFIDENCE, MotionRig, MotionValues};
 use loosepin_study::{MeasuredMotion, Study};

@@ -1,3 +1,4 @@
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 #![doc = include_str!("../README.md")]
 
 pub mod accuracy;

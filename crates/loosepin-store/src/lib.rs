@@ -18,6 +18,8 @@
 //!
 //! It knows nothing of mechanisms or of statistics: numbers in, the same numbers out.
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 pub mod results;
 
 mod error;

@@ -86,18 +86,21 @@ impl RunStore {
             .name("loosepin-store".to_owned())
             .spawn(move || write_requests(file, published.as_ref(), &inbox, &flag))
             .map_err(|error| StoreError::not_usable(&path, &error))?;
-        Ok(Self { path, lock: Arc::clone(lock), requests: Some(requests), thread: Some(thread), is_broken, runs_at_start })
+        Ok(Self {
+            path,
+            lock: Arc::clone(lock),
+            requests: Some(requests),
+            thread: Some(thread),
+            is_broken,
+            runs_at_start,
+        })
     }
 
     /// Opens the store in a locked folder at the beginning of a study.
     ///
     /// # Errors
     /// As for [`RunStore::open`], and [`StoreError::HoldsRuns`] where there were to be none.
-    pub fn begin(
-        lock: &Arc<FolderLock>,
-        identity: &StoreIdentity,
-        beginning: Beginning,
-    ) -> Result<Self, StoreError> {
+    pub fn begin(lock: &Arc<FolderLock>, identity: &StoreIdentity, beginning: Beginning) -> Result<Self, StoreError> {
         Self::begin_beside(lock, None, identity, beginning)
     }
 

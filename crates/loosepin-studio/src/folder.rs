@@ -242,7 +242,10 @@ mod tests {
         {
             let refused = folder.read("inside/model.toml").map(|found| found.text).expect_err("a link");
             let words = "it is a symbolic link, and links are not followed here";
-            assert_eq!((refused.status, refused.message), (StatusCode::FORBIDDEN, format!("cannot read 'inside/model.toml': {words}")));
+            assert_eq!(
+                (refused.status, refused.message),
+                (StatusCode::FORBIDDEN, format!("cannot read 'inside/model.toml': {words}"))
+            );
         }
         assert_eq!(fs::read_to_string(desk.path().join("secret.toml")).unwrap(), "secret = 1\n");
     }

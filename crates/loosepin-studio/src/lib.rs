@@ -20,6 +20,8 @@
 //!
 //! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 mod adopt;
 mod centres;
 mod complaints;

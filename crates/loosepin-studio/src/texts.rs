@@ -1,5 +1,6 @@
 //! Texts of the page with the tables that they name, and the study or model that they make.
 
+use std::collections::HashSet;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use crate::folder::Folder;
 use crate::messages::Look;
 use crate::refusal::Refusal;
 
-/// Most tables that texts may name.
+/// Most names of tables that are looked up for a text.
 const MOST_TABLES: usize = 64;
 
 /// A model and perhaps a study of it, with their tables: nothing else is opened to read them.
@@ -75,8 +76,7 @@ impl Texts {
 
     fn with_tables(model: (&str, &str), study: Option<(&str, &str)>, read: &dyn Fn(&str) -> Option<String>) -> Self {
         let texts = std::iter::once(model).chain(study);
-        let tables: Arc<[Arc<Source>]> =
-            texts.flat_map(|(path, text)| tables(read, path, text)).take(MOST_TABLES).collect();
+        let tables: Arc<[Arc<Source>]> = texts.flat_map(|(path, text)| tables(read, path, text)).collect();
         let source = |(path, text): (&str, &str)| Source::with_files(path, text, Arc::clone(&tables));
         Self { model: source(model), study: study.map(source) }
     }
@@ -128,13 +128,9 @@ pub fn plain(path: &str) -> String {
 /// the text says so at its place.
 fn tables(read: &dyn Fn(&str) -> Option<String>, path: &str, text: &str) -> Vec<Arc<Source>> {
     let strings = text.split(['"', '\'', '\n']).filter(|string| string.to_ascii_lowercase().ends_with(".csv"));
-    strings
-        .filter_map(|written| {
-            let name = beside(path, written);
-            let table = read(&plain(&name))?;
-            Some(Source::new(name, table))
-        })
-        .collect()
+    let mut looked_up = HashSet::new();
+    let names = strings.map(|written| beside(path, written)).filter(|name| looked_up.insert(name.clone()));
+    names.take(MOST_TABLES).filter_map(|name| Some(Source::new(name.as_str(), read(&plain(&name))?))).collect()
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Where mechanisms and uncertainty meet: a study file, its runs, its results.
 
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
 pub mod cases;
 
 mod allow;

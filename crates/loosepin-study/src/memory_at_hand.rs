@@ -1,7 +1,9 @@
 //! The memory that this process may still take, as the operating system tells it.
 
-use std::fs::read_to_string;
+use std::io;
 use std::path::Path;
+
+use loosepin_files::read_named;
 
 /// Where no operating system tells, so much is taken to be there.
 pub const STATED_BYTES: u64 = 16 << 30;
@@ -61,6 +63,13 @@ fn of_process(root: &Path) -> Option<u64> {
     let limit = line.split_whitespace().next()?.parse::<u64>().ok()?;
     let taken = kibibytes_after(&read_to_string(root.join("proc/self/status")).ok()?, "VmSize:")?;
     Some(limit.saturating_sub(taken))
+}
+
+/// A text of the system.
+fn read_to_string(path: impl AsRef<Path>) -> io::Result<String> {
+    const MAX_BYTES: u64 = 1 << 20;
+    let bytes = read_named(path.as_ref(), MAX_BYTES)?;
+    String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
 }
 
 #[cfg(test)]

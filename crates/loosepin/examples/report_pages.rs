@@ -1,6 +1,8 @@
 //! Writes pages of three kinds, and what a terminal shows, from made-up results, so that they can be looked at and tested in a browser:
 //! `cargo run --example report_pages -- FOLDER`. NAME.figures beside NAME.html holds the figures of the page as they are saved.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 #[path = "../tests/report/report_fixture/mod.rs"]
 mod report_fixture;
 

@@ -1,5 +1,7 @@
 //! Reads who imports whom from the sources, so that the rules of `docs/architecture.md` can be held against them without
 //! compiling them.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 pub mod imports;
 pub mod sources;

@@ -2,6 +2,8 @@
 //! each other in a circle, how long a file may be, which names say nothing, and that every dependency says what it is for.
 //! What one crate may name of another is what its manifest says, and the compiler holds it.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 use architecture::imports;
 use architecture::sources::{Source, read, sources_below};
 use std::collections::{BTreeMap, BTreeSet};

@@ -15,6 +15,8 @@
 //! end of the program; records of penetration, force and impacts; equal bits on processors without AVX-512; an end of the run that is met
 //! exactly (the last step goes beyond, and the last reading lies inside).
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 #[cfg(target_arch = "x86_64")]
 mod batch;
 #[cfg(target_arch = "x86_64")]

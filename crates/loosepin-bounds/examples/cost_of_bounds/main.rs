@@ -4,6 +4,8 @@
 //! depend on what is in intervals, and one with scatter that no model foresees; then the largest magnitude of the first. The digest is that
 //! of every bound to the last bit: it must not change where only the time is to.
 
+#![allow(clippy::disallowed_methods, reason = "a program of developers")]
+
 use loosepin_bounds::{DoubleLoop, Failure, Problem, Request, Response, SampleTable, Statistic, execute};
 use loosepin_uncertainty::{Distribution, Interval, RandomVariable, hash, normal};
 use rayon::prelude::*;

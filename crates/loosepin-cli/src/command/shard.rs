@@ -46,9 +46,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     let published = Folder::open(&results).ok().filter(has_published);
     let beginning = Beginning::stated(claim.with_force, arguments.resume);
     let identity = store_identity(&claim.inputs);
-    let begun = begin_in_folder(&claim, |lock| {
-        RunStore::begin_beside(lock, published.as_ref(), &identity, beginning)
-    })?;
+    let begun = begin_in_folder(&claim, |lock| RunStore::begin_beside(lock, published.as_ref(), &identity, beginning))?;
     let Begun::Open(folder, store) = begun else {
         console::message(&format!("{} already holds this study", claim.path().display()));
         return Ok(Done::Well);

@@ -1,5 +1,7 @@
 //! The command as people type it: what it prints, writes and refuses.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod bad_input;
 mod cases;
 mod cluster_page;

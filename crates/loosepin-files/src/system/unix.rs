@@ -142,7 +142,9 @@ pub fn file_info(file: &File) -> io::Result<FileInfo> {
 
 /// Gives a new file the owner and the mode of the one that it replaces. Another owner than one's own is kept where that is permitted.
 pub fn keep_owner_and_mode(file: &File, replaced: &FileInfo) -> io::Result<()> {
-    if let Some((user, group)) = replaced.owner.filter(|owner| file_info(file).is_ok_and(|own| own.owner != Some(*owner))) {
+    if let Some((user, group)) =
+        replaced.owner.filter(|owner| file_info(file).is_ok_and(|own| own.owner != Some(*owner)))
+    {
         let [user, group] = [Some(Uid::from_raw(user)), None].map(|user| (user, Some(Gid::from_raw(group))));
         let changed = retry_on_intr(|| fs::fchown(file, user.0, user.1));
         if changed.is_err() {

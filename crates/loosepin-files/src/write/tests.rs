@@ -64,7 +64,9 @@ fn links_pipes_and_folders_are_not_replaced() {
     assert!(std::process::Command::new("mkfifo").arg(folder.join("pipe")).status().unwrap().success());
     fs::write(folder.join("file"), "text").unwrap();
     for (name, reason) in [("link", Some(Refused::Link)), ("pipe", Some(Refused::NotAFile)), ("inner", None)] {
-        for outcome in [lock.write(name, b"text"), lock.rename("file", name), lock.rename(name, "new"), lock.remove(name)] {
+        for outcome in
+            [lock.write(name, b"text"), lock.rename("file", name), lock.rename(name, "new"), lock.remove(name)]
+        {
             assert_eq!(Refused::of(&outcome.unwrap_err()), reason, "{name}");
         }
         assert_eq!(lock.write_new(&[(name, b"text")]).unwrap_err().kind(), io::ErrorKind::AlreadyExists, "{name}");
@@ -80,7 +82,10 @@ fn new_files_come_all_or_not_at_all() {
     fs::write(desk.path().join("b"), "of the user").unwrap();
     let both: [(&str, &[u8]); 2] = [("a", b"1"), ("b", b"2")];
     assert_eq!(lock.write_new(&both).unwrap_err().kind(), io::ErrorKind::AlreadyExists);
-    assert_eq!((names(desk.path()), fs::read(desk.path().join("b")).unwrap()), (vec!["b".to_owned()], b"of the user".to_vec()));
+    assert_eq!(
+        (names(desk.path()), fs::read(desk.path().join("b")).unwrap()),
+        (vec!["b".to_owned()], b"of the user".to_vec())
+    );
     fs::remove_file(desk.path().join("b")).unwrap();
     lock.write_new(&both).unwrap();
     assert_eq!(names(desk.path()), ["a", "b"]);

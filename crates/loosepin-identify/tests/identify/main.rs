@@ -1,5 +1,7 @@
 //! Readings whose consistent plays are known: closed forms, and an independent calculation by brute force.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod closed_forms;
 mod lengths;
 mod misfits;

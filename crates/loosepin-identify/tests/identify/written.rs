@@ -76,7 +76,8 @@ fn nothing_is_overwritten_and_the_model_stays_beside() {
     assert!(twice.contains("exists already; nothing is overwritten"), "{twice}");
     assert_eq!(std::fs::read_to_string(&target).expect("it is there"), "a = 1\n");
     let elsewhere = tempfile::tempdir().expect("a folder");
-    let error = write_narrowed(&first, &[(&elsewhere.path().join("narrowed.toml"), "")]).expect_err("elsewhere").to_string();
+    let error =
+        write_narrowed(&first, &[(&elsewhere.path().join("narrowed.toml"), "")]).expect_err("elsewhere").to_string();
     assert!(error.contains("the folder of the study, from which it names its model"), "{error}");
 }
 

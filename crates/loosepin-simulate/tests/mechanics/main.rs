@@ -1,6 +1,8 @@
 //! Mechanics on whole runs: contact laws, elements, guides and slots with play, the quasi-static answer, and the same bits on
 //! any lane.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod accuracy;
 mod balance;
 mod case;

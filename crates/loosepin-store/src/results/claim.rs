@@ -6,12 +6,12 @@ use std::sync::Arc;
 
 use loosepin_files::{Folder, FolderLock, TEXT_LOCK_FILE, is_temporary};
 
-use super::{LOCK_FILE, REPORT_FILE};
 use super::error::ResultsError;
 use super::folder::{ResultsFolder, aside, folder_name, holder, is_file, not_opened, remove_files};
 use super::inputs::InputsHash;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
+use super::{LOCK_FILE, REPORT_FILE};
 
 /// Where results are to go.
 #[derive(Debug, Clone)]

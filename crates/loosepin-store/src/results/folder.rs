@@ -8,10 +8,10 @@ use std::time::SystemTime;
 use loosepin_files::{FileKind, Folder, FolderLock, Refused};
 use loosepin_text::date::date;
 
-use super::{LOCK_FILE, REPORT_FILE};
 use super::error::ResultsError;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
+use super::{LOCK_FILE, REPORT_FILE};
 
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
@@ -130,9 +130,14 @@ impl ResultsFolder {
             self.marker.files.remove(file_name);
             self.marker.write(&self.lock)?;
         }
-        write(&self.lock, file_name, contents)?;
+        if self.marker.is_finished {
+            write(&self.lock, file_name, contents)?;
+            self.marker.files.insert(file_name.to_owned(), Some(hash));
+            return self.marker.write(&self.lock);
+        }
+        // Listed first: where the system says that it is not written and it is there all the same, it goes with the others.
         self.marker.files.insert(file_name.to_owned(), Some(hash));
-        if self.marker.is_finished { self.marker.write(&self.lock) } else { Ok(()) }
+        write(&self.lock, file_name, contents)
     }
 
     /// Writes a file of the result that differs from run to run, whole or not at all. It has no hash in the marker, which repeats.
@@ -140,9 +145,8 @@ impl ResultsFolder {
     /// # Errors
     /// An error of the file system.
     pub fn write_without_hash(&mut self, file_name: &str, contents: &[u8]) -> Result<(), ResultsError> {
-        write(&self.lock, file_name, contents)?;
         self.marker.files.insert(file_name.to_owned(), None);
-        Ok(())
+        write(&self.lock, file_name, contents)
     }
 
     /// The contents of a file of the result.

@@ -134,15 +134,24 @@ fn pipes_and_enormous_files_make_nobody_wait() {
     for (name, expected) in [("piped", 400), ("marked", 400), ("long", 413), ("high", 413)] {
         let path = format!("results/{name}");
         assert_eq!(status("POST", "/api/result", json!({"path": path})), expected, "{name}");
-        assert_eq!(status("POST", "/api/compare", json!({"before": path, "after": "results/shown"})), expected, "{name}");
+        assert_eq!(
+            status("POST", "/api/compare", json!({"before": path, "after": "results/shown"})),
+            expected,
+            "{name}"
+        );
     }
     for (name, expected) in [("shown", "400"), ("wide", "413")] {
         let (_, address) = server.ask("POST", "/api/view", &json!({"path": format!("results/{name}")}).to_string());
-        let request = format!("GET {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", address["address"].as_str().unwrap(), server.host);
+        let request = format!(
+            "GET {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n",
+            address["address"].as_str().unwrap(),
+            server.host
+        );
         assert_eq!(server.whole(&request).split(' ').nth(1), Some(expected), "{name}");
     }
     let (_, listing) = server.ask("GET", "/api/folder", "");
-    let mut listed: Vec<&str> = listing["results"].as_array().unwrap().iter().map(|found| found["title"].as_str().unwrap()).collect();
+    let mut listed: Vec<&str> =
+        listing["results"].as_array().unwrap().iter().map(|found| found["title"].as_str().unwrap()).collect();
     listed.sort_unstable();
     assert_eq!(listed, ["long", "piped", "wide"], "those with a marker and a page");
 }
@@ -169,7 +178,11 @@ fn results_that_are_links_are_neither_shown_nor_written_through() {
     assert_eq!(view("results/secret").0, 403);
     // The link itself is there; what it leads to is not told.
     let (_, address) = view("own");
-    let request = format!("GET {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", address["address"].as_str().unwrap_or("/view/none"), server.host);
+    let request = format!(
+        "GET {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n",
+        address["address"].as_str().unwrap_or("/view/none"),
+        server.host
+    );
     let answer = server.whole(&request);
     assert!(!answer.contains("TOP SECRET") && !answer.contains(" 200 "), "{answer}");
     let mut live = server.live();

@@ -1,5 +1,7 @@
 //! The studio as its page meets it, and as somebody does who wants in.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod client;
 mod disk;
 mod files;

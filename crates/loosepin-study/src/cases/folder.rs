@@ -4,12 +4,12 @@ use super::case::Case;
 use super::expected::read_expected;
 use super::problem::CaseProblem;
 use crate::Study;
+use loosepin_files::Folder;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::Scatter;
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::document::read_source;
-use std::fs;
 use std::path::Path;
 
 impl Case {
@@ -47,12 +47,13 @@ impl Case {
 /// The folder cannot be read or holds no case.
 pub fn case_names(folder: &Path) -> Result<Vec<String>, Complaints> {
     let no_cases = || Complaints::one(&CaseProblem::NoCases { folder: folder.display().to_string() }, None);
-    let entries = fs::read_dir(folder).map_err(|_| no_cases())?;
+    const MAX_ENTRIES: usize = 10_000;
+    let entries = Folder::open(folder).and_then(|folder| folder.entries(MAX_ENTRIES)).map_err(|_| no_cases())?;
     let is_case = |path: &Path| path.join("model.toml").is_file() && path.join("expected.toml").is_file();
     let mut names: Vec<String> = entries
-        .filter_map(|entry| entry.ok())
-        .filter(|entry| is_case(&entry.path()))
-        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .into_iter()
+        .filter(|entry| is_case(&folder.join(&entry.name)))
+        .map(|entry| entry.name.to_string_lossy().into_owned())
         .collect();
     names.sort();
     if names.is_empty() { Err(no_cases()) } else { Ok(names) }

@@ -1,5 +1,7 @@
 //! What is read: model and study files, good, bad, mutated and endless, drawings, and the inputs that fuzzing found.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod bad_files;
 mod diametral_clearance;
 mod every_key_is_read;

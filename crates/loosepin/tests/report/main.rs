@@ -1,5 +1,7 @@
 //! Pages, tables and files of results.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod compare;
 mod figures;
 mod frontier;

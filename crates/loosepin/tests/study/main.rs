@@ -1,5 +1,7 @@
 //! Whole studies, and bounds that are known otherwise.
 
+#![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
+
 mod allowed_fits;
 mod allowed_together;
 mod contact_law_lists;

@@ -1,9 +1,9 @@
 //! Folders are claimed, refused, taken over and finished.
 
 use super::*;
-use std::fs;
 use crate::results::{Claim, InputsHasher, Place};
 use loosepin_text::diagnostics::Problem;
+use std::fs;
 
 fn claim(path: &Path, input: &str, with_force: bool) -> Claim {
     Claim {
