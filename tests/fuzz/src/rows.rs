@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use loosepin::store::{RunStore, StoreIdentity, remove_store};
+use loosepin::store::{RunStore, StoreIdentity};
 use rusqlite::types::Value;
 use rusqlite::{Connection, params_from_iter};
 
@@ -36,16 +36,20 @@ struct Format {
 }
 
 impl Format {
-    /// Has the library write an empty store at `path`, reads it, and removes it.
+    /// Has the library write an empty store beside `path`, and reads it.
     fn of_library(path: &Path, identity: &StoreIdentity) -> Format {
-        drop(RunStore::open(path, identity).expect("an empty store is written"));
-        let store = Connection::open(path).expect("it is a file of SQLite");
+        // In a folder of its own: that of the input is locked.
+        let folder = path.with_file_name("format");
+        let lock = super::store::lock(&folder);
+        let library = RunStore::open(&lock, identity).expect("an empty store is written");
+        let path = library.path().to_owned();
+        drop(library);
+        let store = Connection::open(&path).expect("it is a file of SQLite");
         let number = |name| store.pragma_query_value(None, name, |row| row.get(0)).expect("a number of the header");
         let tables = "SELECT group_concat(sql, ';') FROM sqlite_schema WHERE sql IS NOT NULL";
         let tables = store.query_row(tables, [], |row| row.get(0)).expect("it has tables");
         let format = Format { tables, application: number("application_id"), version: number("user_version") };
         drop(store);
-        remove_store(path).expect("it goes");
         format
     }
 }

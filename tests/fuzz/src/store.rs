@@ -10,7 +10,10 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
+use loosepin::files::{Folder, FolderLock};
+use loosepin::results::LOCK_FILE;
 use loosepin::store::{
     Beginning, RunStore, STORE_COMPANIONS, STORE_FILE, Shard, StoreError, StoreIdentity, remove_store,
 };
@@ -35,11 +38,14 @@ pub fn identity() -> StoreIdentity {
 /// Opens what the input says and reads it; its files are in `folder` meanwhile.
 pub fn read(bytes: &[u8], folder: &Path) {
     let path = folder.join(STORE_FILE);
-    remove_store(&path).unwrap_or_else(|error| panic!("{error}"));
+    let lock = lock(folder);
+    remove_store(&lock).unwrap_or_else(|error| panic!("{error}"));
     // A log whose forged checksums are right may have the file written at the other end of the disk.
     let may_fail = bytes.first() == Some(&b'K');
     if lay_out(bytes, &path) {
-        for refused in [read_rows(&path), join_rows(&path, &folder.join(JOINED))].into_iter().filter_map(Result::err) {
+        for refused in
+            [read_rows(&lock), join_rows(lock.folder(), &folder.join(JOINED))].into_iter().filter_map(Result::err)
+        {
             match refused {
                 StoreError::Damaged { .. } | StoreError::OfOther { .. } => {}
                 StoreError::NotUsable { .. } if may_fail => {}
@@ -48,6 +54,11 @@ pub fn read(bytes: &[u8], folder: &Path) {
             super::model::show_one(loosepin::diagnostics::Complaint::error(&refused, None));
         }
     }
+}
+
+/// The lock of a folder, which is made where it is not there.
+pub fn lock(folder: &Path) -> Arc<FolderLock> {
+    Arc::new(FolderLock::take(folder, LOCK_FILE, "fuzz").unwrap_or_else(|error| panic!("{error:?}")))
 }
 
 /// Writes the files of an input; whether there are any.
@@ -75,8 +86,8 @@ fn lay_out(bytes: &[u8], path: &Path) -> bool {
 }
 
 /// Opens the store to go on with it, and looks rows up.
-fn read_rows(path: &Path) -> Result<(), StoreError> {
-    let store = RunStore::begin(path, &identity(), Beginning::GoOn)?;
+fn read_rows(lock: &Arc<FolderLock>) -> Result<(), StoreError> {
+    let store = RunStore::begin(lock, &identity(), Beginning::GoOn)?;
     for list in 0..LISTS {
         let found = store.find(list, 0..PLACES)?;
         assert_eq!(found.len() as u64, PLACES);
@@ -85,11 +96,10 @@ fn read_rows(path: &Path) -> Result<(), StoreError> {
 }
 
 /// Takes all rows over into another store, as `merge` does.
-fn join_rows(path: &Path, folder: &Path) -> Result<(), StoreError> {
-    fs::create_dir_all(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let joined = folder.join(STORE_FILE);
+fn join_rows(shard: &Folder, folder: &Path) -> Result<(), StoreError> {
+    let joined = lock(folder);
     remove_store(&joined)?;
-    let all = Shard::new(1, 1).into_iter().map(|shard| (shard, path.to_owned())).collect::<Vec<_>>();
+    let all = Shard::new(1, 1).into_iter().map(|number| (number, shard.clone())).collect::<Vec<_>>();
     let (store, added) = RunStore::begin_joined(&joined, &identity(), Beginning::GoOn, &all)?;
     assert_eq!(store.runs_at_start(), added);
     store.remove()

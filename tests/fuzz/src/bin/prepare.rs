@@ -9,7 +9,7 @@ use loosepin::model::model_schema;
 use loosepin::store::{InputsKey, KeptRun, RunStore, STORE_COMPANIONS, STORE_FILE};
 use loosepin::study::study_schema;
 use loosepin_fuzz::files::TABLE;
-use loosepin_fuzz::store::identity;
+use loosepin_fuzz::store::{identity, lock};
 use serde_json::Value;
 
 /// Words of expressions, units and values that no schema holds.
@@ -131,15 +131,15 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 /// Stores as the library writes them, whole and killed, and rows for `rows.rs`.
 fn stores(out: &Path) -> Vec<(String, Vec<u8>)> {
     let folder = out.join("store/made");
-    fs::create_dir_all(&folder).expect("a folder for the store");
     let path = folder.join(STORE_FILE);
-    loosepin::store::remove_store(&path).expect("the store of last time goes");
+    let lock = lock(&folder);
+    loosepin::store::remove_store(&lock).expect("the store of last time goes");
     // Small pages make small inputs.
     let small = rusqlite::Connection::open(&path).expect("a database");
     small.execute_batch("PRAGMA page_size = 512; VACUUM").expect("small pages");
     drop(small);
     let fill = |rows: std::ops::Range<u64>| {
-        let store = RunStore::open(&path, &identity()).expect("a store");
+        let store = RunStore::open(&lock, &identity()).expect("a store");
         for place in rows {
             let outcome = if place % 3 == 1 { Err(place as u16) } else { Ok(vec![place as f64 / 3.7; 9]) };
             store.keep((place % 2) as u32, place, KeptRun { inputs: InputsKey::of(&place.to_le_bytes()), outcome });
