@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use axum::http::StatusCode;
 use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
 
-use crate::listing::Known;
+use crate::listed::Known;
 use crate::refusal::Refusal;
 
 /// Largest text, bytes.

@@ -9,7 +9,7 @@
 //! | connections: who may stay, for how long, how many bytes | `connections.rs`, `visitors.rs`, `stream.rs`, `times.rs` |
 //! | who may ask: token, host, origin, policy of contents | `guard.rs`, `token.rs` |
 //! | the served folder: which paths, reading and writing | `folder.rs` |
-//! | what is listed of it; results as pages | `listing.rs`, `tickets.rs` |
+//! | what is listed of it; results as pages | `listing.rs`, `listed.rs`, `tickets.rs` |
 //! | results read again: compared, run at a witness, taken into the model | `result_routes.rs`, `stored.rs`, `adopt.rs` |
 //! | texts to complaints, drawing, bands, quantities | `texts.rs`, `look.rs`, `complaints.rs`, `fixes.rs`, `limits.rs`, `places.rs`, `quantities.rs`, `dimensions.rs`, `centres.rs`, `forces.rs` |
 //! | a drawing from nothing to texts; the picture of what does not move yet | `drawn.rs`, `still.rs` |
@@ -39,6 +39,7 @@ mod jobs;
 #[cfg(test)]
 mod length_tests;
 mod limits;
+mod listed;
 mod listing;
 mod look;
 mod mailbox;

@@ -8,10 +8,10 @@ use std::collections::HashMap;
 use std::fmt;
 use std::io::{BufReader, Read};
 use std::path::Path;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::UNIX_EPOCH;
 
 use loosepin::diagnostics::Source;
-use loosepin::files::{self, FileInfo, FileKind, Identity};
+use loosepin::files::{self, FileInfo, FileKind};
 use loosepin::report::verdict_words;
 use loosepin::results::{MARKER_FILE, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
@@ -20,6 +20,7 @@ use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::folder::{Folder, LARGEST_TEXT};
+use crate::listed::{ListedFile, ListedResult, Version};
 use crate::texts::{model_beside, plain};
 
 /// How far below the folder it is looked.
@@ -43,51 +44,11 @@ pub struct Listing {
     truncated: bool,
 }
 
-#[derive(Debug, Clone, Serialize)]
-struct ListedFile {
-    path: String,
-    kind: &'static str,
-    title: String,
-    /// Of a study.
-    model: Option<String>,
-    at_ms: u64,
-}
-
-#[derive(Debug, Clone, Serialize)]
-struct ListedResult {
-    path: String,
-    title: String,
-    kind: &'static str,
-    verdict: Option<&'static str>,
-    at_ms: u64,
-}
-
 impl Listing {
     /// Paths of the studies of a name, the newest first.
     pub fn studies_named(&self, name: &str) -> Vec<String> {
         let studies = self.files.iter().filter(|file| file.kind == "study" && file.title == name);
         studies.map(|file| file.path.clone()).collect()
-    }
-}
-
-/// What was read of files and results, by their paths; nothing of those that are none of ours.
-#[derive(Debug, Default)]
-pub struct Known {
-    files: HashMap<String, (Version, Option<ListedFile>)>,
-    results: HashMap<String, (Version, Option<ListedResult>)>,
-}
-
-/// By which the content of a file is known to be the same.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Version {
-    identity: Identity,
-    size_bytes: u64,
-    modified: Option<SystemTime>,
-}
-
-impl From<FileInfo> for Version {
-    fn from(info: FileInfo) -> Self {
-        Self { identity: info.identity, size_bytes: info.size_bytes, modified: info.modified }
     }
 }
 
