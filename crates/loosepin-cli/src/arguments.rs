@@ -24,7 +24,7 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
         loosepin simulate my_mechanism/model.toml\n  \
         loosepin study my_mechanism/study.toml\n\n\
         Exit status: 0 success; 1 a requirement of the study is not met or is undecided, or no play explains the readings; 2 error; 3 merged, and the shards must run another \
-        round; 130 interrupted."
+        round; 4 out of memory; 130 interrupted."
 )]
 pub struct Arguments {
     /// Command.

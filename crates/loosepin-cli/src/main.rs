@@ -2,7 +2,7 @@
 //!
 //! Data goes to standard output, messages and progress to standard error. Exit status: 0 done; 1 done, and a requirement
 //! of the study is not met, or a number of a reference case, or no play explains readings; 2 an error; 3 merged, and the shards have a further round to run;
-//! 130 interrupted.
+//! 4 an allocation of memory failed; 130 interrupted.
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 
@@ -14,14 +14,18 @@ mod console;
 mod ending;
 mod progress;
 mod standard_output;
+mod system_limits;
 
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
 use ending::{Done, Ending, Failure};
+use loosepin::diagnostics::{Code, Complaints};
 
 fn main() -> ExitCode {
+    system_limits::prepare();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return told(&error),
@@ -52,9 +56,13 @@ fn main() -> ExitCode {
 
 /// Shows help, the version, or what is wrong with the arguments.
 fn told(message: &clap::Error) -> ExitCode {
-    match standard_output::check() {
-        Err(error) if !message.use_stderr() => exit_code(Err(Failure::Output(error))),
-        _ => message.exit(),
+    if message.use_stderr() {
+        message.exit();
+    }
+    let shown = standard_output::check().and_then(|()| message.print()).and_then(|()| io::stdout().flush());
+    match shown {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => exit_code(Err(Failure::Output(error))),
+        _ => ExitCode::SUCCESS,
     }
 }
 
@@ -69,11 +77,16 @@ fn exit_code(ending: Ending) -> ExitCode {
         Ok(Done::Interrupted) => ExitCode::from(130),
         Err(Failure::Complaints(complaints)) => {
             console::complain(&complaints);
-            ExitCode::from(2)
+            ExitCode::from(if is_out_of_memory(&complaints) { system_limits::OUT_OF_MEMORY_STATUS } else { 2 })
         }
         Err(Failure::Output(error)) => {
-            console::message(&format!("error: cannot write to standard output: {error}"));
+            console::message(&format!("error: cannot write to standard output: {}", standard_output::reason(&error)));
             ExitCode::from(2)
         }
     }
+}
+
+/// Whether memory was refused to a part of the program that tells it as an error.
+fn is_out_of_memory(complaints: &Complaints) -> bool {
+    complaints.sorted().iter().any(|complaint| complaint.code == Code::OutOfMemory)
 }

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
+use std::thread;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle, WeakProgressBar};
 use loosepin::report::draft_text;
 use loosepin::study::Progress;
 use loosepin::study::result::Draft;
@@ -85,13 +86,26 @@ impl Bar {
     }
 }
 
+/// Shows the remaining time anew until the bar is gone. (A bar that ticks by itself panics where the system gives no thread; without one it
+/// is shown anew when runs are reported.)
+fn tick(bar: WeakProgressBar) {
+    let ticks = move || {
+        while let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) {
+            bar.tick();
+            drop(bar);
+            thread::sleep(TICK);
+        }
+    };
+    let _ = thread::Builder::new().name("loosepin-bar".to_owned()).spawn(ticks);
+}
+
 impl Progress for Bar {
     fn runs(&self, finished: usize, most: usize) {
         if let Ok(mut pace) = self.pace.lock() {
             pace.last = Some((Instant::now(), finished, most));
         }
-        if self.bar.length().is_none() {
-            self.bar.enable_steady_tick(TICK);
+        if self.bar.length().is_none() && !self.bar.is_hidden() {
+            tick(self.bar.downgrade());
         }
         self.bar.set_length(most as u64);
         self.bar.set_position(finished as u64);

@@ -29,7 +29,7 @@ pub use named::{
     PrivateFile, create_private, lock_texts, may_write, read_named, replace_named, unnamed_file, write_new_files,
     write_new_named,
 };
-pub use refused::{Refused, io_error_words};
+pub use refused::{FULL_OR_LIMITED, Refused, io_error_words, is_file_size_limited};
 pub use temporary::is_temporary;
 
 /// Name of the file that is locked for the moment in which texts of a folder are written.

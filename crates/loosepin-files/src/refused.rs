@@ -4,6 +4,8 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
+use crate::system;
+
 /// A rule of this crate that a file does not keep. It travels inside an [`io::Error`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Refused {
@@ -67,6 +69,14 @@ impl From<Refused> for io::Error {
     }
 }
 
+/// Words for a file that may not grow.
+pub const FULL_OR_LIMITED: &str = "the disk is full, or the file would exceed the size limit (ulimit -f)";
+
+/// Whether the process has a limit of the size of its files (`ulimit -f`).
+pub fn is_file_size_limited() -> bool {
+    system::is_file_size_limited()
+}
+
 /// An error of the file system in plain words, where it is a usual one.
 pub fn io_error_words(error: &io::Error) -> String {
     if let Some(refused) = Refused::of(error) {
@@ -78,9 +88,7 @@ pub fn io_error_words(error: &io::Error) -> String {
         io::ErrorKind::PermissionDenied => "it is not permitted".to_owned(),
         io::ErrorKind::StorageFull => "the disk is full".to_owned(),
         io::ErrorKind::QuotaExceeded => "the disk quota is used up".to_owned(),
-        io::ErrorKind::FileTooLarge => {
-            "the disk is full, or the file would exceed the size limit (ulimit -f)".to_owned()
-        }
+        io::ErrorKind::FileTooLarge => FULL_OR_LIMITED.to_owned(),
         io::ErrorKind::ReadOnlyFilesystem => "the file system is read-only".to_owned(),
         io::ErrorKind::NotADirectory => "a part of the path is a file".to_owned(),
         io::ErrorKind::IsADirectory => "a folder of that name is in the way".to_owned(),

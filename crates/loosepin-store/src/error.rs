@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use loosepin_files::{io_error_words, may_write};
+use loosepin_files::{FULL_OR_LIMITED, io_error_words, is_file_size_limited, may_write};
 use loosepin_text::diagnostics::{Code, problems};
 use rusqlite::{ErrorCode, ffi};
 
@@ -31,6 +31,11 @@ problems! {
         NotUsable { path: PathBuf, reason: String } => Code::FolderNotUsable,
             says("cannot use {}: {reason}", path.display()),
             hint("make the folder usable, or give another one by --out");
+        /// SQLite was refused memory for the file at `path`.
+        OutOfMemory { path: PathBuf } => Code::OutOfMemory,
+            says("out of memory while {} was in use", path.display()),
+            hint("raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; \
+                saved runs are kept: --resume goes on with them");
         /// The file system took no further runs; `kept` of them are in it.
         NotSaved { path: PathBuf, reason: String, kept: u64 } => Code::FolderNotUsable,
             says("cannot write to {}: {reason}", path.display()),
@@ -55,6 +60,12 @@ impl StoreError {
         match error.sqlite_error_code() {
             // A file of another format, or without the tables: what is asked of it here is always the same, and right.
             Some(ErrorCode::Unknown) => Self::Damaged { path, reason: error.to_string() },
+            Some(ErrorCode::OutOfMemory) => Self::OutOfMemory { path },
+            Some(ErrorCode::SystemIoFailure) if extended.is_some_and(is_about_memory) => Self::OutOfMemory { path },
+            // SQLite says that the disk is full where the system does, and not where a file reaches the limit of its size.
+            Some(ErrorCode::SystemIoFailure) if extended.is_some_and(is_about_size) && is_file_size_limited() => {
+                Self::NotUsable { path, reason: FULL_OR_LIMITED.to_owned() }
+            }
             // It ends within a page.
             Some(ErrorCode::SystemIoFailure) if extended == Some(ffi::SQLITE_IOERR_SHORT_READ) => {
                 Self::Damaged { path, reason: error.to_string() }
@@ -76,4 +87,14 @@ impl StoreError {
             None => Self::Damaged { path, reason: error.to_string() },
         }
     }
+}
+
+/// Whether an error of the file system is one of memory.
+fn is_about_memory(extended: i32) -> bool {
+    matches!(extended, ffi::SQLITE_IOERR_NOMEM | ffi::SQLITE_IOERR_SHMMAP)
+}
+
+/// Whether an error of the file system is that of a file which was to grow.
+fn is_about_size(extended: i32) -> bool {
+    matches!(extended, ffi::SQLITE_IOERR_WRITE | ffi::SQLITE_IOERR_SHMSIZE | ffi::SQLITE_IOERR_TRUNCATE)
 }

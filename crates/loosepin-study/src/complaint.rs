@@ -43,10 +43,14 @@ impl Problem for StudyError {
             )),
             Self::TooManyRuns { .. } => Some("smaller outer and inner under [sampling] need fewer runs".to_owned()),
             Self::TooMuchMemory { .. } => Some(
-                "smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves"
+                "smaller outer and inner under [sampling] need fewer runs; poses need fewer numbers than curves; \
+                 each of --threads takes memory"
                     .to_owned(),
             ),
-            Self::Threads(_) => Some("ask for fewer with --threads".to_owned()),
+            Self::Threads(_) => Some(
+                "ask for fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)"
+                    .to_owned(),
+            ),
             Self::Store(error) => error.hint(),
             Self::Interrupted { .. } => Some("continue with the same command and --resume".to_owned()),
             Self::TooManyFailed(failed) => {

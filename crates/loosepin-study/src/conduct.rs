@@ -92,7 +92,7 @@ fn conduct_with(
 ) -> Result<Conducted, StudyError> {
     let Means { threads, progress, stop, store } = *means;
     let response = StudyResponse::new(study)?;
-    let plans = Plans::new(study, &response, store.is_some())?;
+    let plans = Plans::new(study, &response, store.is_some(), threads)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let (before, keeping) = (AtomicUsize::new(0), Keeping::new(store));
     let runner = Runner { pool: &pool, progress, stop, before, keeping, part, maker };

@@ -1,6 +1,7 @@
 //! Why a study has no result.
 
 use super::file::MOST_RUNS;
+use super::memory_at_hand::MemoryKind;
 use super::part::OpenRound;
 use super::response::PrepareError;
 use super::runs::RunsTable;
@@ -8,10 +9,19 @@ use loosepin_bounds::{PlanError, PromiseError, SurrogatePlanError, TableError};
 use loosepin_result::study::FailureGroup;
 use loosepin_simulate::RunFailure;
 use loosepin_store::StoreError;
+use loosepin_text::units::counted;
 use loosepin_uncertainty::SobolError;
 use loosepin_uncertainty::contributors::IndexPlanError;
 use std::fmt;
 use thiserror::Error;
+
+/// Less than this is told in MiB.
+const GIB_FROM: f64 = 0.1;
+
+/// An amount of memory.
+fn memory(gib: f64) -> String {
+    if gib < GIB_FROM { format!("{:.1} MiB", gib * 1024.0) } else { format!("{gib:.2} GiB") }
+}
 
 /// Why a study has no result.
 #[derive(Debug, Error)]
@@ -86,13 +96,24 @@ pub enum StudyError {
     },
     /// More numbers than the memory at hand holds.
     #[error(
-        "{runs} runs of {numbers} numbers each need about {needed_gib:.2} GiB of memory; {at_hand_gib:.2} GiB are at hand"
+        "{runs} runs of {numbers} numbers each on {} need about {} of {}",
+        counted(*threads, "thread"),
+        memory(*needed_gib),
+        match kind {
+            MemoryKind::Pages => format!("memory; {} are at hand", memory(*at_hand_gib)),
+            MemoryKind::Data => format!("memory for data; its limit (ulimit -d) leaves {}", memory(*at_hand_gib)),
+            MemoryKind::Addresses => format!("address space; its limit (ulimit -v) leaves {}", memory(*at_hand_gib)),
+        }
     )]
     TooMuchMemory {
         /// Runs of the study at most.
         runs: usize,
         /// Numbers of each, its inputs included.
         numbers: usize,
+        /// Threads that make them.
+        threads: usize,
+        /// What there is too little of.
+        kind: MemoryKind,
         /// What they take.
         needed_gib: f64,
         /// What there is.

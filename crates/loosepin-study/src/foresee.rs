@@ -2,7 +2,7 @@
 
 use super::error::StudyError;
 use super::file::Study;
-use super::plans::planned;
+use super::plans::{default_threads, planned};
 use super::problem::problem;
 use super::response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, PromisePlan, RunInputs};
@@ -66,7 +66,7 @@ impl ForeseenPromise {
 /// As for [`super::plan_runs`], or all timed runs failed.
 pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
-    let plans = planned(study, &response)?;
+    let plans = planned(study, &response, default_threads())?;
     let (most_runs, promise) = (plans.limits.most_runs(), plans.promise.as_ref().map(ForeseenPromise::new));
     let variants = response.mechanisms.len().min(MOST_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());

@@ -7,18 +7,63 @@ use loosepin_files::read_named;
 
 /// Where no operating system tells, so much is taken to be there.
 pub const STATED_BYTES: u64 = 16 << 30;
+/// From this limit of the address space on, the command lets the C library reserve one part in so many for threads.
+const ARENAS_FROM_BYTES: u64 = 1 << 30;
+const ARENAS_PART: u64 = 8;
 
-/// What the process may still take, bytes: what the machine has available, and no more than its group of processes (a container)
-/// and its own limit of address space leave. [`STATED_BYTES`] where the system does not tell, as outside of Linux.
-pub fn memory_at_hand_bytes() -> u64 {
-    told_bytes(Path::new("/")).unwrap_or(STATED_BYTES)
+/// A kind of memory that a study takes, each with a limit of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MemoryKind {
+    /// Pages that are in use: of the machine, or of the group of the process (a container).
+    Pages,
+    /// Memory that the process may write, used or not (`ulimit -d`): stacks of threads count in full.
+    Data,
+    /// Addresses of the process (`ulimit -v`): stacks count in full, and files that are read as memory.
+    Addresses,
 }
 
-/// As Linux tells it in the files below `root`.
-fn told_bytes(root: &Path) -> Option<u64> {
-    let machine = kibibytes_after(&read_to_string(root.join("proc/meminfo")).ok()?, "MemAvailable:")?;
-    let limits = [of_groups(root), of_process(root)];
-    Some(limits.into_iter().flatten().fold(machine, u64::min))
+/// What the process may still take of each kind, bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MemoryAtHand {
+    /// Of [`MemoryKind::Pages`]; [`STATED_BYTES`] where the system does not tell, as outside of Linux.
+    pub pages_bytes: u64,
+    /// Of [`MemoryKind::Data`], where that is limited.
+    pub data_bytes: Option<u64>,
+    /// Of [`MemoryKind::Addresses`], where that is limited.
+    pub addresses_bytes: Option<u64>,
+}
+
+impl MemoryAtHand {
+    /// As the operating system tells it now.
+    pub fn now() -> Self {
+        let unlimited = Self { pages_bytes: STATED_BYTES, data_bytes: None, addresses_bytes: None };
+        Self::told(Path::new("/")).unwrap_or(unlimited)
+    }
+
+    /// As Linux tells it in the files below `root`.
+    fn told(root: &Path) -> Option<Self> {
+        let machine = kibibytes_after(&read_to_string(root.join("proc/meminfo")).ok()?, "MemAvailable:")?;
+        let [data_bytes, addresses_bytes] =
+            [("Max data size", "VmData:"), ("Max address space", "VmSize:")].map(|keys| of_process(root, keys));
+        let pages_bytes = of_groups(root).map_or(machine, |groups| groups.min(machine));
+        // The allocations of threads are in parts of the address space of their own, which are reserved in advance. The command
+        // bounds them by this share where the limit is so large that it allows several.
+        let left = |(limit, left): (u64, u64)| {
+            let reserved = if limit < ARENAS_FROM_BYTES { 0 } else { limit / ARENAS_PART };
+            left.saturating_sub(reserved)
+        };
+        let (data_bytes, addresses_bytes) = (data_bytes.map(|(_, left)| left), addresses_bytes.map(left));
+        Some(Self { pages_bytes, data_bytes, addresses_bytes })
+    }
+
+    /// What there is of `kind`, where it is limited.
+    pub fn bytes_of(&self, kind: MemoryKind) -> Option<u64> {
+        match kind {
+            MemoryKind::Pages => Some(self.pages_bytes),
+            MemoryKind::Data => self.data_bytes,
+            MemoryKind::Addresses => self.addresses_bytes,
+        }
+    }
 }
 
 /// The number of kibibytes in the line that begins with `key`, in bytes.
@@ -56,13 +101,13 @@ fn of_groups(root: &Path) -> Option<u64> {
     groups.lines().filter_map(of_line).min()
 }
 
-/// What the limit of the address space leaves (`ulimit -v`).
-fn of_process(root: &Path) -> Option<u64> {
+/// A limit of the process, and what it leaves: its name in `limits`, and that of what is taken in `status`.
+fn of_process(root: &Path, (limit, taken): (&str, &str)) -> Option<(u64, u64)> {
     let limits = read_to_string(root.join("proc/self/limits")).ok()?;
-    let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+    let line = limits.lines().find_map(|line| line.strip_prefix(limit))?;
     let limit = line.split_whitespace().next()?.parse::<u64>().ok()?;
-    let taken = kibibytes_after(&read_to_string(root.join("proc/self/status")).ok()?, "VmSize:")?;
-    Some(limit.saturating_sub(taken))
+    let taken = kibibytes_after(&read_to_string(root.join("proc/self/status")).ok()?, taken)?;
+    Some((limit, limit.saturating_sub(taken)))
 }
 
 /// A text of the system.
@@ -74,7 +119,7 @@ fn read_to_string(path: impl AsRef<Path>) -> io::Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{memory_at_hand_bytes, told_bytes};
+    use super::MemoryAtHand;
     use std::path::{Path, PathBuf};
 
     /// A made-up machine: files and their texts.
@@ -88,6 +133,10 @@ mod tests {
         root
     }
 
+    fn pages_bytes(root: &Path) -> Option<u64> {
+        MemoryAtHand::told(root).map(|at_hand| at_hand.pages_bytes)
+    }
+
     const MACHINE: (&str, &str) = ("proc/meminfo", "MemTotal:  9000 kB\nMemAvailable:    5000 kB\n");
     const UNLIMITED: (&str, &str) =
         ("proc/self/limits", "Max address space         unlimited            unlimited            bytes\n");
@@ -95,8 +144,9 @@ mod tests {
     #[test]
     fn a_machine_without_limits_has_what_is_available() {
         let root = machine("plain", &[MACHINE, UNLIMITED, ("proc/self/cgroup", "0::/user\n")]);
-        assert_eq!(told_bytes(&root), Some(5000 * 1024));
-        assert_eq!(told_bytes(Path::new("/nowhere")), None);
+        let unlimited = MemoryAtHand { pages_bytes: 5000 * 1024, data_bytes: None, addresses_bytes: None };
+        assert_eq!(MemoryAtHand::told(&root), Some(unlimited));
+        assert_eq!(MemoryAtHand::told(Path::new("/nowhere")), None);
     }
 
     #[test]
@@ -110,7 +160,7 @@ mod tests {
             ("sys/fs/cgroup/a/b/memory.max", "max\n"),
             ("sys/fs/cgroup/a/b/memory.current", "300000\n"),
         ];
-        assert_eq!(told_bytes(&machine("two", &groups)), Some(1_000_000 - 250_000));
+        assert_eq!(pages_bytes(&machine("two", &groups)), Some(1_000_000 - 250_000));
     }
 
     #[test]
@@ -122,21 +172,32 @@ mod tests {
             ("sys/fs/cgroup/memory/memory.usage_in_bytes", "2500000\n"),
             ("sys/fs/cgroup/memory/memory.stat", "total_inactive_file 700000\n"),
         ];
-        assert_eq!(told_bytes(&machine("one", &groups)), Some(200_000));
+        assert_eq!(pages_bytes(&machine("one", &groups)), Some(200_000));
     }
 
     #[test]
-    fn a_limit_of_the_address_space_counts() {
-        let process = [
-            MACHINE,
-            ("proc/self/limits", "Max address space         3000000              unlimited            bytes\n"),
-            ("proc/self/status", "VmPeak:\t 2000 kB\nVmSize:\t 1000 kB\n"),
-        ];
-        assert_eq!(told_bytes(&machine("process", &process)), Some(3_000_000 - 1_024_000));
+    fn limits_of_the_process_count() {
+        let process = |addresses: u64| {
+            let limits = format!(
+                "Max data size             2000000              unlimited            bytes\n\
+                 Max address space         {addresses}              unlimited            bytes\n"
+            );
+            let status = "VmPeak:\t 2000 kB\nVmSize:\t 1000 kB\nVmData:\t 500 kB\n";
+            let files = [MACHINE, ("proc/self/limits", &limits), ("proc/self/status", status)];
+            MemoryAtHand::told(&machine("process", &files))
+        };
+        let expected = |addresses_bytes| MemoryAtHand {
+            pages_bytes: 5000 * 1024,
+            data_bytes: Some(2_000_000 - 512_000),
+            addresses_bytes: Some(addresses_bytes),
+        };
+        assert_eq!(process(3_000_000), Some(expected(3_000_000 - 1_024_000)));
+        // An eighth is reserved for the allocations of threads.
+        assert_eq!(process(8 << 30), Some(expected((7 << 30) - 1_024_000)));
     }
 
     #[test]
     fn this_machine_has_some() {
-        assert!(memory_at_hand_bytes() > 1 << 20);
+        assert!(MemoryAtHand::now().pages_bytes > 1 << 20);
     }
 }

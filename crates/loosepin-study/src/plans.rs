@@ -7,7 +7,7 @@ use super::contributors::ContributorPlan;
 use super::error::StudyError;
 use super::file::{Budget, MOST_RUNS, Study};
 use super::goals::goals;
-use super::memory_at_hand::memory_at_hand_bytes;
+use super::memory_at_hand::{MemoryAtHand, MemoryKind};
 use super::problem::problem;
 use super::promise::promise_plan;
 use super::rare::{most_rare_runs, requests};
@@ -15,6 +15,7 @@ use super::response::StudyResponse;
 use super::surrogate::{most_surrogate_runs, surrogate_plan};
 use loosepin_bounds::{PromisePlan, Refinement, SampleTable, Scratch, SurrogatePlan};
 use std::path::Path;
+use std::thread::available_parallelism;
 
 /// What a run takes in memory beside its numbers: two copies of its inputs with their places, while a round is made.
 const BYTES_PER_RUN: usize = 400;
@@ -26,6 +27,14 @@ const BYTES_PER_NUMBER: usize = 24;
 const BYTES_PER_SAMPLE: usize = 1600;
 /// What was read of the file lately.
 const BYTES_OF_SCRATCH: usize = 128 << 20;
+/// What each number of a run takes in the file, which is read as memory.
+const BYTES_PER_FILED_NUMBER: usize = 16;
+/// What a study takes whatever its size: its texts, pictures and page. Measured: 5 MiB.
+const BYTES_OF_STUDY: usize = 8 << 20;
+/// What a thread takes: its stack, 2 MiB, and the runs on its lanes. Measured with a slider-crank on 16 and 64 threads: 2.1 to 2.6 MiB.
+const BYTES_PER_THREAD: usize = 3 << 20;
+/// Of that, what is in use: most of a stack is not. Measured: 0.1 to 0.7 MiB.
+const BYTES_USED_PER_THREAD: usize = 1 << 20;
 /// So many numbers of all runs, 128 MiB, are in a file beside the results rather than in memory.
 const LEAST_IN_SCRATCH: usize = 1 << 24;
 const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
@@ -49,11 +58,11 @@ pub(super) struct Plans {
 }
 
 impl Plans {
-    /// The plans of `study`, whose runs may be in a file where it has a folder.
+    /// The plans of `study` on so many threads; its runs may be in a file where it has a folder.
     ///
     /// # Errors
     /// Its sampling, its surrogates or its contributors are not possible.
-    pub fn new(study: &Study, response: &StudyResponse, has_folder: bool) -> Result<Self, StudyError> {
+    pub fn new(study: &Study, response: &StudyResponse, has_folder: bool, threads: usize) -> Result<Self, StudyError> {
         let row_length = response.row_length();
         let refinement = Refinement::try_new(problem(study, response), goals(study, &response.shared.plan))?;
         let direct = refinement.plan(&SampleTable::new(row_length));
@@ -76,8 +85,8 @@ impl Plans {
         let limits = Limits { budget: budget(study, stated_runs, row_length), stated_runs, reserved };
         let numbers = row_length + study.random.len() + study.epistemic.len();
         let points = if has_folder { Some(direct.problem().sampling.outer) } else { None };
-        let size = Size { runs: limits.most_runs().min(stated_runs), numbers, points };
-        size.check(memory_at_hand_bytes())?;
+        let size = Size { runs: limits.most_runs().min(stated_runs), numbers, points, threads };
+        size.check(&MemoryAtHand::now())?;
         Ok(Self { refinement, contributors, surrogate, promise, is_surrogate_alone, limits, row_length })
     }
 
@@ -113,33 +122,41 @@ struct Size {
     numbers: usize,
     /// Values of the epistemic inputs where its runs may be in a file.
     points: Option<usize>,
+    threads: usize,
 }
 
 impl Size {
     /// That there are no more runs than anybody waits for, and that the memory at hand suffices for them.
-    fn check(self, at_hand_bytes: u64) -> Result<(), StudyError> {
-        let Self { runs, numbers, .. } = self;
+    fn check(self, at_hand: &MemoryAtHand) -> Result<(), StudyError> {
+        let Self { runs, numbers, threads, .. } = self;
         if runs as u64 > MOST_RUNS {
             return Err(StudyError::TooManyRuns { runs });
         }
-        let needed_bytes = self.needed_bytes();
-        if needed_bytes <= at_hand_bytes {
-            return Ok(());
+        for kind in [MemoryKind::Pages, MemoryKind::Data, MemoryKind::Addresses] {
+            let (needed_bytes, at_hand_bytes) = (self.needed_bytes(kind), at_hand.bytes_of(kind).unwrap_or(u64::MAX));
+            if needed_bytes > at_hand_bytes {
+                let [needed_gib, at_hand_gib] = [needed_bytes, at_hand_bytes].map(|bytes| bytes as f64 / BYTES_PER_GIB);
+                return Err(StudyError::TooMuchMemory { runs, numbers, threads, kind, needed_gib, at_hand_gib });
+            }
         }
-        let [needed_gib, at_hand_gib] = [needed_bytes, at_hand_bytes].map(|bytes| bytes as f64 / BYTES_PER_GIB);
-        Err(StudyError::TooMuchMemory { runs, numbers, needed_gib, at_hand_gib })
+        Ok(())
     }
 
-    fn needed_bytes(self) -> u64 {
+    fn needed_bytes(self, kind: MemoryKind) -> u64 {
+        let per_thread = if kind == MemoryKind::Pages { BYTES_USED_PER_THREAD } else { BYTES_PER_THREAD };
+        let fixed = BYTES_OF_STUDY as u64 + self.threads as u64 * per_thread as u64;
+        let numbers = self.runs as u64 * self.numbers as u64;
         let of_runs = self.runs as u64 * BYTES_PER_RUN as u64;
-        let in_memory = of_runs + self.runs as u64 * (self.numbers * BYTES_PER_NUMBER) as u64;
-        match self.points.filter(|_| is_large(self.runs, self.numbers)) {
+        let in_memory = of_runs + numbers * BYTES_PER_NUMBER as u64;
+        let needed = match self.points.filter(|_| is_large(self.runs, self.numbers)) {
             Some(points) => {
                 let of_samples = points as u64 * (self.numbers * BYTES_PER_SAMPLE) as u64;
-                in_memory.min(of_runs + of_samples + BYTES_OF_SCRATCH as u64)
+                let mapped = if kind == MemoryKind::Addresses { numbers * BYTES_PER_FILED_NUMBER as u64 } else { 0 };
+                in_memory.min(of_runs + of_samples + BYTES_OF_SCRATCH as u64 + mapped)
             }
             None => in_memory,
-        }
+        };
+        fixed + needed
     }
 }
 
@@ -154,12 +171,25 @@ fn is_large(runs: usize, numbers: usize) -> bool {
 /// The study cannot begin, its sampling is not possible, its budget does not suffice for anything, or the memory at hand does not
 /// hold its runs.
 pub fn plan_runs(study: &Study) -> Result<usize, StudyError> {
-    Ok(planned(study, &StudyResponse::new(study)?)?.limits.most_runs())
+    plan_runs_on(study, default_threads())
 }
 
-/// The plans of `study`, whose budget suffices for a first answer.
-pub(super) fn planned(study: &Study, response: &StudyResponse) -> Result<Plans, StudyError> {
-    let plans = Plans::new(study, response, true)?;
+/// [`plan_runs`] on so many threads, each of which takes memory of its own.
+///
+/// # Errors
+/// As for [`plan_runs`].
+pub fn plan_runs_on(study: &Study, threads: usize) -> Result<usize, StudyError> {
+    Ok(planned(study, &StudyResponse::new(study)?, threads)?.limits.most_runs())
+}
+
+/// As many threads as the machine has.
+pub(super) fn default_threads() -> usize {
+    available_parallelism().map_or(1, usize::from)
+}
+
+/// The plans of `study` on so many threads, whose budget suffices for a first answer.
+pub(super) fn planned(study: &Study, response: &StudyResponse, threads: usize) -> Result<Plans, StudyError> {
+    let plans = Plans::new(study, response, true, threads)?;
     if matches!(plans.limits.budget, Some(Budget::Runs { .. })) {
         let first = match &plans.surrogate {
             Some(surrogate) if plans.is_surrogate_alone => surrogate.most_runs(),
@@ -172,13 +202,13 @@ pub(super) fn planned(study: &Study, response: &StudyResponse) -> Result<Plans, 
     Ok(plans)
 }
 
-/// How many runs `study` comes to at most, as [`plan_runs`], where shards make them.
+/// How many runs `study` comes to at most, as [`plan_runs_on`], where shards make them.
 ///
 /// # Errors
-/// As for [`plan_runs`], and a budget of time: processes that do not run at the same time cannot share one.
-pub fn plan_shards(study: &Study) -> Result<usize, StudyError> {
+/// As for [`plan_runs_on`], and a budget of time: processes that do not run at the same time cannot share one.
+pub fn plan_shards(study: &Study, threads: usize) -> Result<usize, StudyError> {
     refuse_time(study)?;
-    plan_runs(study)
+    plan_runs_on(study, threads)
 }
 
 /// That no time ends a study whose rounds are to be the same wherever they are made.
@@ -191,39 +221,67 @@ pub(super) fn refuse_time(study: &Study) -> Result<(), StudyError> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Size, scratch};
+    use super::{MemoryAtHand, MemoryKind, Size, scratch};
     use std::path::Path;
 
-    /// A million runs of 15 numbers.
-    const MILLION: Size = Size { runs: 1_000_000, numbers: 15, points: None };
+    /// A million runs of 15 numbers on 4 threads.
+    const MILLION: Size = Size { runs: 1_000_000, numbers: 15, points: None, threads: 4 };
+    /// More than any study takes.
+    const PLENTY: u64 = 1 << 50;
+
+    fn at_hand(pages_bytes: u64) -> MemoryAtHand {
+        MemoryAtHand { pages_bytes, data_bytes: None, addresses_bytes: None }
+    }
+
+    fn said(size: Size, at_hand: &MemoryAtHand) -> String {
+        size.check(at_hand).expect_err("a byte too few").to_string()
+    }
 
     #[test]
     fn analytic_what_a_plan_needs_and_what_there_is() {
-        // 400 bytes a run and 24 a number.
-        let needed = 1_000_000 * (400 + 15 * 24);
-        assert!(MILLION.check(needed).is_ok());
-        let said = MILLION.check(needed - 1).expect_err("a byte too few").to_string();
-        assert_eq!(said, "1000000 runs of 15 numbers each need about 0.71 GiB of memory; 0.71 GiB are at hand");
+        // 400 bytes a run and 24 a number, 8 MiB, and 1 MiB a thread, of whose 3 MiB not all are used.
+        let of_runs = 1_000_000 * (400 + 15 * 24);
+        let needed = of_runs + (8 << 20) + 4 * (1 << 20);
+        let limited = of_runs + (8 << 20) + 4 * (3 << 20);
+        assert!(MILLION.check(&at_hand(needed)).is_ok());
+        let begin = "1000000 runs of 15 numbers each on 4 threads need about 0.7";
+        assert_eq!(said(MILLION, &at_hand(needed - 1)), format!("{begin}2 GiB of memory; 0.72 GiB are at hand"));
+        let data = |bytes| MemoryAtHand { data_bytes: Some(bytes), ..at_hand(PLENTY) };
+        assert!(MILLION.check(&data(limited)).is_ok());
+        assert_eq!(
+            said(MILLION, &data(limited - 1)),
+            format!("{begin}3 GiB of memory for data; its limit (ulimit -d) leaves 0.73 GiB")
+        );
+        let addresses = |bytes| MemoryAtHand { addresses_bytes: Some(bytes), ..at_hand(PLENTY) };
+        assert!(MILLION.check(&addresses(limited)).is_ok());
+        assert_eq!(
+            said(MILLION, &addresses(limited - 1)),
+            format!("{begin}3 GiB of address space; its limit (ulimit -v) leaves 0.73 GiB")
+        );
     }
 
     #[test]
     fn analytic_runs_in_a_file_need_memory_for_their_statistics_alone() {
+        let fixed = (8 << 20) + 4 * (1 << 20);
         // A million runs of 541 numbers at 256 values: 400 bytes a run, 1600 a number and value, 128 MiB of what was read.
         let large = Size { numbers: 541, points: Some(256), ..MILLION };
         let needed = 1_000_000 * 400 + 256 * 541 * 1600 + (128 << 20);
-        assert!(needed < 1 << 30 && large.check(needed).is_ok() && large.check(needed - 1).is_err());
+        assert!(needed < 1 << 30 && large.check(&at_hand(fixed + needed)).is_ok());
+        assert!(large.check(&at_hand(fixed + needed - 1)).is_err());
+        // The file is read as memory, which takes address space: 16 bytes a number.
+        let addresses = needed + 1_000_000 * 541 * 16 + (8 << 20) + 4 * (3 << 20);
+        assert_eq!(large.needed_bytes(MemoryKind::Addresses), addresses);
         // Without a folder they are in memory; and what is small is, with one.
-        assert_eq!(Size { points: None, ..large }.needed_bytes(), 1_000_000 * (400 + 541 * 24));
-        let small = Size { runs: 10_000, ..large };
-        assert_eq!(small.needed_bytes(), 10_000 * (400 + 541 * 24));
+        let pages = |size: Size| size.needed_bytes(MemoryKind::Pages);
+        assert_eq!(pages(Size { points: None, ..large }), fixed + 1_000_000 * (400 + 541 * 24));
+        assert_eq!(pages(Size { runs: 10_000, ..large }), fixed + 10_000 * (400 + 541 * 24));
     }
 
     #[test]
     fn more_runs_than_anybody_waits_for_are_refused_whatever_the_memory() {
-        let of = |runs| Size { runs, numbers: 0, points: None };
-        assert!(of(1 << 30).check(u64::MAX).is_ok());
-        let said = of((1 << 30) + 1).check(u64::MAX).expect_err("one too many").to_string();
-        assert_eq!(said, "1073741825 runs; must be at most 1073741824");
+        let of = |runs| Size { runs, numbers: 0, points: None, threads: 1 };
+        assert!(of(1 << 30).check(&at_hand(PLENTY)).is_ok());
+        assert_eq!(said(of((1 << 30) + 1), &at_hand(PLENTY)), "1073741825 runs; must be at most 1073741824");
     }
 
     #[test]

@@ -30,7 +30,7 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
         ));
         return Ok(Done::Well);
     }
-    plan_shards(study).map_err(|error| error.complaint(study))?;
+    plan_shards(study, threads(arguments.threads)).map_err(|error| error.complaint(study))?;
     let claim = Claim { place: Place::Folder(shard.folder(&results)), ..whole };
     let record = ShardRecord {
         shard: shard.index(),

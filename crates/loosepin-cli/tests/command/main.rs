@@ -19,6 +19,7 @@ mod simulate;
 mod study;
 mod study_queries;
 mod sweep;
+mod system_limits;
 mod templates;
 mod wear;
 mod words;

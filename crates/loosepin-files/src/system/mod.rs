@@ -10,6 +10,6 @@ mod portable;
 mod unix;
 
 #[cfg(not(unix))]
-pub use portable::{Directory, file_info, keep_owner_and_mode, open_named};
+pub use portable::{Directory, file_info, is_file_size_limited, keep_owner_and_mode, open_named};
 #[cfg(unix)]
-pub use unix::{Directory, file_info, keep_owner_and_mode, open_named};
+pub use unix::{Directory, file_info, is_file_size_limited, keep_owner_and_mode, open_named};

@@ -107,6 +107,11 @@ pub fn open_named(path: &Path) -> io::Result<File> {
     if fs::metadata(path)?.is_dir() { Err(io::ErrorKind::IsADirectory.into()) } else { File::open(path) }
 }
 
+/// No such limit is known of these systems.
+pub fn is_file_size_limited() -> bool {
+    false
+}
+
 /// What is known of an open file.
 pub fn file_info(file: &File) -> io::Result<FileInfo> {
     Ok(info(&file.metadata()?))

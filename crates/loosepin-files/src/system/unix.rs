@@ -135,6 +135,11 @@ pub fn open_named(path: &Path) -> io::Result<File> {
     Ok(retry_on_intr(|| fs::open(path, flags, Mode::empty()))?.into())
 }
 
+/// Whether the process has a limit of the size of its files.
+pub fn is_file_size_limited() -> bool {
+    rustix::process::getrlimit(rustix::process::Resource::Fsize).current.is_some()
+}
+
 /// What is known of an open file.
 pub fn file_info(file: &File) -> io::Result<FileInfo> {
     Ok(info(&retry_on_intr(|| fs::fstat(file))?))

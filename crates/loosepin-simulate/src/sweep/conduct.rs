@@ -60,7 +60,8 @@ problems! {
     pub enum SweepError {
         /// The threads could not be started.
         Threads { source: rayon::ThreadPoolBuildError } => Code::NoThreads,
-            says("the threads could not be started: {source}");
+            says("the threads could not be started: {source}"),
+            hint("ask for fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)");
         /// No run came to its end.
         AllFailed {
             runs: usize,

@@ -483,6 +483,11 @@ drives, gravity, masses against one another, inertia and centre of mass against 
 restitution that the law does not deliver, parameters called length or radius below zero, and in studies standard deviations of a tenth \
 of a length and samples of the other sign. Nothing is changed: ignore the warning where the number is meant."
 
+    OutOfMemory "E0824" "memory was refused"
+"The system refused memory while a command ran, and nothing could go on without it: the exit status is 4. Before a study starts its need is \
+compared with what is there (E0817); other programs may take that meanwhile. What was finished is kept. Raise the limit of memory (ulimit \
+-v, ulimit -d, or that of the container), or ask for fewer --threads or samples; --resume goes on with the saved runs of a study."
+
     FolderHoldsOther "E0901" "a folder holds something else"
 "The folder holds results of other inputs, or other files. They are not overwritten. Give another folder, or leave out --out: then \
 a new folder is created. --force replaces results of loosepin; other files stay, unless they have the same name."

@@ -1,0 +1,176 @@
+//! Limits that the operating system sets for the process: of its memory, and of the size of its files.
+//!
+//! Where a limit is reached the program says so and ends with a status of its own. Without this file Rust aborts where memory runs out,
+//! and the system kills the process where a file grows too large.
+#![allow(
+    unsafe_code,
+    reason = "an allocator, a signal and an option of the C library are set by functions that nothing checks"
+)]
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// Exit status where an allocation has failed.
+pub const OUT_OF_MEMORY_STATUS: u8 = 4;
+
+/// What is said where an allocation has failed, before and after the number of bytes.
+const MESSAGE: [&[u8]; 2] = [
+    b"error: out of memory: the system refused ",
+    b" bytes\n\
+      hint: raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; \
+      saved runs of a study are kept: --resume goes on with them\n",
+];
+/// Digits of the largest number of bytes.
+const MAX_DIGITS: usize = 20;
+
+/// Address space that glibc reserves for the allocations of a thread, bytes.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+const ARENA_BYTES: u64 = 64 << 20;
+/// One part in so many of a limited address space may be reserved for the allocations of threads.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+const ARENAS_PART: u64 = 8;
+
+#[global_allocator]
+static ALLOCATOR: EndingAllocator = EndingAllocator;
+
+/// The allocator of the system. Where that has no memory left, the process ends.
+struct EndingAllocator;
+
+// SAFETY: each function is that of `System`, with the same arguments, and gives what that gives; `end_without_memory` does not return,
+// does not unwind and does not allocate.
+unsafe impl GlobalAlloc for EndingAllocator {
+    #[inline]
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        // SAFETY: the caller keeps the rules of `GlobalAlloc`, which are those of `System`.
+        found(unsafe { System.alloc(layout) }, layout.size())
+    }
+
+    #[inline]
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        // SAFETY: as in `alloc`.
+        found(unsafe { System.alloc_zeroed(layout) }, layout.size())
+    }
+
+    #[inline]
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, new_size: usize) -> *mut u8 {
+        // SAFETY: as in `alloc`; `pointer` came from here, and so from `System`.
+        found(unsafe { System.realloc(pointer, layout, new_size) }, new_size)
+    }
+
+    #[inline]
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as in `realloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[inline(always)]
+fn found(pointer: *mut u8, bytes: usize) -> *mut u8 {
+    if pointer.is_null() {
+        end_without_memory(bytes);
+    }
+    pointer
+}
+
+/// Says that so many bytes were refused, and ends the process. Nothing is allocated, unwound or flushed: finished runs are in the store,
+/// and a result that is not finished is marked so.
+#[cold]
+#[inline(never)]
+fn end_without_memory(bytes: usize) -> ! {
+    static IS_ENDING: AtomicBool = AtomicBool::new(false);
+    if IS_ENDING.swap(true, Ordering::Relaxed) {
+        // Another thread is writing the message, and ends the process.
+        loop {
+            std::thread::sleep(Duration::from_secs(1));
+        }
+    }
+    let mut digits = [0; MAX_DIGITS];
+    let number = decimal(bytes, &mut digits);
+    system::end([MESSAGE[0], number, MESSAGE[1]], OUT_OF_MEMORY_STATUS)
+}
+
+/// `number` in decimal digits, at the end of `digits`.
+fn decimal(mut number: usize, digits: &mut [u8; MAX_DIGITS]) -> &[u8] {
+    let mut begin = MAX_DIGITS;
+    loop {
+        begin -= 1;
+        digits[begin] = b'0' + (number % 10) as u8;
+        number /= 10;
+        if number == 0 {
+            return &digits[begin..];
+        }
+    }
+}
+
+/// Prepares the process, before anything is written and before a second thread is started.
+pub fn prepare() {
+    system::prepare();
+}
+
+#[cfg(unix)]
+mod system {
+    /// Writes `parts` to standard error and ends the process with `status`.
+    pub fn end(parts: [&[u8]; 3], status: u8) -> ! {
+        // SAFETY: it takes a number and gives one.
+        let is_terminal = unsafe { libc::isatty(libc::STDERR_FILENO) } == 1;
+        // There a bar of progress may stand on the line.
+        let begin: &[u8] = if is_terminal { b"\n" } else { b"" };
+        for part in std::iter::once(begin).chain(parts) {
+            // SAFETY: the pointer and the length are those of a slice. What is not written cannot be told to anybody.
+            let _ = unsafe { libc::write(libc::STDERR_FILENO, part.as_ptr().cast(), part.len()) };
+        }
+        // SAFETY: it ends the process at once and runs nothing of ours.
+        unsafe { libc::_exit(i32::from(status)) }
+    }
+
+    /// Has a write beyond the limit of the size of a file (`ulimit -f`) fail like one to a full disk, and bounds the address space that
+    /// the C library reserves.
+    pub fn prepare() {
+        // SAFETY: no function of ours is set as a handler, and no other thread sets this one.
+        unsafe { libc::signal(libc::SIGXFSZ, libc::SIG_IGN) };
+        #[cfg(all(target_os = "linux", target_env = "gnu"))]
+        bound_arenas();
+    }
+
+    /// Where the address space is limited, glibc reserves a part of it for threads, and no more.
+    #[cfg(all(target_os = "linux", target_env = "gnu"))]
+    fn bound_arenas() {
+        use super::{ARENA_BYTES, ARENAS_PART};
+        let mut limit = libc::rlimit { rlim_cur: libc::RLIM_INFINITY, rlim_max: libc::RLIM_INFINITY };
+        // SAFETY: the pointer is that of a value of the type that is asked for.
+        let is_known = unsafe { libc::getrlimit(libc::RLIMIT_AS, &raw mut limit) } == 0;
+        if is_known && limit.rlim_cur != libc::RLIM_INFINITY {
+            let arenas = (limit.rlim_cur / ARENAS_PART / ARENA_BYTES).clamp(1, 64);
+            // SAFETY: an option of the allocator, set before a second thread is started.
+            unsafe { libc::mallopt(libc::M_ARENA_MAX, arenas as i32) };
+        }
+    }
+}
+
+#[cfg(not(unix))]
+mod system {
+    /// Writes `parts` to standard error and ends the process with `status`.
+    pub fn end(parts: [&[u8]; 3], status: u8) -> ! {
+        use std::io::Write;
+        for part in parts {
+            let _ = std::io::stderr().write_all(part);
+        }
+        std::process::exit(i32::from(status))
+    }
+
+    /// Nothing: other systems have no such limits.
+    pub fn prepare() {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_DIGITS, decimal};
+
+    #[test]
+    fn a_number_of_bytes_is_written_without_memory() {
+        for (number, text) in [(0, "0"), (7, "7"), (983_268, "983268"), (usize::MAX, "18446744073709551615")] {
+            assert_eq!(decimal(number, &mut [0; MAX_DIGITS]), text.as_bytes());
+        }
+    }
+}
