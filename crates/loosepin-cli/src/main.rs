@@ -80,7 +80,10 @@ fn exit_code(ending: Ending) -> ExitCode {
             ExitCode::from(if is_out_of_memory(&complaints) { system_limits::OUT_OF_MEMORY_STATUS } else { 2 })
         }
         Err(Failure::Output(error)) => {
-            console::message(&format!("error: cannot write to standard output: {}", standard_output::reason(&error)));
+            console::message(&format!(
+                "error: cannot write to standard output: {}",
+                loosepin::files::io_error_words(&error)
+            ));
             ExitCode::from(2)
         }
     }

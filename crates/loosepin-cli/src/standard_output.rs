@@ -35,14 +35,3 @@ extern "C" fn look() {
 pub fn check() -> Result<(), io::Error> {
     if WAS_CLOSED.load(Ordering::Relaxed) { Err(io::Error::other("it is closed")) } else { Ok(()) }
 }
-
-/// Why standard output cannot be written.
-pub fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::StorageFull => "the disk is full".to_owned(),
-        io::ErrorKind::FileTooLarge => {
-            "the disk is full, or the file would exceed the size limit (ulimit -f)".to_owned()
-        }
-        _ => error.to_string(),
-    }
-}

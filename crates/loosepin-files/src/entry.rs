@@ -16,8 +16,7 @@ pub enum FileKind {
     Other,
 }
 
-/// By which the operating system knows a file while it is open or linked: device and number. Where it tells none (Windows), all are
-/// equal.
+/// Device and inode number of a file. Where the system tells none (Windows), all are equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Identity {
     /// The device.

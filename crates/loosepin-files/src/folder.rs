@@ -63,7 +63,10 @@ impl Folder {
             folder = match folder.child(name) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {
                     match folder.directory.make_directory(name) {
-                        Ok(()) => made.0.push((folder.clone(), name.to_owned())),
+                        Ok(()) => {
+                            made.0.push((folder.clone(), name.to_owned()));
+                            folder.directory.sync()?;
+                        }
                         // Somebody else has made it meanwhile.
                         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                         Err(error) => return Err(error),

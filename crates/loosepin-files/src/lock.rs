@@ -6,11 +6,12 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::entry::{FileKind, Identity};
+use crate::TEXT_LOCK_FILE;
+use crate::entry::{Entry, FileKind, Identity};
 use crate::folder::{Folder, MadeFolders};
 use crate::refused::Refused;
 use crate::system::file_info;
-use crate::temporary::is_temporary;
+use crate::temporary::TemporaryKind;
 
 /// The right to write into a folder. Every change of a file below the folder is a method of it.
 ///
@@ -20,8 +21,8 @@ use crate::temporary::is_temporary;
 pub struct FolderLock {
     pub(crate) folder: Folder,
     name: &'static str,
-    file: File,
-    identity: Identity,
+    /// `None` where the file system has no locks and nobody relies on one.
+    held: Option<(File, Identity)>,
     /// Folders that were made for the lock.
     made: MadeFolders,
 }
@@ -141,7 +142,7 @@ impl FolderLock {
 
     /// The lock, where `file` can be locked and is still the one of the folder; nothing where its last holder has removed it.
     fn of_file(
-        LockFile { file, is_new }: LockFile,
+        LockFile { file, is_new, is_read_only }: LockFile,
         folder: Folder,
         name: &'static str,
         made: MadeFolders,
@@ -167,15 +168,27 @@ impl FolderLock {
             }
         }
         let identity = file_info(&file).map_err(|source| LockError::File { path: path.clone(), source })?.identity;
-        let mut lock = Self { folder, name, file, identity, made };
+        let mut lock = Self { folder, name, held: Some((file, identity)), made };
         match lock.check() {
             Ok(()) => {}
             Err(error) if Refused::of(&error) == Some(Refused::LockLost) => return Ok(None),
             Err(source) => return Err(LockError::File { path, source }),
         }
-        let begun = lock.name_holder(holder).and_then(|()| lock.remove_left());
+        let named = if is_read_only { Ok(()) } else { lock.name_holder(holder) };
+        let begun = named.and_then(|()| lock.remove_left());
         begun.map_err(|source| LockError::File { path, source })?;
         Ok(Some(lock))
+    }
+
+    /// The folder without a lock, where the file system has none. What is written is whole all the same; two writers of one file are not kept
+    /// apart.
+    pub(crate) fn without(folder: &Folder, name: &'static str) -> Self {
+        Self { folder: folder.clone(), name, held: None, made: MadeFolders::default() }
+    }
+
+    /// The kind of the temporary files that are made under this lock.
+    pub(crate) fn temporary_kind(&self) -> TemporaryKind {
+        if self.name == TEXT_LOCK_FILE { TemporaryKind::Text } else { TemporaryKind::Result }
     }
 
     /// The folder.
@@ -188,8 +201,9 @@ impl FolderLock {
     /// # Errors
     /// [`Refused::LockLost`]: its file was removed, or another process has made a new one. An error of the file system.
     pub fn check(&self) -> io::Result<()> {
+        let Some((_, identity)) = &self.held else { return Ok(()) };
         match self.folder.directory.info(OsStr::new(self.name)) {
-            Ok(found) if found.identity == self.identity => Ok(()),
+            Ok(found) if found.identity == *identity => Ok(()),
             Ok(_) => Err(Refused::LockLost.into()),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Err(Refused::LockLost.into()),
             Err(error) => Err(error),
@@ -198,22 +212,37 @@ impl FolderLock {
 
     /// Says in the file who holds it.
     fn name_holder(&mut self, holder: &str) -> io::Result<()> {
-        self.file.set_len(0)?;
+        let Some((file, _)) = &mut self.held else { return Ok(()) };
+        file.set_len(0)?;
         // In one piece: others read it at any moment.
-        self.file.write_all(format!("{holder}\n").as_bytes())
+        file.write_all(format!("{holder}\n").as_bytes())
     }
 
     /// Removes what earlier holders have not brought to its name: they were stopped, or have lost the lock.
     fn remove_left(&self) -> io::Result<()> {
-        let left = self.folder.entries(MAX_ENTRIES)?.into_iter().filter(|entry| is_temporary(&entry.name));
-        for entry in left {
+        let own = self.temporary_kind();
+        let is_left = |entry: &Entry| match TemporaryKind::of(&entry.name) {
+            // It had a name for a moment only, and the process was stopped just then.
+            Some(TemporaryKind::Unnamed) => own == TemporaryKind::Result,
+            kind => kind == Some(own),
+        };
+        for entry in self.folder.entries(MAX_ENTRIES)?.into_iter().filter(is_left) {
             let removed = match entry.kind {
                 FileKind::Folder => self.remove_temporary_folder(&entry.name),
                 _ => self.folder.directory.remove_file(&entry.name),
             };
-            match removed {
-                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-                _ => {}
+            match removed.map_err(|error| (error.kind(), error)) {
+                // Gone meanwhile; or of another user in a folder of all, or with something in it that was not left by us: it does no harm.
+                Ok(())
+                | Err((
+                    io::ErrorKind::NotFound
+                    | io::ErrorKind::PermissionDenied
+                    | io::ErrorKind::IsADirectory
+                    | io::ErrorKind::NotADirectory
+                    | io::ErrorKind::DirectoryNotEmpty,
+                    _,
+                )) => {}
+                Err((_, error)) => return Err(error),
             }
         }
         Ok(())
@@ -234,11 +263,12 @@ impl Drop for FolderLock {
     fn drop(&mut self) {
         // Removed while it is still locked, so that whoever opens it from now on makes a new one. The file of whoever has taken the folder
         // meanwhile stays. Windows does not let go of a file that is open: there it stays.
+        let Some((file, _)) = &self.held else { return };
         if cfg!(unix) && self.check().is_ok() {
             let _ = self.folder.directory.remove_file(OsStr::new(self.name));
         }
         // Explicitly, since a child process may hold a copy of the file.
-        let _ = self.file.unlock();
+        let _ = file.unlock();
         self.made.remove_empty();
     }
 }
@@ -248,6 +278,8 @@ struct LockFile {
     file: File,
     /// Whether it was not there before.
     is_new: bool,
+    /// Whether it is of somebody else, who lets it be read alone. It can be locked all the same.
+    is_read_only: bool,
 }
 
 impl LockFile {
@@ -261,20 +293,23 @@ impl LockFile {
             Ok(FileKind::Other) => Refused::NotAFile.into(),
             _ => error,
         };
-        let old = |file: File| match file_info(&file)?.kind {
-            FileKind::File => Ok(Self { file, is_new: false }),
+        let old = |file: File, is_read_only| match file_info(&file)?.kind {
+            FileKind::File => Ok(Self { file, is_new: false, is_read_only }),
             _ => Err(Refused::NotAFile.into()),
         };
         match folder.directory.open_to_write(name) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            opened => return old(opened.map_err(of_kind)?),
+            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => {
+                return old(folder.directory.open_to_read(name).map_err(|_| error)?, true);
+            }
+            opened => return old(opened.map_err(of_kind)?, false),
         }
         match folder.directory.create_new(name, Self::MODE) {
             // Made by somebody else meanwhile.
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                old(folder.directory.open_to_write(name).map_err(of_kind)?)
+                old(folder.directory.open_to_write(name).map_err(of_kind)?, false)
             }
-            created => Ok(Self { file: created?, is_new: true }),
+            created => Ok(Self { file: created?, is_new: true, is_read_only: false }),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::folder::{Folder, read_limited};
 use crate::lock::{FolderLock, LockError};
 use crate::refused::Refused;
 use crate::system::{Directory, file_info, open_named};
-use crate::temporary::{random, temporary_name};
+use crate::temporary::{TemporaryKind, random};
 
 /// How long another process that writes beside the file is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -37,40 +37,54 @@ pub fn read_named(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
 /// # Errors
 /// Its folder is not there; as for [`FolderLock::write`].
 pub fn replace_named(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let (lock, name) = lock_beside(path)?;
-    lock.write(&name, contents)
+    let name = path.file_name().ok_or(Refused::BadName)?;
+    let folder = Folder::open(path.parent().unwrap_or(Path::new("")))?;
+    lock_where_possible(&folder)?.write(name, contents)
 }
 
-/// Writes the file at `path`, whole or not at all, where there is none.
+/// The content of whatever is at `path`, of at most so many bytes: a pipe or `/dev/stdin` as well, which is waited for.
 ///
 /// # Errors
-/// Its folder is not there; something of that name is ([`io::ErrorKind::AlreadyExists`]).
-pub fn write_new_named(path: &Path, contents: &[u8]) -> io::Result<()> {
-    let (lock, name) = lock_beside(path)?;
-    lock.write_new(&[(&name, contents)])
+/// It cannot be opened or read, or is larger.
+#[allow(clippy::disallowed_methods, reason = "whoever runs the program names a pipe, and wants to wait for it")]
+pub fn read_stream(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let info = file_info(&file)?;
+    read_limited(file, &info, limit_bytes)
 }
 
 /// Writes files into the folder at `path`, all of them or none. Where the folder is not there, it comes with the files in it.
 ///
 /// # Errors
 /// Something is there that has the name of a file or of the folder ([`io::ErrorKind::AlreadyExists`]); an error of the file system.
-pub fn write_new_files(path: &Path, files: &[(&str, &[u8])]) -> io::Result<()> {
+pub fn write_new_files<N: AsRef<OsStr>>(path: &Path, files: &[(N, &[u8])]) -> io::Result<()> {
     match Folder::open(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            let name = path.file_name().and_then(OsStr::to_str).ok_or(Refused::BadName)?;
+            let name = path.file_name().ok_or(Refused::BadName)?;
             let parent = path.parent().unwrap_or(Path::new(""));
-            let lock = FolderLock::wait_at(parent, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error)?;
+            let lock = match FolderLock::wait_at(parent, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error) {
+                Err(error) if has_no_locks(&error) => FolderLock::without(&Folder::open(parent)?, TEXT_LOCK_FILE),
+                lock => lock?,
+            };
             lock.write_new_folder(name, files)
         }
-        folder => lock_texts(&folder?)?.write_new(files),
+        folder => lock_where_possible(&folder?)?.write_new(files),
     }
 }
 
-/// The lock of the folder of `path`, and the name in it.
-fn lock_beside(path: &Path) -> io::Result<(FolderLock, String)> {
-    let name = path.file_name().and_then(OsStr::to_str).ok_or(Refused::BadName)?;
-    let folder = Folder::open(path.parent().unwrap_or(Path::new("")))?;
-    Ok((lock_texts(&folder)?, name.to_owned()))
+/// As [`lock_texts`], and without a lock where the file system has none: a file that is named once needs none to be whole.
+fn lock_where_possible(folder: &Folder) -> io::Result<FolderLock> {
+    match lock_texts(folder) {
+        Err(error) if has_no_locks(&error) => Ok(FolderLock::without(folder, TEXT_LOCK_FILE)),
+        lock => lock,
+    }
+}
+
+/// Whether an error is that of a file system without locks.
+fn has_no_locks(error: &io::Error) -> bool {
+    const NO_LOCKS_AVAILABLE: i32 = 37; // ENOLCK of Linux; others say that it is not supported.
+    error.kind() == io::ErrorKind::Unsupported
+        || (cfg!(target_os = "linux") && error.raw_os_error() == Some(NO_LOCKS_AVAILABLE))
 }
 
 /// Locks a folder for the moment in which texts in it are written. Another process that does the same is waited for.
@@ -105,7 +119,7 @@ pub fn may_write(path: &Path) -> bool {
 pub fn unnamed_file(folder: &Path) -> io::Result<File> {
     const PRIVATE_MODE: u32 = 0o600;
     let directory = Directory::at(folder)?;
-    let name = temporary_name()?;
+    let name = TemporaryKind::Unnamed.new_name()?;
     let file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;
     directory.remove_file(OsStr::new(&name))?;
     Ok(file)

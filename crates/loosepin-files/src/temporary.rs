@@ -5,24 +5,51 @@ use std::io;
 
 const BEGINNING: &str = ".loosepin-";
 const END: &str = ".partial";
+/// What SQLite adds to the name of a database that it writes.
+const JOURNAL: &str = "-journal";
 /// Hexadecimal digits between them: 64 random bits.
 const DIGITS: usize = 16;
+
+/// Under which lock a temporary file was made. Whoever takes a lock removes those of its own kind: writers under the other lock of a
+/// folder may be at work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TemporaryKind {
+    /// The lock of a folder of results.
+    Result,
+    /// The lock for the moment in which texts are written.
+    Text,
+    /// None: a file that loses its name at once.
+    Unnamed,
+}
+
+impl TemporaryKind {
+    const ALL: [Self; 3] = [Self::Result, Self::Text, Self::Unnamed];
+
+    fn infix(self) -> &'static str {
+        match self {
+            Self::Result => "",
+            Self::Text => "text-",
+            Self::Unnamed => "unnamed-",
+        }
+    }
+
+    /// A new name. Nobody else has it, and nobody can foresee it.
+    pub(crate) fn new_name(self) -> io::Result<String> {
+        Ok(format!("{BEGINNING}{}{:0DIGITS$x}{END}", self.infix(), random()?))
+    }
+
+    /// The kind of a temporary name; `None` for any other name.
+    pub fn of(name: &OsStr) -> Option<Self> {
+        let name = name.to_str()?;
+        let middle = name.strip_suffix(JOURNAL).unwrap_or(name).strip_prefix(BEGINNING)?.strip_suffix(END)?;
+        let is_random = |digits: &str| digits.len() == DIGITS && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+        Self::ALL.into_iter().find(|kind| middle.strip_prefix(kind.infix()).is_some_and(is_random))
+    }
+}
 
 /// A random number from the operating system.
 pub(crate) fn random() -> io::Result<u64> {
     getrandom::u64().map_err(|error| io::Error::other(error.to_string()))
-}
-
-/// A new name. Nobody else has it, and nobody can foresee it.
-pub(crate) fn temporary_name() -> io::Result<String> {
-    Ok(format!("{BEGINNING}{:0DIGITS$x}{END}", random()?))
-}
-
-/// Whether a name is one of those that files and folders have until they are whole. These names are reserved: what has one goes when
-/// the folder is written into the next time.
-pub fn is_temporary(name: &OsStr) -> bool {
-    let digits = name.to_str().and_then(|name| name.strip_prefix(BEGINNING)?.strip_suffix(END));
-    digits.is_some_and(|digits| digits.len() == DIGITS && digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
 }
 
 #[cfg(test)]
@@ -31,11 +58,15 @@ mod tests {
 
     #[test]
     fn temporary_names_are_known_again_and_differ() {
-        let [one, other] = [temporary_name().unwrap(), temporary_name().unwrap()];
-        assert_ne!(one, other);
-        assert!(is_temporary(OsStr::new(&one)) && is_temporary(OsStr::new(&other)));
+        for kind in TemporaryKind::ALL {
+            let [one, other] = [kind.new_name().unwrap(), kind.new_name().unwrap()];
+            assert_ne!(one, other);
+            for name in [&one, &format!("{one}-journal")] {
+                assert_eq!(TemporaryKind::of(OsStr::new(name)), Some(kind), "{name}");
+            }
+        }
         for name in ["model.toml.partial", ".loosepin-12.partial", ".loosepin-000000000000000g.partial", "my.partial"] {
-            assert!(!is_temporary(OsStr::new(name)), "{name}");
+            assert_eq!(TemporaryKind::of(OsStr::new(name)), None, "{name}");
         }
     }
 }

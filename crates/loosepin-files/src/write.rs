@@ -9,7 +9,6 @@ use crate::folder::Folder;
 use crate::lock::FolderLock;
 use crate::refused::Refused;
 use crate::system::{file_info, keep_owner_and_mode};
-use crate::temporary::temporary_name;
 
 /// Of a new file, before the mask of the process.
 const NEW_MODE: u32 = 0o666;
@@ -22,8 +21,8 @@ impl FolderLock {
     ///
     /// # Errors
     /// What is there is a link, no plain file or read-only; the lock was lost; an error of the file system.
-    pub fn write(&self, name: &str, contents: &[u8]) -> io::Result<()> {
-        let name = single_name(name)?;
+    pub fn write(&self, name: impl AsRef<OsStr>, contents: &[u8]) -> io::Result<()> {
+        let name = single_name(name.as_ref())?;
         let replaced = replaceable(&self.folder, name)?;
         let mode = if replaced.is_some() { PRIVATE_MODE } else { NEW_MODE };
         let temporary = self.write_temporary(&self.folder, contents, mode, replaced.as_ref())?;
@@ -41,10 +40,10 @@ impl FolderLock {
     ///
     /// # Errors
     /// One is there already; the lock was lost; an error of the file system.
-    pub fn write_new(&self, files: &[(&str, &[u8])]) -> io::Result<()> {
+    pub fn write_new<N: AsRef<OsStr>>(&self, files: &[(N, &[u8])]) -> io::Result<()> {
         let mut waiting: Vec<(Temporary, &OsStr)> = Vec::new();
         let written = files.iter().try_for_each(|(name, contents)| {
-            let name = single_name(name)?;
+            let name = single_name(name.as_ref())?;
             waiting.push((self.write_temporary(&self.folder, contents, NEW_MODE, None)?, name));
             Ok(())
         });
@@ -71,18 +70,18 @@ impl FolderLock {
     ///
     /// # Errors
     /// Something of that name is there already; the lock was lost; an error of the file system.
-    pub fn write_new_folder(&self, name: &str, files: &[(&str, &[u8])]) -> io::Result<()> {
-        let name = single_name(name)?;
+    pub fn write_new_folder<N: AsRef<OsStr>>(&self, name: impl AsRef<OsStr>, files: &[(N, &[u8])]) -> io::Result<()> {
+        let name = single_name(name.as_ref())?;
         if self.folder.directory.info(name).is_ok() {
             return Err(io::ErrorKind::AlreadyExists.into());
         }
-        let temporary = temporary_name()?;
+        let temporary = self.temporary_kind().new_name()?;
         let temporary = OsStr::new(&temporary);
         self.folder.directory.make_directory(temporary)?;
         let written = || {
             let folder = self.folder.open_below(Path::new(temporary))?;
             for (name, contents) in files {
-                let mut file = folder.directory.create_new(single_name(name)?, NEW_MODE)?;
+                let mut file = folder.directory.create_new(single_name(name.as_ref())?, NEW_MODE)?;
                 file.write_all(contents)?;
                 file.sync_all()?;
             }
@@ -96,7 +95,7 @@ impl FolderLock {
         self.folder.directory.sync().inspect_err(|_| {
             let Ok(folder) = self.folder.open_below(Path::new(name)) else { return };
             for (name, _) in files {
-                let _ = folder.directory.remove_file(OsStr::new(name));
+                let _ = folder.directory.remove_file(name.as_ref());
             }
             // What somebody else has put into it meanwhile stays, with it.
             let _ = self.folder.directory.remove_directory(name);
@@ -108,7 +107,7 @@ impl FolderLock {
     /// # Errors
     /// It is a link or no plain file; the lock was lost; an error of the file system.
     pub fn remove(&self, name: &str) -> io::Result<()> {
-        let name = single_name(name)?;
+        let name = single_name(OsStr::new(name))?;
         match self.folder.directory.info(name) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
             found => plain(&found?)?,
@@ -122,7 +121,7 @@ impl FolderLock {
     /// # Errors
     /// There is none, it is a link or no plain file; the lock was lost; an error of the file system.
     pub fn rename(&self, from: &str, to: &str) -> io::Result<()> {
-        let [from, to] = [single_name(from)?, single_name(to)?];
+        let [from, to] = [single_name(OsStr::new(from))?, single_name(OsStr::new(to))?];
         plain(&self.folder.directory.info(from)?)?;
         match self.folder.directory.info(to) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
@@ -138,7 +137,7 @@ impl FolderLock {
     /// # Errors
     /// The system has no random bytes.
     pub fn temporary_name(&self) -> io::Result<String> {
-        temporary_name()
+        self.temporary_kind().new_name()
     }
 
     /// Flushes a file that another library has written under `temporary`, and renames it. Where that fails it is removed.
@@ -146,7 +145,7 @@ impl FolderLock {
     /// # Errors
     /// The lock was lost; an error of the file system.
     pub fn adopt(&self, temporary: &str, name: &str) -> io::Result<()> {
-        let name = single_name(name)?;
+        let name = single_name(OsStr::new(name))?;
         let adopted = || {
             replaceable(&self.folder, name)?;
             self.folder.directory.open_to_write(OsStr::new(temporary))?.sync_all()?;
@@ -165,7 +164,7 @@ impl FolderLock {
         mode: u32,
         replaced: Option<&FileInfo>,
     ) -> io::Result<Temporary> {
-        let name = temporary_name()?;
+        let name = self.temporary_kind().new_name()?;
         let mut file = folder.directory.create_new(OsStr::new(&name), mode).map_err(|error| match error.kind() {
             // The folder itself was removed.
             io::ErrorKind::NotFound => self.check().err().unwrap_or(error),
@@ -229,9 +228,11 @@ fn plain(found: &FileInfo) -> io::Result<()> {
 }
 
 /// A name without folders in it.
-fn single_name(name: &str) -> io::Result<&OsStr> {
-    let is_single = Path::new(name).file_name() == Some(OsStr::new(name)) && !name.contains(['/', '\\', '\0']);
-    if is_single { Ok(OsStr::new(name)) } else { Err(Refused::BadName.into()) }
+fn single_name(name: &OsStr) -> io::Result<&OsStr> {
+    // A backslash is part of a name on Unix.
+    let is_foreign = |byte: &u8| *byte == b'/' || *byte == 0 || (cfg!(windows) && matches!(byte, b'\\' | b':'));
+    let is_single = Path::new(name).file_name() == Some(name) && !name.as_encoded_bytes().iter().any(is_foreign);
+    if is_single { Ok(name) } else { Err(Refused::BadName.into()) }
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ mod sketch;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use loosepin_files::{read_named, write_new_files};
+use loosepin_files::{read_stream, write_new_files};
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::document::not_readable;
 
@@ -60,7 +60,7 @@ const MAX_DRAWING_BYTES: u64 = 256 << 20;
 /// # Errors
 /// The file cannot be read, with the name that was probably meant.
 pub fn read_drawing(path: &Path) -> Result<Vec<u8>, Complaints> {
-    read_named(path, MAX_DRAWING_BYTES).map_err(|error| not_readable(path, &error))
+    read_stream(path, MAX_DRAWING_BYTES).map_err(|error| not_readable(path, &error))
 }
 
 /// Writes `model.toml` into a folder, which is made where there is none; gives its path.

@@ -1,5 +1,7 @@
 //! The runs of several shards in one store.
 
+use std::path::Path;
+
 use loosepin_files::Folder;
 
 use super::error::StoreError;
@@ -25,6 +27,12 @@ pub(super) fn join(
 ) -> Result<u64, StoreError> {
     let mut added = 0;
     for (shard, of_shard) in shards {
+        let store = of_shard.path().join(STORE_FILE);
+        let found = of_shard.find(Path::new(STORE_FILE)).map_err(|error| StoreError::not_usable(&store, &error))?;
+        if found.is_none() {
+            // Its shard has kept no run yet.
+            continue;
+        }
         let part = StoreFile::open(of_shard, identity)?;
         let damaged = |reason: String| StoreError::Damaged { path: of_shard.path().join(STORE_FILE), reason };
         let mut waiting: Vec<(u32, u64, KeptRun)> = Vec::new();
@@ -64,7 +72,6 @@ mod tests {
     use crate::results::LOCK_FILE;
     use crate::{Beginning, InputsKey, RunStore};
     use loosepin_files::FolderLock;
-    use std::path::Path;
     use std::sync::Arc;
 
     /// Rows of a list: not a multiple of the shards.

@@ -2,7 +2,7 @@
 
 use std::io;
 use std::path::{Component, Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 
 use axum::http::StatusCode;
 use loosepin::files::{self, FileInfo, Refused, io_error_words, lock_texts};
@@ -53,9 +53,13 @@ impl Folder {
         &self.opened
     }
 
-    /// What earlier listings have read.
-    pub(crate) fn known(&self) -> MutexGuard<'_, Known> {
-        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    /// What earlier listings have read; `None` while another one has it.
+    pub(crate) fn known(&self) -> Option<MutexGuard<'_, Known>> {
+        match self.known.try_lock() {
+            Ok(known) => Some(known),
+            Err(TryLockError::Poisoned(known)) => Some(known.into_inner()),
+            Err(TryLockError::WouldBlock) => None,
+        }
     }
 
     /// What is known of the entry at `path`, as the page writes it.

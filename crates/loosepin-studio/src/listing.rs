@@ -20,7 +20,7 @@ use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::folder::{Folder, LARGEST_TEXT};
-use crate::listed::{ListedFile, ListedResult, Version};
+use crate::listed::{Known, ListedFile, ListedResult, Version};
 use crate::texts::{model_beside, plain};
 
 /// How far below the folder it is looked.
@@ -71,7 +71,10 @@ pub fn listing(folder: &Folder) -> Listing {
     let mut walk = Walk { entries_left: MAX_ENTRIES, files: Vec::new(), results: Vec::new() };
     walk.look(folder.opened(), "", MAX_LEVELS);
     let mut reading = Reading { folder, left_bytes: MAX_READ_BYTES, is_cut: walk.entries_left == 0 };
-    let mut known = folder.known();
+    // Another listing may be reading: this one then reads for itself, and does not wait.
+    let mut kept = folder.known();
+    let mut own = Known::default();
+    let known = kept.as_deref_mut().unwrap_or(&mut own);
     let files = newest(walk.files, &mut known.files, &mut reading, |reading, found| reading.file(found));
     let results = newest(walk.results, &mut known.results, &mut reading, |reading, found| reading.result(found));
     Listing { files, results, truncated: reading.is_cut }

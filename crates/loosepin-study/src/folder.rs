@@ -72,7 +72,15 @@ pub fn begin_in_folder(
         }
         complain(error)
     })?;
-    Ok(Begun::Open(folder.begin().map_err(complain)?, store))
+    match folder.begin() {
+        Ok(folder) => Ok(Begun::Open(folder, store)),
+        Err(error) => {
+            if !was_there {
+                let _ = store.remove();
+            }
+            Err(complain(error))
+        }
+    }
 }
 
 /// Writes what came of a study that began at `started` into its folder, or keeps there what there is of it; `page` makes its report.

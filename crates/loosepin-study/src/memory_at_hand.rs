@@ -10,6 +10,8 @@ pub const STATED_BYTES: u64 = 16 << 30;
 /// From this limit of the address space on, the command lets the C library reserve one part in so many for threads.
 const ARENAS_FROM_BYTES: u64 = 1 << 30;
 const ARENAS_PART: u64 = 8;
+/// Most that the command lets it reserve: 64 parts of 64 MiB.
+const MAX_ARENAS_BYTES: u64 = 4 << 30;
 
 /// A kind of memory that a study takes, each with a limit of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +51,7 @@ impl MemoryAtHand {
         // The allocations of threads are in parts of the address space of their own, which are reserved in advance. The command
         // bounds them by this share where the limit is so large that it allows several.
         let left = |(limit, left): (u64, u64)| {
-            let reserved = if limit < ARENAS_FROM_BYTES { 0 } else { limit / ARENAS_PART };
+            let reserved = if limit < ARENAS_FROM_BYTES { 0 } else { (limit / ARENAS_PART).min(MAX_ARENAS_BYTES) };
             left.saturating_sub(reserved)
         };
         let (data_bytes, addresses_bytes) = (data_bytes.map(|(_, left)| left), addresses_bytes.map(left));

@@ -178,3 +178,45 @@ fn identity_each_of_many_waiting_writers_adds_one() {
     });
     assert_eq!(fs::read_to_string(desk.path().join("count")).unwrap(), (WRITERS * ROUNDS).to_string());
 }
+
+#[test]
+fn writers_under_the_other_lock_of_a_folder_keep_their_temporary_files() {
+    let desk = tempfile::tempdir().unwrap();
+    let result = take(desk.path()).unwrap();
+    let copy = desk.path().join(result.temporary_name().unwrap());
+    let journal = copy.with_extension("partial-journal");
+    fs::write(&copy, "a copy that takes long").unwrap();
+    fs::write(&journal, "its journal").unwrap();
+    let folder = Folder::open(desk.path()).unwrap();
+    let text = FolderLock::wait(&folder, crate::TEXT_LOCK_FILE, "process 4711", Duration::ZERO).unwrap();
+    let half = desk.path().join(text.temporary_name().unwrap());
+    fs::write(&half, "half a text").unwrap();
+    assert!(copy.exists() && journal.exists());
+    drop(result);
+    drop(take(desk.path()).unwrap());
+    assert!(!copy.exists() && !journal.exists() && half.exists());
+    drop(text);
+    drop(FolderLock::wait(&folder, crate::TEXT_LOCK_FILE, "process 4711", Duration::ZERO).unwrap());
+    assert!(!half.exists());
+}
+
+#[test]
+fn what_cannot_be_removed_keeps_nobody_from_the_lock() {
+    let desk = tempfile::tempdir().unwrap();
+    let left = desk.path().join(".loosepin-0123456789abcdef.partial");
+    fs::create_dir_all(left.join("inner")).unwrap();
+    let lock = take(desk.path()).unwrap();
+    lock.write("a", b"text").unwrap();
+    assert!(left.exists());
+}
+
+/// A file system without locks: what is written is whole all the same.
+#[test]
+fn a_file_is_written_without_a_lock() {
+    let desk = tempfile::tempdir().unwrap();
+    let lock = FolderLock::without(&Folder::open(desk.path()).unwrap(), crate::TEXT_LOCK_FILE);
+    lock.write("a", b"text").unwrap();
+    drop(lock);
+    let left: Vec<_> = fs::read_dir(desk.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left, ["a"]);
+}

@@ -82,7 +82,9 @@ impl Directory {
             return self.rename(from, to);
         }
         retry_on_intr(|| fs::linkat(&self.0, from, &self.0, to, AtFlags::empty()))?;
-        self.remove_file(from)
+        self.remove_file(from).inspect_err(|_| {
+            let _ = self.remove_file(to);
+        })
     }
 
     pub fn remove_file(&self, name: &OsStr) -> io::Result<()> {
@@ -95,7 +97,11 @@ impl Directory {
 
     /// Flushes the entries to the device.
     pub fn sync(&self) -> io::Result<()> {
-        Ok(retry_on_intr(|| fs::fsync(&self.0))?)
+        match retry_on_intr(|| fs::fsync(&self.0)) {
+            // Some file systems of virtual machines flush files only.
+            Err(rustix::io::Errno::INVAL | rustix::io::Errno::NOTSUP) => Ok(()),
+            flushed => Ok(flushed?),
+        }
     }
 
     /// The entries, in no order; at most `most` of them.
@@ -158,6 +164,9 @@ pub fn keep_owner_and_mode(file: &File, replaced: &FileInfo) -> io::Result<()> {
         }
     }
     // After the owner, whose change takes bits away.
+    if file_info(file)?.mode == replaced.mode {
+        return Ok(());
+    }
     Ok(retry_on_intr(|| fs::fchmod(file, Mode::from_raw_mode(replaced.mode as RawMode)))?)
 }
 

@@ -27,7 +27,7 @@ fn a_file_is_written_replaced_renamed_and_removed() {
     lock.remove("b").unwrap();
     lock.remove("b").unwrap();
     assert_eq!(names(desk.path()), [""; 0]);
-    for name in ["", ".", "..", "a/b", "/a", "a\\b", "a\0"] {
+    for name in ["", ".", "..", "a/b", "/a", "a/", "a\0"] {
         assert_eq!(Refused::of(&lock.write(name, b"").unwrap_err()), Some(Refused::BadName), "{name:?}");
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use loosepin_files::{Folder, FolderLock, TEXT_LOCK_FILE, is_temporary};
+use loosepin_files::{Folder, FolderLock, Refused, TEXT_LOCK_FILE, TemporaryKind};
 
 use super::error::ResultsError;
 use super::folder::{ResultsFolder, aside, folder_name, holder, is_file, not_opened, remove_files};
@@ -118,6 +118,9 @@ impl Claim {
         self.find(beside)?;
         let lock = self.take_lock()?;
         let held = self.find_in(lock.folder(), beside)?;
+        if let Some(held) = held.as_ref().filter(|held| held.is_finished && !self.is_made(held)) {
+            check_names_of_replaced(lock.folder(), held)?;
+        }
         if let Some(held) = held.as_ref().filter(|held| self.is_made(held)) {
             held.verify(lock.folder(), &[REPORT_FILE])?;
         }
@@ -217,6 +220,22 @@ impl LockedFolder<'_> {
     }
 }
 
+/// That no file of somebody else has a name under which a file of a finished result is to wait. Those that an earlier result has left are
+/// told in the marker.
+fn check_names_of_replaced(folder: &Folder, held: &Marker) -> Result<(), ResultsError> {
+    for file_name in held.files.keys().filter(|file_name| !held.replaced.contains(file_name)) {
+        let name = aside(file_name);
+        let path = folder.path().join(&name);
+        match folder.find(Path::new(&name)) {
+            Ok(None) => {}
+            Ok(Some(_)) => return Err(ResultsError::AsideTaken { path }),
+            Err(error) if Refused::of(&error) == Some(Refused::BadName) => {}
+            Err(source) => return Err(ResultsError::Read { path, source }),
+        }
+    }
+    Ok(())
+}
+
 /// The files of a finished result that are to be set aside, its marker among them, of which a copy is made: the marker itself is
 /// overwritten in one step, so that the folder is never without one.
 fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, ResultsError> {
@@ -226,16 +245,7 @@ fn prepare_to_replace(lock: &FolderLock, held: &Marker) -> Result<Vec<String>, R
             replaced.push(file_name.clone());
         }
     }
-    // What an earlier result has left under these names is not what comes back. It is told in the marker; anything else is somebody else's.
-    let is_foreign = |file_name: &&String| !held.replaced.contains(file_name);
-    for name in replaced.iter().filter(is_foreign).map(|file_name| aside(file_name)) {
-        let path = lock.folder().path().join(&name);
-        match lock.folder().find(Path::new(&name)) {
-            Ok(None) => {}
-            Ok(Some(_)) => return Err(ResultsError::AsideTaken { path }),
-            Err(source) => return Err(ResultsError::Read { path, source }),
-        }
-    }
+    // What an earlier result has left under these names is not what comes back.
     let waiting: Vec<String> = held.replaced.iter().map(|file_name| aside(file_name)).collect();
     remove_files(lock, &waiting)?;
     write(lock, &aside(MARKER_FILE), held.to_text()?.as_bytes())?;
@@ -252,7 +262,7 @@ fn first_entry(folder: &Folder, beside: &[&str]) -> Result<Option<String>, Resul
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
         entries => entries.map_err(|source| ResultsError::Read { path: folder.path().to_owned(), source })?,
     };
-    let others = entries.into_iter().filter(|entry| !is_temporary(&entry.name));
+    let others = entries.into_iter().filter(|entry| TemporaryKind::of(&entry.name).is_none());
     let names = others.map(|entry| entry.name.to_string_lossy().into_owned());
     let is_other = |name: &String| {
         let name = name.as_str();
