@@ -14,10 +14,10 @@ use std::time::Duration;
 /// Exit status where an allocation has failed.
 pub const OUT_OF_MEMORY_STATUS: u8 = 4;
 
-/// What is said where an allocation has failed, before and after the number of bytes.
+/// What is said where an allocation has failed, before and after what was refused.
 const MESSAGE: [&[u8]; 2] = [
     b"error: out of memory: the system refused ",
-    b" bytes\n\
+    b"\n\
       hint: raise the limit of memory (ulimit -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; \
       saved runs of a study are kept: --resume goes on with them\n",
 ];
@@ -73,11 +73,15 @@ fn found(pointer: *mut u8, bytes: usize) -> *mut u8 {
     pointer
 }
 
-/// Says that so many bytes were refused, and ends the process. Nothing is allocated, unwound or flushed: finished runs are in the store,
-/// and a result that is not finished is marked so.
 #[cold]
 #[inline(never)]
 fn end_without_memory(bytes: usize) -> ! {
+    end([decimal(bytes, &mut [0; MAX_DIGITS]), b" bytes"])
+}
+
+/// Says what was refused, and ends the process. Nothing is allocated, unwound or flushed: finished runs are in the store, and a result that
+/// is not finished is marked so.
+fn end(refused: [&[u8]; 2]) -> ! {
     static IS_ENDING: AtomicBool = AtomicBool::new(false);
     if IS_ENDING.swap(true, Ordering::Relaxed) {
         // Another thread is writing the message, and ends the process.
@@ -85,9 +89,25 @@ fn end_without_memory(bytes: usize) -> ! {
             std::thread::sleep(Duration::from_secs(1));
         }
     }
-    let mut digits = [0; MAX_DIGITS];
-    let number = decimal(bytes, &mut digits);
-    system::end([MESSAGE[0], number, MESSAGE[1]], OUT_OF_MEMORY_STATUS)
+    system::end([MESSAGE[0], refused[0], refused[1], MESSAGE[1]], OUT_OF_MEMORY_STATUS)
+}
+
+/// Whether a panic is that of a new thread for which the standard library finds no memory. It aborts the process, and nobody who starts a
+/// thread can prevent it: the thread itself is there already.
+fn is_about_memory_of_a_thread(panic: &str) -> bool {
+    panic.starts_with("failed to allocate an alternative stack")
+        || panic.starts_with("failed to set up alternative stack guard page")
+}
+
+/// Ends the process in words where a new thread finds no memory; any other panic is told as before.
+fn tell_threads_without_memory() {
+    let otherwise = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if panic.payload_as_str().is_some_and(is_about_memory_of_a_thread) {
+            end([b"the stack ", b"of a thread"]);
+        }
+        otherwise(panic);
+    }));
 }
 
 /// `number` in decimal digits, at the end of `digits`.
@@ -106,12 +126,13 @@ fn decimal(mut number: usize, digits: &mut [u8; MAX_DIGITS]) -> &[u8] {
 /// Prepares the process, before anything is written and before a second thread is started.
 pub fn prepare() {
     system::prepare();
+    tell_threads_without_memory();
 }
 
 #[cfg(unix)]
 mod system {
     /// Writes `parts` to standard error and ends the process with `status`.
-    pub fn end(parts: [&[u8]; 3], status: u8) -> ! {
+    pub fn end(parts: [&[u8]; 4], status: u8) -> ! {
         // SAFETY: it takes a number and gives one.
         let is_terminal = unsafe { libc::isatty(libc::STDERR_FILENO) } == 1;
         // There a bar of progress may stand on the line.
@@ -151,7 +172,7 @@ mod system {
 #[cfg(not(unix))]
 mod system {
     /// Writes `parts` to standard error and ends the process with `status`.
-    pub fn end(parts: [&[u8]; 3], status: u8) -> ! {
+    pub fn end(parts: [&[u8]; 4], status: u8) -> ! {
         use std::io::Write;
         for part in parts {
             let _ = std::io::stderr().write_all(part);
@@ -165,12 +186,20 @@ mod system {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_DIGITS, decimal};
+    use super::{MAX_DIGITS, decimal, is_about_memory_of_a_thread};
 
     #[test]
     fn a_number_of_bytes_is_written_without_memory() {
         for (number, text) in [(0, "0"), (7, "7"), (983_268, "983268"), (usize::MAX, "18446744073709551615")] {
             assert_eq!(decimal(number, &mut [0; MAX_DIGITS]), text.as_bytes());
         }
+    }
+
+    /// The words of the standard library: where it changes them, such a thread aborts the process again.
+    #[test]
+    fn a_thread_without_memory_is_told_from_other_panics() {
+        let words = "failed to allocate an alternative stack: Cannot allocate memory (os error 12)";
+        assert!(is_about_memory_of_a_thread(words));
+        assert!(!is_about_memory_of_a_thread("index out of bounds"));
     }
 }

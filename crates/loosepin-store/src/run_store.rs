@@ -18,6 +18,9 @@ use super::row::KeptRun;
 use super::shard::Shard;
 use super::writer::{Request, write_requests};
 
+/// Why a store cannot be used that has no thread.
+const NO_THREAD: &str = "the system refused to start a thread for it";
+
 /// The fate of runs that a store holds already when a study begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beginning {
@@ -85,7 +88,7 @@ impl RunStore {
         let thread = std::thread::Builder::new()
             .name("loosepin-store".to_owned())
             .spawn(move || write_requests(file, published.as_ref(), &inbox, &flag))
-            .map_err(|error| StoreError::not_usable(&path, &error))?;
+            .map_err(|_| StoreError::NotUsable { path: path.clone(), reason: NO_THREAD.to_owned() })?;
         Ok(Self {
             path,
             lock: Arc::clone(lock),

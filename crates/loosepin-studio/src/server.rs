@@ -48,6 +48,9 @@ problems! {
         Port { port: u16, source: io::Error } => Code::FolderNotUsable,
             says("cannot listen on port {port} of this machine: {source}"),
             hint("leave --port out to take a free one");
+        Threads { source: io::Error } => Code::NoThreads,
+            says("the system refused to start the threads of the studio"),
+            hint("raise the limit of memory (ulimit -v, ulimit -d) or of processes (ulimit -u)");
         System { source: io::Error } => Code::FolderNotUsable,
             says("the system does not let the studio run: {source}");
     }
@@ -84,7 +87,7 @@ pub fn serve_within(
     let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
     let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)?;
-    check_threads().map_err(system)?;
+    check_threads().map_err(|source| StudioError::Threads { source })?;
     let (jobs, workers) = Jobs::begin(&served);
     let studio = Studio {
         token,

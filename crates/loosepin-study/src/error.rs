@@ -52,7 +52,7 @@ pub enum StudyError {
         reason: String,
     },
     /// The threads could not be started.
-    #[error("the threads could not be started: {0}")]
+    #[error("the system refused to start the threads")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     /// A budget that the runs which nothing can be said without go beyond.
     #[error("a budget of {budget} runs; the first round and what follows it take at most {least}")]

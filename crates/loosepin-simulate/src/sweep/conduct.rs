@@ -60,7 +60,7 @@ problems! {
     pub enum SweepError {
         /// The threads could not be started.
         Threads { source: rayon::ThreadPoolBuildError } => Code::NoThreads,
-            says("the threads could not be started: {source}"),
+            says("the system refused to start the threads"),
             hint("ask for fewer with --threads, or raise the limit of memory (ulimit -v) or of processes (ulimit -u)");
         /// No run came to its end.
         AllFailed {

@@ -69,7 +69,7 @@ fn a_plan_larger_than_the_memory_at_hand_is_refused() {
          [epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }",
     );
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let needed_mib = (268_436_608 * 400 + 64 * 15 * 1600) as f64 / f64::from(1 << 20) + (128 + 8 + threads) as f64;
+    let needed_mib = (268_436_608_u64 * 400 + 64 * 15 * 1600) as f64 / f64::from(1 << 20) + (128 + 8 + threads) as f64;
     let needed = format!("{:.2} GiB of memory; ", needed_mib / 1024.0);
     let (begin, end) = said.split_once(needed.as_str()).expect("the need is told");
     let threads = counted(threads, "thread");
