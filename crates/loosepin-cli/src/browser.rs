@@ -9,29 +9,24 @@ use std::process::{Command, Stdio};
 
 use loosepin::files::{PrivateFile, create_private};
 
-/// The file that leads to the address; it goes when this is dropped.
-pub struct Door(#[allow(dead_code, reason = "it is held, not read")] PrivateFile);
-
-impl Door {
-    /// Lets the system open `address`.
-    ///
-    /// # Errors
-    /// The file cannot be written; there is no desktop, or nothing that opens files on it.
-    pub fn open(address: &str) -> io::Result<Self> {
-        let opener = opener().ok_or_else(|| io::Error::other("there is no desktop"))?;
-        let page = format!(
-            "<!doctype html><meta charset=\"utf-8\"><title>loosepin</title>\
-             <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>\n"
-        );
-        let door = create_private(&env::temp_dir(), "loosepin-studio", "html", page.as_bytes())?;
-        let [program, before @ ..] = opener else { return Err(io::Error::other("there is no desktop")) };
-        let quiet = Stdio::null;
-        Command::new(program).args(before).arg(door.path()).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn()?;
-        Ok(Self(door))
-    }
+/// Lets the system open `address`; gives the file that leads to it, which goes when it is dropped.
+///
+/// # Errors
+/// The file cannot be written; there is no desktop, or nothing that opens files on it.
+pub fn open(address: &str) -> io::Result<PrivateFile> {
+    let opener = opener().ok_or_else(|| io::Error::other("there is no desktop"))?;
+    let page = format!(
+        "<!doctype html><meta charset=\"utf-8\"><title>loosepin</title>\
+         <meta http-equiv=\"refresh\" content=\"0; url={address}\"><a href=\"{address}\">Open the studio</a>\n"
+    );
+    let page = create_private(&env::temp_dir(), "loosepin-studio", "html", page.as_bytes())?;
+    let [program, before @ ..] = opener else { return Err(io::Error::other("there is no desktop")) };
+    let quiet = Stdio::null;
+    Command::new(program).args(before).arg(page.path()).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn()?;
+    Ok(page)
 }
 
-/// What opens files on this desktop; nothing where there is none.
+/// What opens files on this desktop; `None` if there is none.
 fn opener() -> Option<&'static [&'static str]> {
     if cfg!(target_os = "macos") {
         Some(&["open"])

@@ -24,13 +24,6 @@ const MESSAGE: [&[u8]; 2] = [
 /// Digits of the largest number of bytes.
 const MAX_DIGITS: usize = 20;
 
-/// Address space that glibc reserves for the allocations of a thread, bytes.
-#[cfg(all(target_os = "linux", target_env = "gnu"))]
-const ARENA_BYTES: u64 = 64 << 20;
-/// One part in so many of a limited address space may be reserved for the allocations of threads.
-#[cfg(all(target_os = "linux", target_env = "gnu"))]
-const ARENAS_PART: u64 = 8;
-
 #[global_allocator]
 static ALLOCATOR: EndingAllocator = EndingAllocator;
 
@@ -99,7 +92,7 @@ fn is_about_memory_of_a_thread(panic: &str) -> bool {
         || panic.starts_with("failed to set up alternative stack guard page")
 }
 
-/// Ends the process in words where a new thread finds no memory; any other panic is told as before.
+/// Ends the process in words where a new thread finds no memory; any other panic is reported as before.
 fn tell_threads_without_memory() {
     let otherwise = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -157,12 +150,12 @@ mod system {
     /// Where the address space is limited, glibc reserves a part of it for threads, and no more.
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     fn bound_arenas() {
-        use super::{ARENA_BYTES, ARENAS_PART};
+        use loosepin::study::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS};
         let mut limit = libc::rlimit { rlim_cur: libc::RLIM_INFINITY, rlim_max: libc::RLIM_INFINITY };
         // SAFETY: the pointer is that of a value of the type that is asked for.
         let is_known = unsafe { libc::getrlimit(libc::RLIMIT_AS, &raw mut limit) } == 0;
         if is_known && limit.rlim_cur != libc::RLIM_INFINITY {
-            let arenas = (limit.rlim_cur / ARENAS_PART / ARENA_BYTES).clamp(1, 64);
+            let arenas = (limit.rlim_cur / ARENAS_PART / ARENA_BYTES).clamp(1, MAX_ARENAS);
             // SAFETY: an option of the allocator, set before a second thread is started.
             unsafe { libc::mallopt(libc::M_ARENA_MAX, arenas as i32) };
         }

@@ -1,7 +1,10 @@
 //! What is known of a file without reading it.
 
 use std::ffi::OsString;
+use std::io;
 use std::time::SystemTime;
+
+use crate::refused::Refused;
 
 /// The kind of a directory entry. Links are not followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +48,19 @@ pub struct FileInfo {
 impl FileInfo {
     /// Permission to write for owner, group or others.
     const WRITABLE: u32 = 0o222;
+
+    /// That it is a plain file.
+    ///
+    /// # Errors
+    /// A folder ([`io::ErrorKind::IsADirectory`]), a link, or another kind.
+    pub fn require_file(&self) -> io::Result<()> {
+        match self.kind {
+            FileKind::File => Ok(()),
+            FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
+            FileKind::Link => Err(Refused::Link.into()),
+            FileKind::Other => Err(Refused::NotAFile.into()),
+        }
+    }
 
     /// Whether its mode lets nobody write it.
     pub fn is_read_only(&self) -> bool {

@@ -22,7 +22,7 @@ pub struct Folder {
 pub(crate) struct MadeFolders(Vec<(Folder, OsString)>);
 
 impl Folder {
-    /// The folder at `path`, the current one where that is empty. Links in the path are followed: whoever names it knows where it leads.
+    /// The folder at `path`, the current one where that is empty. Links in the path are followed: the user of the program chose it.
     ///
     /// # Errors
     /// It is not there, is no folder, or may not be opened.
@@ -110,16 +110,17 @@ impl Folder {
         Ok((self.open_below(relative.parent().unwrap_or(Path::new("")))?, name))
     }
 
-    /// What is known of the entry at `relative`, a link itself included; nothing where there is none.
+    /// What is known of the entry at `relative`, a link itself included; `None` if there is none.
     ///
     /// # Errors
     /// The path leads elsewhere, or through a link; an error of the file system.
     pub fn find(&self, relative: &Path) -> io::Result<Option<FileInfo>> {
-        let found = self.parent_of(relative).and_then(|(folder, name)| folder.directory.info(name));
-        match found {
-            Err(error) if matches!(error.kind(), io::ErrorKind::NotFound) => Ok(None),
-            found => found.map(Some),
-        }
+        found_or_none(self.parent_of(relative).and_then(|(folder, name)| folder.directory.info(name)))
+    }
+
+    /// As [`Self::find`], of a name that is one.
+    pub(crate) fn find_name(&self, name: &OsStr) -> io::Result<Option<FileInfo>> {
+        found_or_none(self.directory.info(name))
     }
 
     /// Opens a plain file to be read; what is known of it is asked of the open file.
@@ -130,11 +131,8 @@ impl Folder {
         let (folder, name) = self.parent_of(relative)?;
         let file = folder.directory.open_to_read(name).map_err(|error| folder.link_or(name, error))?;
         let info = file_info(&file)?;
-        match info.kind {
-            FileKind::File => Ok((file, info)),
-            FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
-            FileKind::Link | FileKind::Other => Err(Refused::NotAFile.into()),
-        }
+        info.require_file()?;
+        Ok((file, info))
     }
 
     /// The content of a plain file of at most so many bytes.
@@ -146,7 +144,7 @@ impl Folder {
         read_limited(file, &info, limit_bytes)
     }
 
-    /// At most `most` entries, in no order. Links are told as links.
+    /// At most `most` entries, in no order. A link is an entry of the kind [`FileKind::Link`].
     ///
     /// # Errors
     /// An error of the file system.
@@ -155,7 +153,7 @@ impl Folder {
     }
 
     /// The reason why `name` could not be opened: that it is a link, or no file, where the system has only a number for it.
-    fn link_or(&self, name: &OsStr, error: io::Error) -> io::Error {
+    pub(crate) fn link_or(&self, name: &OsStr, error: io::Error) -> io::Error {
         match self.directory.info(name).map(|found| found.kind) {
             Ok(FileKind::Link) => Refused::Link.into(),
             Ok(FileKind::Other) if error.kind() != io::ErrorKind::PermissionDenied => Refused::NotAFile.into(),
@@ -172,6 +170,14 @@ impl MadeFolders {
                 break;
             }
         }
+    }
+}
+
+/// `None` for what is not there.
+fn found_or_none(found: io::Result<FileInfo>) -> io::Result<Option<FileInfo>> {
+    match found {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        found => found.map(Some),
     }
 }
 

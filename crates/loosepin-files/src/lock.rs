@@ -6,7 +6,6 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::TEXT_LOCK_FILE;
 use crate::entry::{Entry, FileKind, Identity};
 use crate::folder::{Folder, MadeFolders};
 use crate::refused::Refused;
@@ -20,11 +19,38 @@ use crate::temporary::TemporaryKind;
 #[derive(Debug)]
 pub struct FolderLock {
     pub(crate) folder: Folder,
-    name: &'static str,
-    /// `None` where the file system has no locks and nobody relies on one.
+    kind: LockKind,
+    /// `None` if the file system has no locks and nobody relies on one.
     held: Option<(File, Identity)>,
     /// Folders that were made for the lock.
     made: MadeFolders,
+}
+
+/// What a folder is locked for. The two locks of a folder do not exclude each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LockKind {
+    /// A result, for as long as it is made.
+    Result,
+    /// Texts, for the moment in which they are written.
+    Text,
+}
+
+impl LockKind {
+    /// Name of the file that is locked.
+    pub const fn file_name(self) -> &'static str {
+        match self {
+            Self::Result => "loosepin.lock",
+            Self::Text => ".loosepin.lock",
+        }
+    }
+
+    /// The kind of the temporary files that are made under the lock.
+    pub(crate) fn temporary(self) -> TemporaryKind {
+        match self {
+            Self::Result => TemporaryKind::Result,
+            Self::Text => TemporaryKind::Text,
+        }
+    }
 }
 
 /// Why a folder cannot be locked.
@@ -32,7 +58,7 @@ pub struct FolderLock {
 pub enum LockError {
     /// Another process holds it, and says this of itself.
     InUse {
-        /// What it says; nothing where it has not written it yet.
+        /// What it says; `None` if it has not written it yet.
         holder: Option<String>,
     },
     /// The file system refuses, or has no locks.
@@ -48,52 +74,52 @@ pub enum LockError {
 const MAX_ENTRIES: usize = 1 << 20;
 
 impl FolderLock {
-    /// Locks the folder at `path` by the file `name` in it; it is made where it is not there, and so are those on the way. Links in the
-    /// path are followed. `holder` tells others who holds it, in one line.
+    /// Locks the folder at `path`. Folders that are not there are made. Links in the path are followed. `holder` is the line that other
+    /// processes are shown.
     ///
     /// # Errors
     /// Another process holds it; the file system refuses, or has no locks.
-    pub fn take(path: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
-        Self::take_under(path, Path::new(""), name, holder)
+    pub fn take(path: &Path, kind: LockKind, holder: &str) -> Result<Self, LockError> {
+        Self::take_under(path, Path::new(""), kind, holder)
     }
 
     /// As [`FolderLock::take`], of the folder at `relative` below `root`: links in the path of the root are followed, none below it.
     ///
     /// # Errors
     /// As for [`FolderLock::take`]; a link below the root.
-    pub fn take_under(root: &Path, relative: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
+    pub fn take_under(root: &Path, relative: &Path, kind: LockKind, holder: &str) -> Result<Self, LockError> {
         let open = |made: &mut MadeFolders| Folder::open_or_make(root, made)?.open_or_make_below(relative, made);
-        Self::take_opened(&root.join(relative), name, holder, open)
+        Self::take_opened(&root.join(relative), kind, holder, open)
     }
 
     /// As [`FolderLock::take`], of the folder at `relative` below `base`: no link below it is followed.
     ///
     /// # Errors
     /// As for [`FolderLock::take`]; a link on the way.
-    pub fn take_below(base: &Folder, relative: &Path, name: &'static str, holder: &str) -> Result<Self, LockError> {
+    pub fn take_below(base: &Folder, relative: &Path, kind: LockKind, holder: &str) -> Result<Self, LockError> {
         let path = base.path().join(relative);
-        Self::take_opened(&path, name, holder, |made| base.open_or_make_below(relative, made))
+        Self::take_opened(&path, kind, holder, |made| base.open_or_make_below(relative, made))
     }
 
     /// Locks a folder that is there. Another process is waited for as long as `patience`.
     ///
     /// # Errors
     /// As for [`FolderLock::take`].
-    pub fn wait(folder: &Folder, name: &'static str, holder: &str, patience: Duration) -> Result<Self, LockError> {
-        Self::wait_opened(folder.path(), name, holder, patience, |_| Ok(folder.clone()))
+    pub fn wait(folder: &Folder, kind: LockKind, holder: &str, patience: Duration) -> Result<Self, LockError> {
+        Self::wait_opened(folder.path(), kind, holder, patience, |_| Ok(folder.clone()))
     }
 
     /// As [`FolderLock::take`]; another process is waited for as long as `patience`.
     ///
     /// # Errors
     /// As for [`FolderLock::take`].
-    pub fn wait_at(path: &Path, name: &'static str, holder: &str, patience: Duration) -> Result<Self, LockError> {
-        Self::wait_opened(path, name, holder, patience, |made| Folder::open_or_make(path, made))
+    pub fn wait_at(path: &Path, kind: LockKind, holder: &str, patience: Duration) -> Result<Self, LockError> {
+        Self::wait_opened(path, kind, holder, patience, |made| Folder::open_or_make(path, made))
     }
 
     fn wait_opened(
         path: &Path,
-        name: &'static str,
+        kind: LockKind,
         holder: &str,
         patience: Duration,
         mut open: impl FnMut(&mut MadeFolders) -> io::Result<Folder>,
@@ -102,7 +128,7 @@ impl FolderLock {
         let end = Instant::now() + patience;
         let mut rest = Duration::from_micros(200);
         loop {
-            match Self::take_opened(path, name, holder, &mut open) {
+            match Self::take_opened(path, kind, holder, &mut open) {
                 Err(LockError::InUse { .. }) if Instant::now() < end => std::thread::sleep(rest),
                 taken => return taken,
             }
@@ -112,43 +138,46 @@ impl FolderLock {
 
     fn take_opened(
         path: &Path,
-        name: &'static str,
+        kind: LockKind,
         holder: &str,
         mut open: impl FnMut(&mut MadeFolders) -> io::Result<Folder>,
     ) -> Result<Self, LockError> {
-        // Whoever had the lock until now may remove its file, and a folder that was made for it, at any moment.
+        // The last holder may remove its file, and a folder that was made for it, at any moment.
         const MAX_TRIES: usize = 100;
         let mut last = None;
         for _ in 0..MAX_TRIES {
             let mut made = MadeFolders::default();
-            match open(&mut made).and_then(|folder| Ok((LockFile::open(&folder, name)?, folder))) {
-                Ok((file, folder)) => match Self::of_file(file, folder, name, made, holder)? {
+            match open(&mut made).and_then(|folder| Ok((LockFile::open(&folder, kind)?, folder))) {
+                Ok((file, folder)) => match Self::of_file(file, folder, kind, made, holder)? {
                     Some(taken) => return Ok(taken),
                     None => last = None,
                 },
-                Err(error) if error.kind() == io::ErrorKind::NotFound => last = Some(error),
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                    made.remove_empty();
+                    last = Some(error);
+                }
                 Err(source) => {
                     made.remove_empty();
-                    return Err(LockError::File { path: path.join(name), source });
+                    return Err(LockError::File { path: path.join(kind.file_name()), source });
                 }
             }
         }
         Err(match last {
             // Not removed by others again and again: it is not there.
-            Some(source) => LockError::File { path: path.join(name), source },
+            Some(source) => LockError::File { path: path.join(kind.file_name()), source },
             None => LockError::InUse { holder: None },
         })
     }
 
-    /// The lock, where `file` can be locked and is still the one of the folder; nothing where its last holder has removed it.
+    /// The lock, if `file` can be locked and is still the one of the folder; `None` if its last holder has removed it.
     fn of_file(
         LockFile { file, is_new, is_read_only }: LockFile,
         folder: Folder,
-        name: &'static str,
+        kind: LockKind,
         made: MadeFolders,
         holder: &str,
     ) -> Result<Option<Self>, LockError> {
-        let path = folder.path().join(name);
+        let path = folder.path().join(kind.file_name());
         let locked = loop {
             match file.try_lock() {
                 Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Interrupted => {}
@@ -161,14 +190,14 @@ impl FolderLock {
             Err(TryLockError::Error(source)) => {
                 // It cannot be locked by anybody: what was made for it goes.
                 if is_new {
-                    let _ = folder.directory.remove_file(OsStr::new(name));
+                    let _ = folder.directory.remove_file(OsStr::new(kind.file_name()));
                 }
                 made.remove_empty();
                 return Err(LockError::File { path, source });
             }
         }
         let identity = file_info(&file).map_err(|source| LockError::File { path: path.clone(), source })?.identity;
-        let mut lock = Self { folder, name, held: Some((file, identity)), made };
+        let mut lock = Self { folder, kind, held: Some((file, identity)), made };
         match lock.check() {
             Ok(()) => {}
             Err(error) if Refused::of(&error) == Some(Refused::LockLost) => return Ok(None),
@@ -180,15 +209,19 @@ impl FolderLock {
         Ok(Some(lock))
     }
 
-    /// The folder without a lock, where the file system has none. What is written is whole all the same; two writers of one file are not kept
-    /// apart.
-    pub(crate) fn without(folder: &Folder, name: &'static str) -> Self {
-        Self { folder: folder.clone(), name, held: None, made: MadeFolders::default() }
+    /// The folder without a lock, for file systems that have none. What is written is whole all the same; two writers of one file are not
+    /// kept apart.
+    pub(crate) fn without(folder: &Folder, kind: LockKind) -> Self {
+        Self { folder: folder.clone(), kind, held: None, made: MadeFolders::default() }
     }
 
     /// The kind of the temporary files that are made under this lock.
     pub(crate) fn temporary_kind(&self) -> TemporaryKind {
-        if self.name == TEXT_LOCK_FILE { TemporaryKind::Text } else { TemporaryKind::Result }
+        self.kind.temporary()
+    }
+
+    fn file_name(&self) -> &'static OsStr {
+        OsStr::new(self.kind.file_name())
     }
 
     /// The folder.
@@ -202,11 +235,9 @@ impl FolderLock {
     /// [`Refused::LockLost`]: its file was removed, or another process has made a new one. An error of the file system.
     pub fn check(&self) -> io::Result<()> {
         let Some((_, identity)) = &self.held else { return Ok(()) };
-        match self.folder.directory.info(OsStr::new(self.name)) {
-            Ok(found) if found.identity == *identity => Ok(()),
-            Ok(_) => Err(Refused::LockLost.into()),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Err(Refused::LockLost.into()),
-            Err(error) => Err(error),
+        match self.folder.find_name(self.file_name())? {
+            Some(found) if found.identity == *identity => Ok(()),
+            _ => Err(Refused::LockLost.into()),
         }
     }
 
@@ -261,11 +292,11 @@ impl FolderLock {
 /// Gives the folder back; one that was made for the lock goes, where nothing came into it.
 impl Drop for FolderLock {
     fn drop(&mut self) {
-        // Removed while it is still locked, so that whoever opens it from now on makes a new one. The file of whoever has taken the folder
-        // meanwhile stays. Windows does not let go of a file that is open: there it stays.
+        // Removed while it is still locked: a process that opens the name from now on makes a new file. The lock file of a process that has
+        // taken the folder meanwhile stays. Windows does not remove a file that is open: there it stays.
         let Some((file, _)) = &self.held else { return };
         if cfg!(unix) && self.check().is_ok() {
-            let _ = self.folder.directory.remove_file(OsStr::new(self.name));
+            let _ = self.folder.directory.remove_file(self.file_name());
         }
         // Explicitly, since a child process may hold a copy of the file.
         let _ = file.unlock();
@@ -286,16 +317,12 @@ impl LockFile {
     const MODE: u32 = 0o666;
 
     /// Opens it, or makes it.
-    fn open(folder: &Folder, name: &str) -> io::Result<Self> {
-        let name = OsStr::new(name);
-        let of_kind = |error| match folder.directory.info(name).map(|found| found.kind) {
-            Ok(FileKind::Link) => Refused::Link.into(),
-            Ok(FileKind::Other) => Refused::NotAFile.into(),
-            _ => error,
-        };
-        let old = |file: File, is_read_only| match file_info(&file)?.kind {
-            FileKind::File => Ok(Self { file, is_new: false, is_read_only }),
-            _ => Err(Refused::NotAFile.into()),
+    fn open(folder: &Folder, kind: LockKind) -> io::Result<Self> {
+        let name = OsStr::new(kind.file_name());
+        let of_kind = |error| folder.link_or(name, error);
+        let old = |file: File, is_read_only| {
+            file_info(&file)?.require_file()?;
+            Ok(Self { file, is_new: false, is_read_only })
         };
         match folder.directory.open_to_write(name) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}

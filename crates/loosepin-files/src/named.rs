@@ -1,5 +1,4 @@
-//! Files that whoever runs the program names by a path. Links in the path are followed when it is read, and up to its last name when it
-//! is written.
+//! Files that the user of the program names by a path. Links in the path are followed for reading, and up to the last name for writing.
 
 use std::ffi::OsStr;
 use std::fs::File;
@@ -7,13 +6,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::TEXT_LOCK_FILE;
-use crate::entry::FileKind;
 use crate::folder::{Folder, read_limited};
-use crate::lock::{FolderLock, LockError};
+use crate::lock::{FolderLock, LockError, LockKind};
 use crate::refused::Refused;
 use crate::system::{Directory, file_info, open_named};
 use crate::temporary::{TemporaryKind, random};
+use crate::write::PRIVATE_MODE;
 
 /// How long another process that writes beside the file is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -25,11 +23,17 @@ const PATIENCE: Duration = Duration::from_secs(5);
 pub fn read_named(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
     let file = open_named(path)?;
     let info = file_info(&file)?;
-    match info.kind {
-        FileKind::File => read_limited(file, &info, limit_bytes),
-        FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
-        FileKind::Link | FileKind::Other => Err(Refused::NotAFile.into()),
-    }
+    info.require_file()?;
+    read_limited(file, &info, limit_bytes)
+}
+
+/// The text of the plain file at `path`, of at most so many bytes.
+///
+/// # Errors
+/// As for [`read_named`]; no UTF-8 ([`io::ErrorKind::InvalidData`]).
+pub fn read_named_text(path: &Path, limit_bytes: u64) -> io::Result<String> {
+    let bytes = read_named(path, limit_bytes)?;
+    String::from_utf8(bytes).map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8"))
 }
 
 /// Writes the file at `path`, whole or not at all, in place of a plain file that is there.
@@ -46,7 +50,7 @@ pub fn replace_named(path: &Path, contents: &[u8]) -> io::Result<()> {
 ///
 /// # Errors
 /// It cannot be opened or read, or is larger.
-#[allow(clippy::disallowed_methods, reason = "whoever runs the program names a pipe, and wants to wait for it")]
+#[allow(clippy::disallowed_methods, reason = "the user names a pipe, and wants to wait for it")]
 pub fn read_stream(path: &Path, limit_bytes: u64) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
     let info = file_info(&file)?;
@@ -62,20 +66,22 @@ pub fn write_new_files<N: AsRef<OsStr>>(path: &Path, files: &[(N, &[u8])]) -> io
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             let name = path.file_name().ok_or(Refused::BadName)?;
             let parent = path.parent().unwrap_or(Path::new(""));
-            let lock = match FolderLock::wait_at(parent, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error) {
-                Err(error) if has_no_locks(&error) => FolderLock::without(&Folder::open(parent)?, TEXT_LOCK_FILE),
-                lock => lock?,
-            };
-            lock.write_new_folder(name, files)
+            let lock = FolderLock::wait_at(parent, LockKind::Text, &holder(), PATIENCE).map_err(lock_error);
+            or_without(lock, || Folder::open(parent))?.write_new_folder(name, files)
         }
         folder => lock_where_possible(&folder?)?.write_new(files),
     }
 }
 
-/// As [`lock_texts`], and without a lock where the file system has none: a file that is named once needs none to be whole.
+/// As [`lock_texts`], or without a lock on a file system that has none.
 fn lock_where_possible(folder: &Folder) -> io::Result<FolderLock> {
-    match lock_texts(folder) {
-        Err(error) if has_no_locks(&error) => Ok(FolderLock::without(folder, TEXT_LOCK_FILE)),
+    or_without(lock_texts(folder), || Ok(folder.clone()))
+}
+
+/// The folder without a lock if `lock` failed since its file system has none: a file that is written once needs none to be whole.
+fn or_without(lock: io::Result<FolderLock>, folder: impl FnOnce() -> io::Result<Folder>) -> io::Result<FolderLock> {
+    match lock {
+        Err(error) if has_no_locks(&error) => Ok(FolderLock::without(&folder()?, LockKind::Text)),
         lock => lock,
     }
 }
@@ -92,7 +98,7 @@ fn has_no_locks(error: &io::Error) -> bool {
 /// # Errors
 /// It writes for longer ([`io::ErrorKind::ResourceBusy`]); an error of the file system, or one that has no locks.
 pub fn lock_texts(folder: &Folder) -> io::Result<FolderLock> {
-    FolderLock::wait(folder, TEXT_LOCK_FILE, &holder(), PATIENCE).map_err(lock_error)
+    FolderLock::wait(folder, LockKind::Text, &holder(), PATIENCE).map_err(lock_error)
 }
 
 fn holder() -> String {
@@ -108,8 +114,8 @@ fn lock_error(error: LockError) -> io::Error {
 
 /// Whether the file at `path` may be written.
 pub fn may_write(path: &Path) -> bool {
-    let folder = Directory::at(path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new(".")));
-    folder.and_then(|folder| folder.open_to_write(path.file_name().unwrap_or_default())).is_ok()
+    let folder = Folder::open(path.parent().unwrap_or(Path::new("")));
+    folder.and_then(|folder| folder.directory.open_to_write(path.file_name().unwrap_or_default())).is_ok()
 }
 
 /// A file in `folder` that has no name and is gone when it is closed.
@@ -117,7 +123,6 @@ pub fn may_write(path: &Path) -> bool {
 /// # Errors
 /// An error of the file system, or one that does not remove files that are open.
 pub fn unnamed_file(folder: &Path) -> io::Result<File> {
-    const PRIVATE_MODE: u32 = 0o600;
     let directory = Directory::at(folder)?;
     let name = TemporaryKind::Unnamed.new_name()?;
     let file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;
@@ -133,12 +138,11 @@ pub struct PrivateFile {
     path: PathBuf,
 }
 
-/// Writes a file into `folder` that only its owner can read, under a name that nobody can foresee: `BEGINNING-DIGITS.EXTENSION`.
+/// Writes a file into `folder` that only its owner can read, under a random name: `BEGINNING-DIGITS.EXTENSION`.
 ///
 /// # Errors
 /// An error of the file system.
 pub fn create_private(folder: &Path, beginning: &str, extension: &str, contents: &[u8]) -> io::Result<PrivateFile> {
-    const PRIVATE_MODE: u32 = 0o600;
     let directory = Directory::at(folder)?;
     let name = format!("{beginning}-{:016x}.{extension}", random()?);
     let mut file = directory.create_new(OsStr::new(&name), PRIVATE_MODE)?;

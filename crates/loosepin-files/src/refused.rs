@@ -29,7 +29,7 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// Largest size that is told in KiB, bytes.
+    /// Largest size that is written in KiB, bytes.
     const KIBIBYTES_UP_TO: u64 = 1 << 20;
 
     /// The reason within an error, where it is one of these.

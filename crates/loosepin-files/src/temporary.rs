@@ -10,8 +10,8 @@ const JOURNAL: &str = "-journal";
 /// Hexadecimal digits between them: 64 random bits.
 const DIGITS: usize = 16;
 
-/// Under which lock a temporary file was made. Whoever takes a lock removes those of its own kind: writers under the other lock of a
-/// folder may be at work.
+/// Under which lock a temporary file was made. Taking a lock removes those of its own kind: a writer under the other lock of the folder
+/// may be at work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TemporaryKind {
     /// The lock of a folder of results.
@@ -33,7 +33,7 @@ impl TemporaryKind {
         }
     }
 
-    /// A new name. Nobody else has it, and nobody can foresee it.
+    /// A new name. It is random: no other process has or can predict it.
     pub(crate) fn new_name(self) -> io::Result<String> {
         Ok(format!("{BEGINNING}{}{:0DIGITS$x}{END}", self.infix(), random()?))
     }

@@ -1,10 +1,10 @@
-//! What is written below a folder, by whoever holds its lock.
+//! What the holder of the lock of a folder writes in it.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
-use crate::entry::{FileInfo, FileKind, Identity};
+use crate::entry::{FileInfo, Identity};
 use crate::folder::Folder;
 use crate::lock::FolderLock;
 use crate::refused::Refused;
@@ -12,8 +12,8 @@ use crate::system::{file_info, keep_owner_and_mode};
 
 /// Of a new file, before the mask of the process.
 const NEW_MODE: u32 = 0o666;
-/// Of a file until it has the mode of the one that it replaces.
-const PRIVATE_MODE: u32 = 0o600;
+/// Of a file that only its owner can read: until it has the mode of the one that it replaces, or for good.
+pub(crate) const PRIVATE_MODE: u32 = 0o600;
 
 impl FolderLock {
     /// Writes a file so that it is there whole or not at all, whenever the machine stops. A file that it replaces gives it its mode,
@@ -25,11 +25,11 @@ impl FolderLock {
         let name = single_name(name.as_ref())?;
         let replaced = replaceable(&self.folder, name)?;
         let mode = if replaced.is_some() { PRIVATE_MODE } else { NEW_MODE };
-        let temporary = self.write_temporary(&self.folder, contents, mode, replaced.as_ref())?;
+        let temporary = self.write_temporary(contents, mode, replaced.as_ref())?;
         let renamed = self.check().and_then(|()| self.folder.directory.rename(OsStr::new(&temporary.name), name));
         self.or_remove(renamed, &temporary.name)?;
         self.folder.directory.sync().inspect_err(|_| {
-            // What is told as not written is not there, where nothing was in its place.
+            // The caller hears that it is not written: it is not there, unless it has replaced another file.
             if replaced.is_none() {
                 self.remove_own(&temporary, name);
             }
@@ -44,7 +44,7 @@ impl FolderLock {
         let mut waiting: Vec<(Temporary, &OsStr)> = Vec::new();
         let written = files.iter().try_for_each(|(name, contents)| {
             let name = single_name(name.as_ref())?;
-            waiting.push((self.write_temporary(&self.folder, contents, NEW_MODE, None)?, name));
+            waiting.push((self.write_temporary(contents, NEW_MODE, None)?, name));
             Ok(())
         });
         let mut renamed = 0;
@@ -72,7 +72,7 @@ impl FolderLock {
     /// Something of that name is there already; the lock was lost; an error of the file system.
     pub fn write_new_folder<N: AsRef<OsStr>>(&self, name: impl AsRef<OsStr>, files: &[(N, &[u8])]) -> io::Result<()> {
         let name = single_name(name.as_ref())?;
-        if self.folder.directory.info(name).is_ok() {
+        if self.folder.find_name(name)?.is_some() {
             return Err(io::ErrorKind::AlreadyExists.into());
         }
         let temporary = self.temporary_kind().new_name()?;
@@ -102,16 +102,14 @@ impl FolderLock {
         })
     }
 
-    /// Removes a plain file; nothing where there is none.
+    /// Removes a plain file, if there is one.
     ///
     /// # Errors
     /// It is a link or no plain file; the lock was lost; an error of the file system.
     pub fn remove(&self, name: &str) -> io::Result<()> {
         let name = single_name(OsStr::new(name))?;
-        match self.folder.directory.info(name) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-            found => plain(&found?)?,
-        }
+        let Some(found) = self.folder.find_name(name)? else { return Ok(()) };
+        found.require_file()?;
         self.check()?;
         self.folder.directory.remove_file(name)
     }
@@ -122,10 +120,9 @@ impl FolderLock {
     /// There is none, it is a link or no plain file; the lock was lost; an error of the file system.
     pub fn rename(&self, from: &str, to: &str) -> io::Result<()> {
         let [from, to] = [single_name(OsStr::new(from))?, single_name(OsStr::new(to))?];
-        plain(&self.folder.directory.info(from)?)?;
-        match self.folder.directory.info(to) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            found => plain(&found?)?,
+        self.folder.directory.info(from)?.require_file()?;
+        if let Some(found) = self.folder.find_name(to)? {
+            found.require_file()?;
         }
         self.check()?;
         self.folder.directory.rename(from, to)?;
@@ -157,19 +154,14 @@ impl FolderLock {
     }
 
     /// A flushed file under a name of its own; nothing of it stays where that fails.
-    fn write_temporary(
-        &self,
-        folder: &Folder,
-        contents: &[u8],
-        mode: u32,
-        replaced: Option<&FileInfo>,
-    ) -> io::Result<Temporary> {
+    fn write_temporary(&self, contents: &[u8], mode: u32, replaced: Option<&FileInfo>) -> io::Result<Temporary> {
         let name = self.temporary_kind().new_name()?;
-        let mut file = folder.directory.create_new(OsStr::new(&name), mode).map_err(|error| match error.kind() {
-            // The folder itself was removed.
-            io::ErrorKind::NotFound => self.check().err().unwrap_or(error),
-            _ => error,
-        })?;
+        let mut file =
+            self.folder.directory.create_new(OsStr::new(&name), mode).map_err(|error| match error.kind() {
+                // The folder itself was removed.
+                io::ErrorKind::NotFound => self.check().err().unwrap_or(error),
+                _ => error,
+            })?;
         let mut written = || {
             file.write_all(contents)?;
             if let Some(replaced) = replaced {
@@ -203,28 +195,16 @@ struct Temporary {
     identity: Identity,
 }
 
-/// What is to be replaced; nothing where there is none.
+/// What is to be replaced; `None` if there is nothing of that name.
 fn replaceable(folder: &Folder, name: &OsStr) -> io::Result<Option<FileInfo>> {
-    let found = match folder.directory.info(name) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-        found => found?,
-    };
-    plain(&found)?;
+    let Some(found) = folder.find_name(name)? else { return Ok(None) };
+    found.require_file()?;
     if found.is_read_only() {
         return Err(Refused::ReadOnly.into());
     }
     // Whether it may be written the system says when it is opened.
     let open = folder.directory.open_to_write(name)?;
     Ok(Some(file_info(&open)?))
-}
-
-fn plain(found: &FileInfo) -> io::Result<()> {
-    match found.kind {
-        FileKind::File => Ok(()),
-        FileKind::Link => Err(Refused::Link.into()),
-        FileKind::Folder => Err(io::ErrorKind::IsADirectory.into()),
-        FileKind::Other => Err(Refused::NotAFile.into()),
-    }
 }
 
 /// A name without folders in it.

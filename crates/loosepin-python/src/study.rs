@@ -222,6 +222,6 @@ fn count_threads(asked: Option<i64>) -> PyResult<usize> {
     match asked {
         Some(threads) if (1..=MOST_THREADS).contains(&threads) => Ok(threads as usize),
         Some(threads) => Err(PyValueError::new_err(format!("threads {threads}; must be between 1 and {MOST_THREADS}"))),
-        None => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
+        None => Ok(loosepin::study::default_threads()),
     }
 }

@@ -12,7 +12,7 @@ pub const STORE_COMPANIONS: [&str; 2] = ["runs.sqlite-wal", "runs.sqlite-journal
 /// Name of the copy that shards of a study read of what was merged, beside the store.
 pub const PUBLISHED_FILE: &str = "merged.sqlite";
 
-/// Removes the files of the store in a folder, which is not open, and the copy beside it; nothing where there is none.
+/// Removes the files of the store in a folder, which is not open, and the copy beside it, as far as they are there.
 ///
 /// # Errors
 /// An error of the file system.

@@ -69,9 +69,8 @@ pub(super) fn join(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::results::LOCK_FILE;
     use crate::{Beginning, InputsKey, RunStore};
-    use loosepin_files::FolderLock;
+    use loosepin_files::{FolderLock, LockKind};
     use std::sync::Arc;
 
     /// Rows of a list: not a multiple of the shards.
@@ -99,7 +98,7 @@ mod tests {
     }
 
     fn lock(folder: &Path) -> Arc<FolderLock> {
-        Arc::new(FolderLock::take(folder, LOCK_FILE, "test").unwrap())
+        Arc::new(FolderLock::take(folder, LockKind::Result, "test").unwrap())
     }
 
     /// How many rows of `shards` were new to the store in a locked folder.

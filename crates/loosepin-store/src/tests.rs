@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use loosepin_files::{FolderLock, Refused};
+use loosepin_files::{FolderLock, LockKind, Refused};
 
 use super::results::LOCK_FILE;
 use super::{Beginning, InputsKey, KeptRun, RunStore, STORE_FILE, StoreError, StoreIdentity, remove_store};
@@ -20,7 +20,7 @@ fn identity() -> StoreIdentity {
 fn folder() -> (tempfile::TempDir, Arc<FolderLock>, PathBuf) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(STORE_FILE);
-    let lock = FolderLock::take(folder.path(), LOCK_FILE, "test").unwrap();
+    let lock = FolderLock::take(folder.path(), LockKind::Result, "test").unwrap();
     (folder, Arc::new(lock), path)
 }
 
@@ -295,7 +295,7 @@ fn a_store_that_was_replaced_is_left_alone_by_the_old_process() {
     for entry in fs::read_dir(path.parent().unwrap()).unwrap() {
         fs::remove_file(entry.unwrap().path()).unwrap();
     }
-    let new_lock = Arc::new(FolderLock::take(path.parent().unwrap(), LOCK_FILE, "test").unwrap());
+    let new_lock = Arc::new(FolderLock::take(path.parent().unwrap(), LockKind::Result, "test").unwrap());
     let new = RunStore::open(&new_lock, &identity()).unwrap();
     new.keep(0, 2, run(0, 2));
     assert_eq!(new.settle().unwrap(), 1);

@@ -54,7 +54,7 @@ async fn serve(stream: Stream, router: Router, times: Times, sign: impl Fn(&mut 
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(times.head).max_buf_size(BUFFER);
     let mut connection = pin!(builder.serve_connection(TokioIo::new(stream), service).with_upgrades());
-    // Whoever is not understood was told so; nobody else wants to know.
+    // A client that is not understood has got that answer; there is nobody else to report it to.
     tokio::select! {
         _ = connection.as_mut() => return,
         () = sleep(times.connection) => connection.as_mut().graceful_shutdown(),

@@ -54,7 +54,7 @@ async fn answer(studio: &Studio, request: Request, next: Next) -> Response {
     let _body = if has_body { studio.bodies.acquire().await.ok() } else { None };
     let response = next.run(request).await;
     if is_report && response.status().is_success() {
-        // Whoever has the address of a report has shown the token for it.
+        // The address of a report is given for the token.
         visitor.show_token();
     }
     response

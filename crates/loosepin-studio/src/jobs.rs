@@ -1,6 +1,7 @@
 //! Studies in the background: one runs, the others wait. Single runs, which take seconds, do not wait for studies.
 
 use std::collections::VecDeque;
+use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -8,8 +9,8 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use loosepin::report::{draft_bands, draft_text};
-use loosepin::study::Progress;
 use loosepin::study::result::Draft;
+use loosepin::study::{Progress, default_threads};
 use tokio::sync::broadcast;
 
 use crate::folder::Folder;
@@ -73,14 +74,20 @@ struct State {
 
 impl Jobs {
     /// None yet, of studies in `folder`; with the threads that run them.
-    pub fn begin(folder: &Folder) -> (Arc<Self>, [JoinHandle<()>; 2]) {
+    ///
+    /// # Errors
+    /// The system starts no thread.
+    pub fn begin(folder: &Folder) -> io::Result<(Arc<Self>, Vec<JoinHandle<()>>)> {
         let (told, _) = broadcast::channel(BEHIND);
         let jobs = Arc::new(Self { folder: folder.clone(), state: Mutex::default(), woken: Condvar::new(), told });
-        let workers = [JobKind::Study, JobKind::Run].map(|kind| {
+        let mut workers = Vec::new();
+        for kind in [JobKind::Study, JobKind::Run] {
             let worker = Arc::clone(&jobs);
-            thread::spawn(move || worker.work(kind))
-        });
-        (jobs, workers)
+            // Where it is refused, those that were started end by themselves.
+            let started = thread::Builder::new().spawn(move || worker.work(kind)).inspect_err(|_| jobs.close())?;
+            workers.push(started);
+        }
+        Ok((jobs, workers))
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -230,7 +237,7 @@ impl Jobs {
         };
         let study = read_study(&self.folder, path)?;
         self.change(id, |job| job.title.clone_from(&study.name));
-        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let threads = default_threads();
         let teller = Teller { jobs: self, id, began, last: Mutex::new(None) };
         run(&self.folder, &study, &teller, stop, threads)
     }

@@ -1,4 +1,4 @@
-//! What is told of a file or a result, and kept for the next listing.
+//! What is listed of a file or a result, and kept for the next listing.
 
 use std::collections::HashMap;
 use std::time::SystemTime;

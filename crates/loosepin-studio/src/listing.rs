@@ -13,7 +13,7 @@ use std::time::UNIX_EPOCH;
 use loosepin::diagnostics::Source;
 use loosepin::files::{self, FileInfo, FileKind};
 use loosepin::report::verdict_words;
-use loosepin::results::{MARKER_FILE, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
+use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
 use serde::de::{Deserializer, Error, IgnoredAny, MapAccess, Visitor};
@@ -27,13 +27,12 @@ use crate::texts::{model_beside, plain};
 const MAX_LEVELS: usize = 4;
 /// Most entries that are looked at.
 const MAX_ENTRIES: usize = 50_000;
-/// Most files, and most results, that are told.
-const MAX_TOLD: usize = 200;
+/// Most files, and most results, that are listed.
+const MAX_LISTED: usize = 200;
 /// Most bytes that are read for one listing; what then is not known yet comes with the next one.
 const MAX_READ_BYTES: u64 = 64 << 20;
-/// Largest marker, and most of the record of a study that is read for its verdict, bytes.
-const LARGEST_MARKER: u64 = 1 << 20;
-const LARGEST_HEAD: u64 = 64 << 10;
+/// Most of the record of a study that is read for its verdict, bytes.
+const MAX_HEAD_BYTES: u64 = 64 << 10;
 
 /// The served folder as the page shows it.
 #[derive(Debug, Default, Serialize)]
@@ -89,21 +88,21 @@ fn newest<T: Clone>(
 ) -> Vec<T> {
     found.sort_by(|a, b| (Reverse(a.at_ms), &a.path).cmp(&(Reverse(b.at_ms), &b.path)));
     let mut before = std::mem::take(known);
-    let mut told = Vec::new();
+    let mut newest = Vec::new();
     for found in found {
         let kept = before.remove(&found.path).filter(|(version, _)| *version == found.version);
         let is_none_of_ours = matches!(kept, Some((_, None)));
-        if told.len() == MAX_TOLD || (kept.is_none() && reading.left_bytes == 0) {
+        if newest.len() == MAX_LISTED || (kept.is_none() && reading.left_bytes == 0) {
             reading.is_cut |= !is_none_of_ours;
             // What was read of it once need not be read again.
             known.extend(kept.map(|kept| (found.path, kept)));
             continue;
         }
         let (version, listed) = kept.unwrap_or_else(|| (found.version, read(reading, &found)));
-        told.extend(listed.clone());
+        newest.extend(listed.clone());
         known.insert(found.path, (version, listed));
     }
-    told
+    newest
 }
 
 impl Walk {
@@ -112,11 +111,11 @@ impl Walk {
         self.entries_left -= entries.len();
         for entry in entries {
             // Names that are no UTF-8 have no path that the page could write.
-            let Some(name) = entry.name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+            let Some(name) = entry.name.to_str() else { continue };
             let below = if path.is_empty() { name.to_owned() } else { format!("{path}/{name}") };
             // Links are not followed: they may lead out, or in a circle.
             match entry.kind {
-                FileKind::Folder if levels > 0 => {
+                FileKind::Folder if levels > 0 && !name.starts_with('.') => {
                     let Ok(inner) = folder.open_below(Path::new(name)) else { continue };
                     match inner.find(Path::new(MARKER_FILE)) {
                         Ok(Some(marker)) if marker.kind == FileKind::File => {
@@ -130,7 +129,7 @@ impl Walk {
                         _ => self.look(&inner, &below, levels - 1),
                     }
                 }
-                FileKind::File if name.ends_with(".toml") => {
+                FileKind::File if Path::new(name).extension().is_some_and(|extension| extension == "toml") => {
                     if let Ok(Some(file)) = folder.find(Path::new(name)) {
                         self.files.push(Found { path: below, version: file.into(), at_ms: at_ms(&file) });
                     }
@@ -184,7 +183,7 @@ impl Reading<'_> {
 
     /// A result that is finished.
     fn result(&mut self, found: &Found) -> Option<ListedResult> {
-        let marker = self.bytes(&format!("{}/{MARKER_FILE}", found.path), LARGEST_MARKER)?;
+        let marker = self.bytes(&format!("{}/{MARKER_FILE}", found.path), MAX_MARKER_BYTES)?;
         let marker: Marker = serde_json::from_slice(&marker).ok()?;
         if !marker.is_finished {
             return None;
@@ -202,11 +201,11 @@ impl Reading<'_> {
     /// The verdict of a stored study. Its requirements stand at the head of its record, which is read no further.
     fn verdict(&mut self, path: &str) -> Option<&'static str> {
         let (summary, _) = self.folder.opened().open_file(&Path::new(path).join(SUMMARY_FILE)).ok()?;
-        let head = BufReader::new(summary.take(LARGEST_HEAD));
+        let head = BufReader::new(summary.take(MAX_HEAD_BYTES));
         let mut requirements = None;
         // It ends with an error in any case: the rest is not read.
         let _ = serde_json::Deserializer::from_reader(head).deserialize_map(UpToRequirements(&mut requirements));
-        self.left_bytes = self.left_bytes.saturating_sub(LARGEST_HEAD);
+        self.left_bytes = self.left_bytes.saturating_sub(MAX_HEAD_BYTES);
         let verdicts = requirements?.into_iter().map(|requirement| requirement.verdict);
         Verdict::of_all(verdicts).map(verdict_words)
     }

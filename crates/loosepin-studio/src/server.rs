@@ -5,7 +5,6 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::Duration;
 
 use axum::Router;
@@ -33,8 +32,6 @@ const LARGEST_BODY: usize = 4 * LARGEST_TEXT;
 const MOST_BODIES: usize = 8;
 /// Most live connections.
 const MOST_SEATS: usize = 8;
-/// Threads that the studio cannot do without: two of the jobs, and one that looks at what is open on a page.
-const FIRST_THREADS: usize = 3;
 /// How often it is looked whether the server is to end.
 const TICK: Duration = Duration::from_millis(100);
 
@@ -72,7 +69,7 @@ pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Se
     serve_within(&Times::default(), folder, port, stop, ready)
 }
 
-/// As [`serve`], waiting as long as `times` says for whoever is connected.
+/// As [`serve`], waiting for clients as long as `times` says.
 ///
 /// # Errors
 /// As [`serve`].
@@ -87,8 +84,7 @@ pub fn serve_within(
     let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
     let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)?;
-    check_threads().map_err(|source| StudioError::Threads { source })?;
-    let (jobs, workers) = Jobs::begin(&served);
+    let (jobs, workers) = Jobs::begin(&served).map_err(|source| StudioError::Threads { source })?;
     let studio = Studio {
         token,
         folder: served,
@@ -116,28 +112,6 @@ pub fn serve_within(
         let _ = worker.join();
     }
     runtime.shutdown_background();
-    outcome
-}
-
-/// That the system gives the threads of the jobs, which panic otherwise, and one for a page that is open.
-fn check_threads() -> io::Result<()> {
-    let is_over = Arc::new(AtomicBool::new(false));
-    let mut threads = Vec::new();
-    let outcome = (0..FIRST_THREADS).try_for_each(|_| {
-        let is_over = Arc::clone(&is_over);
-        let wait = move || {
-            while !is_over.load(Ordering::Relaxed) {
-                thread::park();
-            }
-        };
-        threads.push(thread::Builder::new().spawn(wait)?);
-        Ok(())
-    });
-    is_over.store(true, Ordering::Relaxed);
-    for started in threads {
-        started.thread().unpark();
-        let _ = started.join();
-    }
     outcome
 }
 

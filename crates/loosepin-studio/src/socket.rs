@@ -62,7 +62,12 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
     // One answer waits at most: a newer one takes its place.
     let (answers, mut seen) = watch::channel(Utf8Bytes::default());
     let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
-    let worker = std::thread::spawn(move || look_on(&worker_folder, &worker_box, &answers));
+    let worker = std::thread::Builder::new().spawn(move || look_on(&worker_folder, &worker_box, &answers));
+    let Ok(worker) = worker else {
+        let message = "the system refused to start a thread for this page: close other programs, and load it again";
+        let _ = tell(&mut socket, &ToPage::Refused { message }).await;
+        return;
+    };
     let mut rate = Rate::new();
     let mut watched = Watched::default();
     let mut ticks = tokio::time::interval(WATCH);

@@ -2,7 +2,7 @@
 
 use loosepin::report::{KnownValue, known_values, witness_words};
 use loosepin::result::json::Stored;
-use loosepin::results::{MARKER_FILE, Marker, ResultKind, SUMMARY_FILE};
+use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, ResultKind, SUMMARY_FILE};
 use loosepin::study::Study;
 use loosepin::study::result::{FORMAT, StudyResult};
 use serde::Serialize;
@@ -12,9 +12,8 @@ use crate::listing::listing;
 use crate::refusal::Refusal;
 use crate::texts::Texts;
 
-/// Largest record of a result, and largest marker, bytes.
+/// Largest record of a result, bytes.
 const LARGEST_SUMMARY: usize = 256 << 20;
-const LARGEST_MARKER: usize = 1 << 20;
 
 /// The record of the finished study in a folder of results.
 ///
@@ -41,7 +40,7 @@ pub fn stored_study(folder: &Folder, path: &str) -> Result<StudyResult, Refusal>
 
 fn marker(folder: &Folder, path: &str) -> Result<Marker, Refusal> {
     let file = format!("{}/{MARKER_FILE}", path.trim_end_matches('/'));
-    read(folder, &file, LARGEST_MARKER, |text| serde_json::from_str(text))
+    read(folder, &file, MAX_MARKER_BYTES as usize, |text| serde_json::from_str(text))
 }
 
 fn read<T>(

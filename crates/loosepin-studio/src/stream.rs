@@ -27,7 +27,7 @@ pub struct Stream {
     has_ended: bool,
     /// Time for the connection in total.
     total: Pin<Box<Sleep>>,
-    /// Time until the client takes a byte; nothing where it has taken all.
+    /// Time until the client takes a byte; `None` if it has taken all.
     stalled: Option<Pin<Box<Sleep>>>,
     write: Duration,
     received: usize,
@@ -40,7 +40,7 @@ impl Stream {
         Self { tcp, place, end, has_ended: false, total, stalled: None, write: times.write, received: 0 }
     }
 
-    /// Whether it may go on; whoever asks is woken when it may not any more.
+    /// Whether it may go on. The task is woken when it may not any more.
     fn check(&mut self, context: &mut Context<'_>) -> io::Result<()> {
         self.has_ended = self.has_ended || Pin::new(&mut self.end).poll(context).is_ready();
         if self.has_ended {

@@ -1,8 +1,8 @@
-//! How long the studio waits for whoever is connected.
+//! How long the studio waits for a client.
 
 use std::time::Duration;
 
-/// Times after which the studio waits no longer for whoever is connected.
+/// Times after which the studio waits no longer for a client.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Times {
     /// For the head of a request, and between two requests of a connection. Default: 5 s.

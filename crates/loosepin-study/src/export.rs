@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::files::SURROGATES_FILE;
 use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
-use loosepin_files::{io_error_words, read_named};
+use loosepin_files::{io_error_words, read_named_text};
 use loosepin_store::results::{Claim, FinishedResult, InputsHasher, Place, ResultKind, ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::quoted;
@@ -87,9 +87,7 @@ const MAX_SURROGATES_BYTES: u64 = 1 << 30;
 /// The text of saved surrogates, and the path of its file.
 fn surrogates_text(results: &Path) -> Result<(PathBuf, String), ExportError> {
     if !results.is_dir() {
-        let text = read_named(results, MAX_SURROGATES_BYTES).and_then(|bytes| {
-            String::from_utf8(bytes).map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8"))
-        });
+        let text = read_named_text(results, MAX_SURROGATES_BYTES);
         let text = text.map_err(|source| ExportError::Read { path: results.to_owned(), source })?;
         return Ok((results.to_owned(), text));
     }

@@ -3,15 +3,18 @@
 use std::io;
 use std::path::Path;
 
-use loosepin_files::read_named;
+use loosepin_files::read_named_text;
 
 /// Where no operating system tells, so much is taken to be there.
 pub const STATED_BYTES: u64 = 16 << 30;
-/// From this limit of the address space on, the command lets the C library reserve one part in so many for threads.
+/// From this limit of the address space on, the command lets the C library reserve more than one arena.
 const ARENAS_FROM_BYTES: u64 = 1 << 30;
-const ARENAS_PART: u64 = 8;
-/// Most that the command lets it reserve: 64 parts of 64 MiB.
-const MAX_ARENAS_BYTES: u64 = 4 << 30;
+/// Address space that glibc reserves for the allocations of a thread (an arena), bytes.
+pub const ARENA_BYTES: u64 = 64 << 20;
+/// One part in so many of a limited address space may be reserved for arenas.
+pub const ARENAS_PART: u64 = 8;
+/// Most arenas.
+pub const MAX_ARENAS: u64 = 64;
 
 /// A kind of memory that a study takes, each with a limit of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +54,8 @@ impl MemoryAtHand {
         // The allocations of threads are in parts of the address space of their own, which are reserved in advance. The command
         // bounds them by this share where the limit is so large that it allows several.
         let left = |(limit, left): (u64, u64)| {
-            let reserved = if limit < ARENAS_FROM_BYTES { 0 } else { (limit / ARENAS_PART).min(MAX_ARENAS_BYTES) };
+            let reserved =
+                if limit < ARENAS_FROM_BYTES { 0 } else { (limit / ARENAS_PART).min(MAX_ARENAS * ARENA_BYTES) };
             left.saturating_sub(reserved)
         };
         let (data_bytes, addresses_bytes) = (data_bytes.map(|(_, left)| left), addresses_bytes.map(left));
@@ -115,8 +119,7 @@ fn of_process(root: &Path, (limit, taken): (&str, &str)) -> Option<(u64, u64)> {
 /// A text of the system.
 fn read_to_string(path: impl AsRef<Path>) -> io::Result<String> {
     const MAX_BYTES: u64 = 1 << 20;
-    let bytes = read_named(path.as_ref(), MAX_BYTES)?;
-    String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
+    read_named_text(path.as_ref(), MAX_BYTES)
 }
 
 #[cfg(test)]

@@ -183,7 +183,7 @@ pub fn plan_runs_on(study: &Study, threads: usize) -> Result<usize, StudyError> 
 }
 
 /// As many threads as the machine has.
-pub(super) fn default_threads() -> usize {
+pub fn default_threads() -> usize {
     available_parallelism().map_or(1, usize::from)
 }
 

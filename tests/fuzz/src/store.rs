@@ -12,8 +12,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use loosepin::files::{Folder, FolderLock};
-use loosepin::results::LOCK_FILE;
+use loosepin::files::{Folder, FolderLock, LockKind};
 use loosepin::store::{
     Beginning, RunStore, STORE_COMPANIONS, STORE_FILE, Shard, StoreError, StoreIdentity, remove_store,
 };
@@ -58,7 +57,7 @@ pub fn read(bytes: &[u8], folder: &Path) {
 
 /// The lock of a folder, which is made where it is not there.
 pub fn lock(folder: &Path) -> Arc<FolderLock> {
-    Arc::new(FolderLock::take(folder, LOCK_FILE, "fuzz").unwrap_or_else(|error| panic!("{error:?}")))
+    Arc::new(FolderLock::take(folder, LockKind::Result, "fuzz").unwrap_or_else(|error| panic!("{error:?}")))
 }
 
 /// Writes the files of an input; whether there are any.

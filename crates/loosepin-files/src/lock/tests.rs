@@ -2,10 +2,11 @@ use super::*;
 use std::fs;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-const NAME: &str = "loosepin.lock";
+const KIND: LockKind = LockKind::Result;
+const NAME: &str = KIND.file_name();
 
 fn take(folder: &Path) -> Result<FolderLock, LockError> {
-    FolderLock::take(folder, NAME, "process 4711")
+    FolderLock::take(folder, KIND, "process 4711")
 }
 
 fn refused(error: LockError) -> Option<Refused> {
@@ -58,19 +59,19 @@ fn links_and_pipes_are_no_locks() {
     // A link that leads nowhere is no folder to be made.
     symlink("nowhere", desk.path().join("dangling")).unwrap();
     assert_eq!(refused(take(&desk.path().join("dangling/out")).unwrap_err()), Some(Refused::Link));
-    // Links above the folder are the choice of whoever names it; below an open folder they are not followed.
+    // Links above the folder are the choice of the user; below an open folder they are not followed.
     symlink("out", desk.path().join("results")).unwrap();
     fs::remove_file(folder.join(NAME)).unwrap();
     drop(take(&desk.path().join("results")).unwrap());
     let base = Folder::open(desk.path()).unwrap();
-    let below = FolderLock::take_below(&base, Path::new("results/name"), NAME, "process 4711");
+    let below = FolderLock::take_below(&base, Path::new("results/name"), KIND, "process 4711");
     assert_eq!(refused(below.unwrap_err()), Some(Refused::Link));
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
 }
 
 #[cfg(unix)]
 #[test]
-fn whoever_has_lost_the_lock_changes_nothing_more() {
+fn a_process_that_lost_the_lock_changes_nothing_more() {
     let desk = tempfile::tempdir().unwrap();
     let folder = desk.path().join("out");
     let old = take(&folder).unwrap();
@@ -103,8 +104,8 @@ fn a_folder_that_was_removed_is_not_made_anew() {
     fs::create_dir(&path).unwrap();
     let served = Folder::open(&path).unwrap();
     fs::remove_dir(&path).unwrap();
-    assert!(FolderLock::wait(&served, NAME, "process 4711", Duration::ZERO).is_err());
-    assert!(FolderLock::take_below(&served, Path::new("results"), NAME, "process 4711").is_err());
+    assert!(FolderLock::wait(&served, KIND, "process 4711", Duration::ZERO).is_err());
+    assert!(FolderLock::take_below(&served, Path::new("results"), KIND, "process 4711").is_err());
     assert!(!path.exists());
 }
 
@@ -139,7 +140,7 @@ fn never_two_at_once() {
                         Ok(lock) => {
                             assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0, "two hold the folder");
                             held.fetch_add(1, Ordering::SeqCst);
-                            assert!(folder.join(NAME).exists(), "the file of whoever holds it is gone");
+                            assert!(folder.join(NAME).exists(), "the file of the holder is gone");
                             inside.fetch_sub(1, Ordering::SeqCst);
                             drop(lock);
                         }
@@ -168,7 +169,7 @@ fn identity_each_of_many_waiting_writers_adds_one() {
             scope.spawn(|| {
                 let folder = Folder::open(desk.path()).unwrap();
                 for _ in 0..ROUNDS {
-                    let lock = FolderLock::wait(&folder, NAME, "process 4711", Duration::from_secs(60)).unwrap();
+                    let lock = FolderLock::wait(&folder, KIND, "process 4711", Duration::from_secs(60)).unwrap();
                     let count = folder.read(Path::new("count"), 100).unwrap();
                     let count: usize = String::from_utf8(count).unwrap().parse().unwrap();
                     lock.write("count", (count + 1).to_string().as_bytes()).unwrap();
@@ -188,7 +189,7 @@ fn writers_under_the_other_lock_of_a_folder_keep_their_temporary_files() {
     fs::write(&copy, "a copy that takes long").unwrap();
     fs::write(&journal, "its journal").unwrap();
     let folder = Folder::open(desk.path()).unwrap();
-    let text = FolderLock::wait(&folder, crate::TEXT_LOCK_FILE, "process 4711", Duration::ZERO).unwrap();
+    let text = FolderLock::wait(&folder, LockKind::Text, "process 4711", Duration::ZERO).unwrap();
     let half = desk.path().join(text.temporary_name().unwrap());
     fs::write(&half, "half a text").unwrap();
     assert!(copy.exists() && journal.exists());
@@ -196,7 +197,7 @@ fn writers_under_the_other_lock_of_a_folder_keep_their_temporary_files() {
     drop(take(desk.path()).unwrap());
     assert!(!copy.exists() && !journal.exists() && half.exists());
     drop(text);
-    drop(FolderLock::wait(&folder, crate::TEXT_LOCK_FILE, "process 4711", Duration::ZERO).unwrap());
+    drop(FolderLock::wait(&folder, LockKind::Text, "process 4711", Duration::ZERO).unwrap());
     assert!(!half.exists());
 }
 
@@ -214,7 +215,7 @@ fn what_cannot_be_removed_keeps_nobody_from_the_lock() {
 #[test]
 fn a_file_is_written_without_a_lock() {
     let desk = tempfile::tempdir().unwrap();
-    let lock = FolderLock::without(&Folder::open(desk.path()).unwrap(), crate::TEXT_LOCK_FILE);
+    let lock = FolderLock::without(&Folder::open(desk.path()).unwrap(), LockKind::Text);
     lock.write("a", b"text").unwrap();
     drop(lock);
     let left: Vec<_> = fs::read_dir(desk.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();

@@ -103,7 +103,7 @@ impl Directory {
 
 /// The file at `path`, to be read; links in it are followed.
 pub fn open_named(path: &Path) -> io::Result<File> {
-    // A folder cannot be opened here; that it is one is what has to be told.
+    // A folder cannot be opened here; the caller has to learn that it is one.
     if fs::metadata(path)?.is_dir() { Err(io::ErrorKind::IsADirectory.into()) } else { File::open(path) }
 }
 
@@ -123,12 +123,12 @@ pub fn keep_owner_and_mode(_file: &File, _replaced: &FileInfo) -> io::Result<()>
     Ok(())
 }
 
-fn kind(told: fs::FileType) -> FileKind {
-    if told.is_symlink() {
+fn kind(file_type: fs::FileType) -> FileKind {
+    if file_type.is_symlink() {
         FileKind::Link
-    } else if told.is_dir() {
+    } else if file_type.is_dir() {
         FileKind::Folder
-    } else if told.is_file() {
+    } else if file_type.is_file() {
         FileKind::File
     } else {
         FileKind::Other

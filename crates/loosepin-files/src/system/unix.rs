@@ -127,7 +127,7 @@ impl Directory {
                     Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
                     Err(error) => return Err(error),
                 },
-                told => kind(told),
+                known => kind(known),
             };
             entries.push(Entry { name, kind });
         }
@@ -170,8 +170,8 @@ pub fn keep_owner_and_mode(file: &File, replaced: &FileInfo) -> io::Result<()> {
     Ok(retry_on_intr(|| fs::fchmod(file, Mode::from_raw_mode(replaced.mode as RawMode)))?)
 }
 
-fn kind(told: FileType) -> FileKind {
-    match told {
+fn kind(file_type: FileType) -> FileKind {
+    match file_type {
         FileType::RegularFile => FileKind::File,
         FileType::Directory => FileKind::Folder,
         FileType::Symlink => FileKind::Link,

@@ -1,10 +1,11 @@
 use super::*;
+use crate::lock::LockKind;
 use std::fs;
 
-const NAME: &str = "loosepin.lock";
+const NAME: &str = LockKind::Result.file_name();
 
 fn taken(folder: &Path) -> FolderLock {
-    FolderLock::take(folder, NAME, "process 4711").unwrap()
+    FolderLock::take(folder, LockKind::Result, "process 4711").unwrap()
 }
 
 /// Names in a folder without that of the lock.
@@ -110,7 +111,7 @@ fn a_new_folder_comes_with_all_its_files_or_not_at_all() {
 fn a_writer_that_was_ousted_before_its_rename_has_nothing_to_rename() {
     let desk = tempfile::tempdir().unwrap();
     let old = taken(desk.path());
-    let temporary = old.write_temporary(&old.folder, b"old", NEW_MODE, None).unwrap();
+    let temporary = old.write_temporary(b"old", NEW_MODE, None).unwrap();
     old.check().unwrap();
     // Here it was stopped. Another process removes the lock, takes the folder and finishes.
     fs::remove_file(desk.path().join(NAME)).unwrap();

@@ -4,14 +4,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use loosepin_files::{Folder, FolderLock, Refused, TEXT_LOCK_FILE, TemporaryKind};
+use loosepin_files::{Folder, FolderLock, LockKind, Refused, TemporaryKind};
 
+use super::REPORT_FILE;
 use super::error::ResultsError;
 use super::folder::{ResultsFolder, aside, folder_name, holder, is_file, not_opened, remove_files};
 use super::inputs::InputsHash;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
-use super::{LOCK_FILE, REPORT_FILE};
 
 /// Where results are to go.
 #[derive(Debug, Clone)]
@@ -79,9 +79,11 @@ impl Claim {
     fn take_lock(&self) -> Result<FolderLock, ResultsError> {
         let holder = holder(&format!("{} '{}'", self.kind.words(), self.name));
         let taken = match &self.place {
-            Place::Below(root) => FolderLock::take_under(root, &self.below(), LOCK_FILE, &holder),
-            Place::Within(folder, root) => FolderLock::take_below(folder, &root.join(self.below()), LOCK_FILE, &holder),
-            Place::Folder(path) => FolderLock::take(path, LOCK_FILE, &holder),
+            Place::Below(root) => FolderLock::take_under(root, &self.below(), LockKind::Result, &holder),
+            Place::Within(folder, root) => {
+                FolderLock::take_below(folder, &root.join(self.below()), LockKind::Result, &holder)
+            }
+            Place::Folder(path) => FolderLock::take(path, LockKind::Result, &holder),
         };
         taken.map_err(|error| ResultsError::of_lock(&self.path(), error))
     }
@@ -221,7 +223,7 @@ impl LockedFolder<'_> {
 }
 
 /// That no file of somebody else has a name under which a file of a finished result is to wait. Those that an earlier result has left are
-/// told in the marker.
+/// listed in the marker.
 fn check_names_of_replaced(folder: &Folder, held: &Marker) -> Result<(), ResultsError> {
     for file_name in held.files.keys().filter(|file_name| !held.replaced.contains(file_name)) {
         let name = aside(file_name);
@@ -266,7 +268,7 @@ fn first_entry(folder: &Folder, beside: &[&str]) -> Result<Option<String>, Resul
     let names = others.map(|entry| entry.name.to_string_lossy().into_owned());
     let is_other = |name: &String| {
         let name = name.as_str();
-        name != LOCK_FILE && name != TEXT_LOCK_FILE && !beside.contains(&name)
+        name != LockKind::Result.file_name() && name != LockKind::Text.file_name() && !beside.contains(&name)
     };
     Ok(names.filter(is_other).min())
 }

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use loosepin_files::{FileKind, Folder, FolderLock, Refused};
+use loosepin_files::{FileKind, Folder, FolderLock, LockKind, Refused, read_named_text};
 use loosepin_text::date::date;
 
+use super::REPORT_FILE;
 use super::error::ResultsError;
 use super::kind::{MARKER_FILE, ResultKind};
 use super::marker::{Marker, write};
-use super::{LOCK_FILE, REPORT_FILE};
 
 /// Longest part of a folder name that is made from a name in a file, characters.
 const LONGEST_NAME_CHARS: usize = 60;
@@ -82,7 +82,8 @@ impl ResultsFolder {
     pub fn reopen(path: &Path) -> Result<Self, ResultsError> {
         let FinishedResult { marker, .. } = FinishedResult::open_but(open(path)?, &[REPORT_FILE])?;
         let holder = holder(&format!("report of {} '{}'", marker.kind.words(), marker.name));
-        let lock = FolderLock::take(path, LOCK_FILE, &holder).map_err(|error| ResultsError::of_lock(path, error))?;
+        let lock =
+            FolderLock::take(path, LockKind::Result, &holder).map_err(|error| ResultsError::of_lock(path, error))?;
         // Once more, now that nobody else writes there.
         let FinishedResult { marker, .. } = FinishedResult::open_but(lock.folder().clone(), &[REPORT_FILE])?;
         Ok(Self { marker, lock: Arc::new(lock) })
@@ -129,8 +130,6 @@ impl ResultsFolder {
             // A result stays finished while a page of it is written again: until the page is there, it is not listed.
             self.marker.files.remove(file_name);
             self.marker.write(&self.lock)?;
-        }
-        if self.marker.is_finished {
             write(&self.lock, file_name, contents)?;
             self.marker.files.insert(file_name.to_owned(), Some(hash));
             return self.marker.write(&self.lock);
@@ -212,8 +211,7 @@ impl ResultsFolder {
             for file_name in files.map(String::as_str).chain([MARKER_FILE]) {
                 let aside = aside(file_name);
                 if is_file(self.folder(), &aside)? {
-                    let renamed = self.lock.rename(&aside, file_name);
-                    renamed.map_err(|source| ResultsError::Write { path: self.path().join(file_name), source })?;
+                    rename(&self.lock, &aside, file_name)?;
                 }
             }
             return Ok(());
@@ -231,8 +229,7 @@ impl ResultsFolder {
             if is_file(self.folder(), &aside)? {
                 remove(&self.lock, file_name)?;
             } else {
-                let renamed = self.lock.rename(file_name, &aside);
-                renamed.map_err(|source| ResultsError::Write { path: self.path().join(file_name), source })?;
+                rename(&self.lock, file_name, &aside)?;
             }
         }
         Ok(())
@@ -265,7 +262,7 @@ pub(super) fn not_opened(path: &Path, source: io::Error) -> ResultsError {
     }
 }
 
-/// How the holder of a lock is told to others.
+/// The line by which other processes know the holder of a lock.
 pub(super) fn holder(work: &str) -> String {
     format!("process {}{} ({work}{})", std::process::id(), on_host(), since(SystemTime::now()))
 }
@@ -278,8 +275,8 @@ fn since(now: SystemTime) -> String {
 /// ` on NAME`, where the machine says its name: a folder may be shared by several.
 fn on_host() -> String {
     const MAX_BYTES: u64 = 4096;
-    let named = loosepin_files::read_named(Path::new("/proc/sys/kernel/hostname"), MAX_BYTES).ok();
-    let named = named.and_then(|name| String::from_utf8(name).ok()).or_else(|| std::env::var("COMPUTERNAME").ok());
+    let named = read_named_text(Path::new("/proc/sys/kernel/hostname"), MAX_BYTES).ok();
+    let named = named.or_else(|| std::env::var("COMPUTERNAME").ok());
     named.map_or_else(String::new, |name| format!(" on {}", name.trim()))
 }
 
@@ -296,7 +293,7 @@ pub(super) fn aside(file_name: &str) -> String {
 /// Whether the folder has a plain file of this name.
 pub(super) fn is_file(folder: &Folder, file_name: &str) -> Result<bool, ResultsError> {
     let found = match folder.find(Path::new(file_name)) {
-        // Whoever has changed the marker names what is not in the folder.
+        // A marker that was changed by hand names what is not in the folder.
         Err(error) if Refused::of(&error) == Some(Refused::BadName) => return Ok(false),
         found => found,
     };
@@ -307,6 +304,11 @@ pub(super) fn is_file(folder: &Folder, file_name: &str) -> Result<bool, ResultsE
 fn remove(lock: &FolderLock, file_name: &str) -> Result<(), ResultsError> {
     let path = || lock.folder().path().join(file_name);
     lock.remove(file_name).map_err(|source| ResultsError::Write { path: path(), source })
+}
+
+fn rename(lock: &FolderLock, from: &str, to: &str) -> Result<(), ResultsError> {
+    let path = || lock.folder().path().join(to);
+    lock.rename(from, to).map_err(|source| ResultsError::Write { path: path(), source })
 }
 
 /// Removes plain files; what else has such a name is not of the result.

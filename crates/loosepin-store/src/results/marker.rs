@@ -11,7 +11,7 @@ use super::error::ResultsError;
 use super::kind::{MARKER_FILE, ResultKind};
 
 /// Largest marker, bytes. It has a hundred for each file of its result.
-const MAX_MARKER_BYTES: u64 = 1 << 20;
+pub const MAX_MARKER_BYTES: u64 = 1 << 20;
 /// Largest file of a result that is read into memory, bytes: tables of runs have gigabytes.
 const MAX_FILE_BYTES: u64 = 1 << 36;
 
@@ -40,7 +40,7 @@ impl Marker {
     ///
     /// # Errors
     /// There is none, or another version wrote it.
-    pub fn read(folder: &Folder) -> Result<Self, ResultsError> {
+    pub(super) fn read(folder: &Folder) -> Result<Self, ResultsError> {
         let path = folder.path().join(MARKER_FILE);
         match folder.read(Path::new(MARKER_FILE), MAX_MARKER_BYTES) {
             Ok(text) => serde_json::from_slice(&text).map_err(|source| ResultsError::ForeignMarker { path, source }),
@@ -122,7 +122,7 @@ impl Marker {
     }
 }
 
-/// Writes a file that whoever runs the program names, whole or not at all, in place of a plain file that is there.
+/// Writes a file that the user names, whole or not at all, in place of a plain file that is there.
 ///
 /// # Errors
 /// An error of the file system.

@@ -11,16 +11,18 @@ mod kind;
 mod marker;
 mod shards;
 
+use loosepin_files::LockKind;
+
 pub use claim::{Claim, LockedFolder, Place};
 pub use error::ResultsError;
 pub use folder::{FinishedResult, ResultsFolder};
 pub use inputs::{InputsHash, InputsHasher};
 pub use kind::{MARKER_FILE, ResultKind};
-pub use marker::{Marker, write_whole};
+pub use marker::{MAX_MARKER_BYTES, Marker, write_whole};
 pub use shards::{SHARD_FILE, ShardFolders, ShardRecord, ShardsError};
 
 /// Name of the file that is locked while somebody writes into a folder of results. It says who that is.
-pub const LOCK_FILE: &str = "loosepin.lock";
+pub const LOCK_FILE: &str = LockKind::Result.file_name();
 /// Name of the page that people read.
 pub const REPORT_FILE: &str = "report.html";
 /// Name of the file with the whole result, SI.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::error::ResultsError;
+use crate::shard::Shard;
 use loosepin_text::diagnostics::{Code, problems};
 
 /// Name of the file that says what a folder of a shard belongs to.
@@ -144,7 +145,12 @@ fn read_record(folder: &Path) -> Result<ShardRecord, ResultsError> {
         Ok(text) => text,
         Err(source) => return Err(ResultsError::Read { path, source }),
     };
-    serde_json::from_slice(&text).map_err(|error| ResultsError::ForeignFile { path, reason: error.to_string() })
+    let foreign = |reason: String| ResultsError::ForeignFile { path: path.clone(), reason };
+    let record: ShardRecord = serde_json::from_slice(&text).map_err(|error| foreign(error.to_string()))?;
+    match Shard::new(record.shard, record.of) {
+        Some(_) => Ok(record),
+        None => Err(foreign(format!("there is no shard {}/{}", record.shard, record.of))),
+    }
 }
 
 #[cfg(test)]
@@ -197,6 +203,10 @@ mod tests {
             let other = written(&desk, "other", &other);
             let message = refused(&[one.clone(), two.clone(), other], &desk);
             assert_eq!(message, format!("other belongs to another {words}"));
+        }
+        for odd in [ShardRecord { shard: 0, ..record(3) }, ShardRecord { shard: 4, ..record(3) }] {
+            let message = refused(&[one.clone(), two.clone(), three.clone(), written(&desk, "odd", &odd)], &desk);
+            assert!(message.ends_with(&format!("there is no shard {}/3", odd.shard)), "{message}");
         }
         let empty = desk.path().join("empty");
         std::fs::create_dir_all(&empty).unwrap();

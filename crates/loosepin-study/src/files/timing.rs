@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::SystemTime;
 
-use loosepin_files::read_named;
+use loosepin_files::read_named_text;
 use loosepin_text::date::date;
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
@@ -47,8 +47,7 @@ impl Timing {
 fn processor() -> String {
     // Of a machine with a thousand processors.
     const MAX_BYTES: u64 = 16 << 20;
-    let text = read_named(Path::new("/proc/cpuinfo"), MAX_BYTES).unwrap_or_default();
-    let text = String::from_utf8_lossy(&text);
+    let text = read_named_text(Path::new("/proc/cpuinfo"), MAX_BYTES).unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("model name"));
     line.and_then(|line| line.split_once(':')).map(|(_, name)| name.trim().to_owned()).unwrap_or_default()
 }

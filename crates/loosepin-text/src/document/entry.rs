@@ -1,7 +1,7 @@
 //! Tables and entries of a TOML file with their places.
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 use super::keys::{Key, Keys, Kind};
 use super::path::EntryPath;
@@ -50,14 +50,7 @@ impl<'t> Table<'t> {
         let known = self.keys.find(key);
         debug_assert!(known.is_some(), "the reader asks for '{key}', which the table of keys does not have");
         let (written, value) = self.entries.get_key_value(key)?;
-        Some(Entry {
-            path: self.path.join(key),
-            name: written.get_ref(),
-            key_span: written.span().into(),
-            span: value.span().into(),
-            value: value.get_ref(),
-            key: known,
-        })
+        Some(Entry { key: known, ..Entry::below(&self.path, written, value) })
     }
 
     /// Dimension and rule of a key, where it is a quantity of fixed dimension.
@@ -77,6 +70,22 @@ impl<'t> Table<'t> {
 }
 
 impl<'t> Entry<'t> {
+    /// A key with its value in the table at `path`, without a row in a table of keys.
+    pub(super) fn below(
+        path: &EntryPath,
+        written: &'t Spanned<DeString<'t>>,
+        value: &'t Spanned<DeValue<'t>>,
+    ) -> Entry<'t> {
+        Entry {
+            path: path.join(written.get_ref()),
+            name: written.get_ref(),
+            key_span: written.span().into(),
+            span: value.span().into(),
+            value: value.get_ref(),
+            key: None,
+        }
+    }
+
     /// An element of a list.
     pub(super) fn element(&self, index: usize, value: &'t Spanned<DeValue<'t>>) -> Entry<'t> {
         Entry {
@@ -132,14 +141,7 @@ impl<'t> Entry<'t> {
     /// The entry of a key of the table that stands here, whatever its keys.
     pub fn get(&self, key: &str) -> Option<Entry<'t>> {
         let (written, value) = self.value.as_table()?.get_key_value(key)?;
-        Some(Entry {
-            path: self.path.join(key),
-            name: written.get_ref(),
-            key_span: written.span().into(),
-            span: value.span().into(),
-            value: value.get_ref(),
-            key: None,
-        })
+        Some(Entry::below(&self.path, written, value))
     }
 
     /// Whether a table with this key stands here.

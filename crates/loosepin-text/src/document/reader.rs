@@ -174,19 +174,13 @@ impl Reader {
 
     /// The choice behind the key of a table that decides which other keys it has.
     pub fn tag<T: Copy>(&mut self, entry: &Entry<'_>, key: &'static str, choices: &[(&'static str, T)]) -> Option<T> {
-        let DeValue::Table(entries) = entry.value else { return self.wrong_type(entry, "a table") };
-        let Some((written, value)) = entries.iter().find(|(written, _)| written.get_ref() == key) else {
+        if !entry.is_table() {
+            return self.wrong_type(entry, "a table");
+        }
+        let Some(tag) = entry.get(key) else {
             let keys = choices.iter().map(|(word, _)| *word).collect();
             let problem = DocumentProblem::MissingTag { table: entry.path.describe(), key, choices: keys };
             return self.refuse(&problem, entry.key_span);
-        };
-        let tag = Entry {
-            path: entry.path.join(key),
-            name: written.get_ref(),
-            key_span: written.span().into(),
-            span: value.span().into(),
-            value: value.get_ref(),
-            key: None,
         };
         self.choice(&tag, choices)
     }
@@ -306,17 +300,7 @@ impl Reader {
             self.wrong_type::<()>(entry, "a table");
             return Vec::new();
         };
-        entries
-            .iter()
-            .map(|(key, value)| Entry {
-                path: entry.path.join(key.get_ref()),
-                name: key.get_ref(),
-                key_span: key.span().into(),
-                span: value.span().into(),
-                value: value.get_ref(),
-                key: None,
-            })
-            .collect()
+        entries.iter().map(|(key, value)| Entry::below(&entry.path, key, value)).collect()
     }
 
     /// The elements of a list.

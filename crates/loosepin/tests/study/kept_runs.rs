@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use loosepin::files::FolderLock;
+use loosepin::files::{FolderLock, LockKind};
 use loosepin::model::Model;
-use loosepin::results::{Claim, InputsHasher, LOCK_FILE, Place, ResultKind};
+use loosepin::results::{Claim, InputsHasher, Place, ResultKind};
 use loosepin::store::{InputsKey, KeptRun, RunStore, StoreError};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{Begun, Study, StudyError, begin_in_folder, conclude, store_identity};
@@ -58,7 +58,7 @@ fn runs_are_kept_where_a_study_fails_after_them() {
     let folder = root.path().join("some");
     let failing = Failing::new(&folder);
     failing.fail_after(3);
-    let lock = FolderLock::take(&folder, LOCK_FILE, "test").expect("nobody holds it");
+    let lock = FolderLock::take(&folder, LockKind::Result, "test").expect("nobody holds it");
     assert_eq!(failing.store(&Arc::new(lock)).expect("it is there").runs_at_start(), 3);
 }
 

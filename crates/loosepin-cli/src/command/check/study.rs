@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use loosepin::model::{QuantityError, QuantityId, Values};
 use loosepin::study::{
-    Budget, CorrelationMeasure, Foreseen, ForeseenPromise, Study, StudyError, distribution_words, foresee,
+    Budget, CorrelationMeasure, Foreseen, ForeseenPromise, Study, StudyError, default_threads, distribution_words,
+    foresee,
 };
 use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
@@ -43,7 +44,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),
     })?;
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = default_threads();
     let turns = study.cycle.transient_turns;
     let _ = writeln!(
         text,

@@ -16,7 +16,7 @@ fn claim(path: &Path, input: &str, with_force: bool) -> Claim {
 }
 
 fn lock(path: &Path) -> FolderLock {
-    FolderLock::take(path, LOCK_FILE, "test").expect("nobody holds it")
+    FolderLock::take(path, LockKind::Result, "test").expect("nobody holds it")
 }
 
 fn finished(path: &Path, input: &str) {
