@@ -19,6 +19,7 @@ use loosepin::study::{
 };
 
 use crate::folder::Folder;
+use crate::messages::Shown;
 use crate::refusal::Refusal;
 use crate::stored::{stored_study, study_of};
 use crate::texts::Texts;
@@ -41,12 +42,16 @@ pub enum Outcome {
     Stopped,
 }
 
-/// Reads a study that is saved in the folder.
+/// Reads a study of the folder: its texts as the page shows them, or those on the disk.
 ///
 /// # Errors
 /// What is wrong with it, in words.
-pub fn read_study(folder: &Folder, path: &str) -> Result<Study, Vec<String>> {
-    let texts = Texts::of_study(folder, path).map_err(|refusal| vec![refusal.message])?;
+pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<Study, Vec<String>> {
+    let texts = match shown {
+        Some(shown) => Texts::shown(folder, shown),
+        None => Texts::of_study(folder, path),
+    };
+    let texts = texts.map_err(told)?;
     let file = texts.read().map_err(|complaints| words(&complaints))?;
     file.into_study().map_err(|complaints| words(&complaints))
 }

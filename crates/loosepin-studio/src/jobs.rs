@@ -15,7 +15,7 @@ use tokio::sync::broadcast;
 
 use crate::folder::Folder;
 use crate::job::{Outcome, read_study, run, run_witness};
-use crate::messages::{Job, JobDraft, JobKind, JobState};
+use crate::messages::{Job, JobDraft, JobKind, JobState, Shown};
 
 /// Most jobs that wait.
 const MOST_WAITING: usize = 16;
@@ -29,8 +29,13 @@ const BEHIND: usize = 64;
 /// What is to be run.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Task {
-    /// A study that is saved: its path in the served folder.
-    Study(String),
+    /// A study that is saved.
+    Study {
+        /// Its path in the served folder.
+        path: String,
+        /// The texts that the page shows; those on the disk where it says none.
+        shown: Option<Box<Shown>>,
+    },
     /// The mechanism at a witness of a finished study.
     Witness {
         /// Path of the result.
@@ -43,14 +48,14 @@ pub enum Task {
 impl Task {
     fn kind(&self) -> JobKind {
         match self {
-            Self::Study(_) => JobKind::Study,
+            Self::Study { .. } => JobKind::Study,
             Self::Witness { .. } => JobKind::Run,
         }
     }
 
     fn subject(&self) -> &str {
         match self {
-            Self::Study(path) | Self::Witness { result: path, .. } => path,
+            Self::Study { path, .. } | Self::Witness { result: path, .. } => path,
         }
     }
 }
@@ -228,14 +233,14 @@ impl Jobs {
 
     fn run(&self, id: u64, task: &Task, stop: &AtomicBool, began: Instant) -> Result<Outcome, Vec<String>> {
         self.change(id, |job| job.state = JobState::Running);
-        let path = match task {
-            Task::Study(path) => path,
+        let (path, shown) = match task {
+            Task::Study { path, shown } => (path, shown),
             Task::Witness { result, witness } => {
                 let named = |title: String| self.change(id, |job| job.title = title);
                 return run_witness(&self.folder, result, *witness, &named, stop);
             }
         };
-        let study = read_study(&self.folder, path)?;
+        let study = read_study(&self.folder, path, shown.as_deref())?;
         self.change(id, |job| job.title.clone_from(&study.name));
         let threads = default_threads();
         let teller = Teller { jobs: self, id, began, last: Mutex::new(None) };

@@ -14,6 +14,15 @@ pub struct SentText {
     pub text: String,
 }
 
+/// A study and its model, as the page shows them.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Shown {
+    /// The model.
+    pub model: SentText,
+    /// The study.
+    pub study: SentText,
+}
+
 /// What the page asks to be read.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Look {
@@ -86,6 +95,9 @@ pub enum FromPage {
     Run {
         /// Its path in the served folder.
         study: String,
+        /// The texts that the page shows: these are run, whatever is on the disk by then.
+        #[serde(default)]
+        shown: Option<Box<Shown>>,
     },
     /// Run the mechanism at a witness of a finished study.
     Simulate {

@@ -82,7 +82,9 @@ async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
                         mailbox.put(*look);
                         Ok(())
                     }
-                    Ok(FromPage::Run { study }) => add(&studio, &mut socket, Task::Study(study)).await,
+                    Ok(FromPage::Run { study, shown }) => {
+                        add(&studio, &mut socket, Task::Study { path: study, shown }).await
+                    }
                     Ok(FromPage::Simulate { result, witness }) => {
                         add(&studio, &mut socket, Task::Witness { result, witness }).await
                     }

@@ -11,7 +11,7 @@ use loosepin::study::result::StudyResult;
 use loosepin::study::{InputFile, Study, named_model};
 
 use crate::folder::Folder;
-use crate::messages::Look;
+use crate::messages::{Look, Shown};
 use crate::refusal::Refusal;
 
 /// Most names of tables that are looked up for a text.
@@ -43,6 +43,21 @@ impl Texts {
         })?;
         let model = folder.read(&plain(&model_path))?.text;
         Ok(Self::new(folder, (&model_path, &model), Some((path, &study))))
+    }
+
+    /// Those of a study as the page shows it.
+    ///
+    /// # Errors
+    /// The study names another model than the one that is shown: the command would run that one.
+    pub fn shown(folder: &Folder, shown: &Shown) -> Result<Self, Refusal> {
+        let Shown { model, study } = shown;
+        let named = model_beside(&study.path, &study.text).map(|path| plain(&path));
+        if named.as_deref() != Some(plain(&model.path).as_str()) {
+            let named = named.map_or("no model".to_owned(), |path| format!("the model '{path}'"));
+            let message = format!("'{}' names {named}; the page shows '{}'", study.path, model.path);
+            return Err(Refusal::bad(message).with_hint("save it, and open it again"));
+        }
+        Ok(Self::new(folder, (&model.path, &model.text), Some((&study.path, &study.text))))
     }
 
     /// Those that a result holds, with the tables that it holds.

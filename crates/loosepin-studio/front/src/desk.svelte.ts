@@ -18,6 +18,8 @@ import { ask } from './wire.ts';
 import { words } from './words.ts';
 
 const typingPauseMs = 150;
+/** A text whose errors are not known after so long is saved as it is: the analysis of a large model must not keep it from the disk. */
+const checkPatienceMs = 3000;
 /** Texts of the model of which it is remembered where bodies were. */
 const mostPoses = 200;
 
@@ -75,6 +77,9 @@ export class Desk {
   private poses: Poses = {};
   /** The same by the text of the model. */
   private readonly posesBy = new Map<string, Poses>();
+  /** Version of the texts whose complaints are known, and who waits for those of a newer one. */
+  private checked = -1;
+  private waiting: (() => void)[] = [];
   private confirmed: { answer: Restructured; version: number } | null = null;
 
   constructor(readonly documents: Documents) {
@@ -360,6 +365,26 @@ export class Desk {
     if (this.posesBy.size > mostPoses) this.posesBy.delete(this.posesBy.keys().next().value ?? '');
   }
 
+  /** The first error of the texts as they are now; null where there is none, or where the server does not say in time. */
+  async firstError(): Promise<Complaint | null> {
+    if (this.checked !== this.documents.version) {
+      this.looker.now();
+      await new Promise<void>((resolve) => {
+        this.waiting.push(resolve);
+        window.setTimeout(resolve, checkPatienceMs);
+      });
+    }
+    if (this.checked !== this.documents.version) return null;
+    return this.complaints.find(({ severity }) => severity === 'error') ?? null;
+  }
+
+  private check(version: number): void {
+    this.checked = version;
+    if (version !== this.documents.version) return;
+    this.waiting.forEach((resolve) => resolve());
+    this.waiting = [];
+  }
+
   show(document: Which, from: number, to: number): void {
     this.reveal = { document, from, to };
   }
@@ -410,6 +435,7 @@ export class Desk {
       if (document === null || from == null || to == null) return { ...complaint, fix };
       return { ...documents.moved(document, { ...complaint, from, to }, version), fix };
     });
+    this.check(version);
     this.isStale = seen.view === null;
     if (seen.view) {
       this.view = seen.view;

@@ -295,7 +295,7 @@ export interface Seen {
   is_cut: boolean;
 }
 
-export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string } | { kind: 'simulate'; result: string; witness: number } | { kind: 'stop'; id: Job['id'] };
+export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string; shown: { model: PathAndText; study: PathAndText } } | { kind: 'simulate'; result: string; witness: number } | { kind: 'stop'; id: Job['id'] };
 
 export type FromServer =
   | { kind: 'hello'; version: string; jobs: Job[] }

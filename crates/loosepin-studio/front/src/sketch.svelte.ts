@@ -18,6 +18,15 @@ export interface Drawn {
 
 const empty: Drawn = { pins: [], links: [], motor: null };
 const mostKept = 200;
+/** Where a drawing is kept over a reload of the page, until a model is made of it. */
+const storageKey = 'loosepin-sketch';
+
+interface KeptSketch {
+  name: string;
+  drawn: Drawn;
+  past: Drawn[];
+  future: Drawn[];
+}
 
 /** Without a pin; what loses too many of its pins goes too. */
 function withoutPin(drawn: Drawn, pin: number): Drawn {
@@ -35,6 +44,42 @@ export class Sketch {
   losses = $state(0);
   private past: Drawn[] = [];
   private future: Drawn[] = [];
+
+  constructor(public name: string) {}
+
+  /** The drawing as it was before the page was loaded again, or an empty one. */
+  static restored(name: string): Sketch {
+    const sketch = new Sketch(name);
+    try {
+      const kept = JSON.parse(sessionStorage.getItem(storageKey) ?? 'null') as KeptSketch | null;
+      if (kept) {
+        sketch.name = kept.name;
+        [sketch.past, sketch.future] = [kept.past, kept.future];
+        sketch.show(kept.drawn);
+      }
+    } catch {
+      // Without storage, or with one that holds something else, a drawing begins empty.
+    }
+    return sketch;
+  }
+
+  keep(): void {
+    const { name, drawn, past, future } = this;
+    try {
+      sessionStorage.setItem(storageKey, JSON.stringify({ name, drawn, past, future } satisfies KeptSketch));
+    } catch {
+      // A full storage, or none: the drawing lives as long as the page.
+    }
+  }
+
+  /** A model was made of it. */
+  static forget(): void {
+    try {
+      sessionStorage.removeItem(storageKey);
+    } catch {
+      // None was kept.
+    }
+  }
 
   /** One step that can be undone. */
   change(drawn: Drawn): void {

@@ -27,6 +27,33 @@ fn ended(live: &mut Live, mut hears: impl FnMut(&Value)) -> Value {
 }
 
 #[test]
+fn the_texts_that_are_shown_are_run_whatever_is_on_the_disk() {
+    let desk = tempfile::tempdir().unwrap();
+    let study = written(desk.path());
+    let model = study.replace("study.toml", "model.toml");
+    let text = |path: &str| std::fs::read_to_string(desk.path().join(path)).unwrap();
+    let named = |name: &str| text(&study).replacen("name = \"", &format!("name = \"{name} "), 1);
+    let run = |study_text: String| {
+        let shown =
+            json!({"model": {"path": model, "text": text(&model)}, "study": {"path": study, "text": study_text}});
+        json!({"kind": "run", "study": study, "shown": shown})
+    };
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    live.send(&run(named("shown")));
+    let job = ended(&mut live, |_| {});
+    assert_eq!(job["state"], "done", "{job}");
+    assert!(job["title"].as_str().unwrap().starts_with("shown "), "{job}");
+    assert!(!text(&study).contains("shown "), "nothing is saved by running");
+    // The command would run the other model.
+    live.send(&run(text(&study).replace("model.toml", "other.toml")));
+    let job = ended(&mut live, |_| {});
+    assert_eq!(job["state"], "failed", "{job}");
+    let said = job["complaints"][0].as_str().unwrap();
+    assert!(said.contains("names the model '") && said.contains("other.toml'; the page shows '"), "{said}");
+}
+
+#[test]
 fn a_study_runs_in_the_background_and_its_report_is_seen() {
     let desk = tempfile::tempdir().unwrap();
     let study = written(desk.path());
