@@ -39,6 +39,8 @@ pub use ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
 pub use linear::{Elimination, determinant, determinant_sign, solve_square};
 pub use numbers::Numbers;
 pub use real::Real;
-pub use spline::{clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline};
+pub use spline::{
+    clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline, resting_spline,
+};
 pub use vector::Vec2;
 pub use whole_range::{any_exponential, any_logarithm, any_power};

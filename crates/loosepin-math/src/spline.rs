@@ -69,6 +69,53 @@ pub fn natural_spline<T: Real>(points: &[[T; 2]]) -> Vec<T> {
     moments
 }
 
+/// The cubic spline through `points`, at least two, that begins and ends at rest: slope and second derivative are zero at both ends. Gives
+/// its nodes, two more than there are points, and the second derivatives there.
+///
+/// A spline through the points alone has two numbers to choose, and rest at both ends asks for four. So the first and the last interval have
+/// a further node each, in their middle (at the thirds of an only interval). Its value follows from the slope at the end:
+/// y_1 = y_0 + h_0² M_1/6 with M_0 = 0, and the same from the other end. Put into the rows of [`clamped_spline`], that leaves a
+/// tridiagonal system in M_1 to M_(m-1).
+pub fn resting_spline<T: Real>(points: &[[T; 2]]) -> (Vec<[T; 2]>, Vec<T>) {
+    let (two, six) = (T::from_f64(2.0), T::from_f64(6.0));
+    let count = points.len() - 1;
+    let between = |k: usize, share: f64| {
+        let share = T::from_f64(share);
+        let [[x0, y0], [x1, _]] = [points[k], points[k + 1]];
+        [x0 + share * (x1 - x0), y0]
+    };
+    let shares = if count == 1 { [1.0 / 3.0, 2.0 / 3.0] } else { [0.5, 0.5] };
+    let mut nodes = vec![points[0], between(0, shares[0])];
+    nodes.extend(&points[1..count]);
+    nodes.extend([between(count - 1, shares[1]), points[count]]);
+    let last = nodes.len() - 1;
+    let (h, _) = chords(&nodes);
+    // Values without what the unknown ones depend on: M_1 and M_(last-1).
+    let value = |i: usize| match i {
+        0 | 1 => points[0][1],
+        i if i + 1 >= last => points[count][1],
+        i => points[i - 1][1],
+    };
+    let inner = 1..last;
+    let mut lower: Vec<T> = inner.clone().map(|i| h[i - 1]).collect();
+    let mut diagonal: Vec<T> = inner.clone().map(|i| two * (h[i - 1] + h[i])).collect();
+    let mut upper: Vec<T> = inner.clone().map(|i| h[i]).collect();
+    let chord = |i: usize| (value(i + 1) - value(i)) / h[i];
+    let right: Vec<T> = inner.map(|i| six * (chord(i) - chord(i - 1))).collect();
+    let end = last - 2;
+    let (first, final_) = (h[0] * h[0] / h[1], h[last - 1] * h[last - 1] / h[last - 2]);
+    diagonal[0] += first + h[0];
+    diagonal[end] += final_ + h[last - 1];
+    lower[1] -= first;
+    upper[end - 1] -= final_;
+    let mut moments = vec![T::zero()];
+    moments.extend(tridiagonal(&lower, &diagonal, &upper, right));
+    moments.push(T::zero());
+    nodes[1][1] = points[0][1] + h[0] * h[0] * moments[1] / six;
+    nodes[last - 1][1] = points[count][1] + h[last - 1] * h[last - 1] * moments[last - 1] / six;
+    (nodes, moments)
+}
+
 /// Slopes at the nodes of a curve of cubic pieces through `points` that rises only where they rise and falls only where they fall,
 /// and whose slope does not jump: the weighted harmonic mean of the chords' slopes on both sides, zero where they differ in sign;
 /// at the ends the slope of a parabola through three points, as far as it keeps the shape.
@@ -189,6 +236,35 @@ mod tests {
         // Points on a line stay on it.
         let line = POINTS.map(|[x, _]| [x, 0.3 - 1.7 * x]);
         assert!(natural_spline(&line).iter().all(|moment| moment.abs() < 1e-12));
+    }
+
+    #[test]
+    fn identity_a_resting_spline_goes_through_its_points_and_rests_at_both_ends() {
+        for count in 2..=POINTS.len() {
+            let points = &POINTS[..count];
+            let (nodes, moments) = resting_spline(points);
+            assert_eq!((nodes.len(), moments.len()), (count + 2, count + 2));
+            assert!(points.iter().all(|point| nodes.contains(point)), "{nodes:?}");
+            // Round-off of moments up to a thousand.
+            assert!(jumps(&nodes, &moments) < 1e-11, "{count}: {}", jumps(&nodes, &moments));
+            assert_eq!((moments[0], moments[count + 1]), (0.0, 0.0));
+            let piece = |i: usize| cubic_piece(nodes[i], nodes[i + 1], [moments[i], moments[i + 1]]);
+            let (first, last, h) = (piece(0), piece(count), nodes[count + 1][0] - nodes[count][0]);
+            let final_slope = last[1] + h * (2.0 * last[2] + h * 3.0 * last[3]);
+            assert!(first[1].abs() < 1e-12 && final_slope.abs() < 1e-12, "{count}: {} {final_slope}", first[1]);
+        }
+    }
+
+    #[test]
+    fn analytic_a_rise_from_rest_to_rest_is_three_cubics_of_equal_length() {
+        // Second derivative 0, a, -a, 0 at the thirds of a length of 3: the rise is a, and a/6 of it lies in the first third.
+        let (nodes, moments) = resting_spline(&[[0.0, 0.7], [3.0, 1.9]]);
+        let expected = [0.0, 1.2, -1.2, 0.0];
+        assert!(
+            moments.iter().zip(expected).all(|(found, due): (&f64, f64)| (found - due).abs() < 1e-14),
+            "{moments:?}"
+        );
+        assert!((nodes[1][1] - 0.9).abs() < 1e-14 && (nodes[2][1] - 1.7).abs() < 1e-14, "{nodes:?}");
     }
 
     #[test]

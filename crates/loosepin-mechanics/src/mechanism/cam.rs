@@ -1,10 +1,11 @@
-//! The profile of a cam: a periodic cubic spline.
+//! The profile of a cam: a periodic cubic spline with dwells.
 
 use super::pieces::Pieces;
-use loosepin_math::{Real, cubic_piece, numbers, periodic_spline};
+use loosepin_math::{Real, cubic_piece, numbers, periodic_spline, resting_spline};
 
 /// The coordinate of a follower over that of its cam: a spline through points, repeated for ever, each time from where the last one
-/// ended. Its second derivative does not jump.
+/// ended. Its second derivative does not jump. In a dwell the follower rests: the spline reaches it and leaves it with slope and second
+/// derivative zero, so that it goes nowhere beyond.
 #[derive(Debug, Clone)]
 pub struct CamProfile<T> {
     /// Where the first point is.
@@ -20,19 +21,30 @@ pub struct CamProfile<T> {
 numbers!(struct CamProfile { start, period, rise, pieces });
 
 impl<T: Real> CamProfile<T> {
-    /// Through `points`, at least three, with increasing arguments.
-    pub fn new(points: &[[T; 2]]) -> Self {
-        let (moments, last) = (periodic_spline(points), points.len() - 1);
-        let piece = |k: usize| {
-            let [c0, c1, c2, c3] = cubic_piece(points[k], points[k + 1], [moments[k], moments[k + 1]]);
-            [points[k][0], c0, c1, c2, c3]
+    /// Through `points`, at least three, with increasing arguments; `dwells` says of each interval between them whether the follower rests
+    /// there.
+    pub fn new(points: &[[T; 2]], dwells: &[bool]) -> Self {
+        let last = points.len() - 1;
+        let period = points[last][0] - points[0][0];
+        let rise = points[last][1] - points[0][1];
+        let (nodes, moments) = match dwells.iter().position(|is_dwell| *is_dwell) {
+            None => (points.to_vec(), periodic_spline(points)),
+            // Begun where a dwell ends, so that no stretch between dwells is cut.
+            Some(dwell) => {
+                let point = |k: usize| {
+                    let [x, y] = points[k % last];
+                    if k < last { [x, y] } else { [x + period, y + rise] }
+                };
+                stretches(dwells, dwell + 1, point)
+            }
         };
-        Self {
-            start: points[0][0],
-            period: points[last][0] - points[0][0],
-            rise: points[last][1] - points[0][1],
-            pieces: Pieces::new(points[1..last].iter().map(|point| point[0]).collect(), (0..last).map(piece).collect()),
-        }
+        let piece = |k: usize| {
+            let [c0, c1, c2, c3] = cubic_piece(nodes[k], nodes[k + 1], [moments[k], moments[k + 1]]);
+            [nodes[k][0], c0, c1, c2, c3]
+        };
+        let count = nodes.len() - 1;
+        let breaks = nodes[1..count].iter().map(|node| node[0]).collect();
+        Self { start: nodes[0][0], period, rise, pieces: Pieces::new(breaks, (0..count).map(piece).collect()) }
     }
 
     /// Value and first two derivatives at `coordinate`.
@@ -47,6 +59,25 @@ impl<T: Real> CamProfile<T> {
         let slope = (three * c3).mul_add(u, two * c2).mul_add(u, c1);
         [periods.mul_add(self.rise, value), slope, two * (three * c3).mul_add(u, c2)]
     }
+}
+
+/// Nodes and second derivatives over one period from the point `first` on, which ends a dwell. Each dwell, and each stretch between two of
+/// them, is a spline that begins and ends at rest. `point` is periodic.
+fn stretches<T: Real>(dwells: &[bool], first: usize, point: impl Fn(usize) -> [T; 2]) -> (Vec<[T; 2]>, Vec<T>) {
+    let count = dwells.len();
+    let (mut nodes, mut moments) = (vec![point(first)], vec![T::zero()]);
+    let mut begin = first;
+    for end in first + 1..=first + count {
+        // Points end a stretch where a dwell begins or ends.
+        if dwells[(end - 1) % count] || dwells[end % count] {
+            let stretch: Vec<[T; 2]> = (begin..=end).map(&point).collect();
+            let (its_nodes, its_moments) = resting_spline(&stretch);
+            nodes.extend(&its_nodes[1..]);
+            moments.extend(&its_moments[1..]);
+            begin = end;
+        }
+    }
+    (nodes, moments)
 }
 
 impl CamProfile<f64> {
@@ -69,7 +100,7 @@ mod tests {
 
     #[test]
     fn identity_goes_through_its_points_again_and_again() {
-        let profile = CamProfile::new(&POINTS);
+        let profile = CamProfile::new(&POINTS, &[false; 4]);
         for periods in [-3.0, 0.0, 7.0] {
             for [x, y] in POINTS {
                 let found = profile.at(x + periods * 6.0)[0];
@@ -80,7 +111,7 @@ mod tests {
 
     #[test]
     fn identity_slopes_are_the_derivatives_and_do_not_jump() {
-        let profile = CamProfile::new(&POINTS);
+        let profile = CamProfile::new(&POINTS, &[false; 4]);
         let dual = CamProfile::broadcast(&profile);
         for k in -40..40 {
             let x = 0.17 * f64::from(k);
@@ -93,6 +124,47 @@ mod tests {
             let (before, after) = (profile.at(x - 1e-13), profile.at(x + 1e-13));
             // A third derivative of ten times the distance, and round-off.
             assert!((0..3).all(|k| (before[k] - after[k]).abs() < 1e-11), "{x}: {before:?} {after:?}");
+        }
+    }
+
+    /// Dwells at 5 from 1 to 2 and at 0.5 from 5.5 over the end of the period to 6.4, and a stretch with points and one without.
+    const WITH_DWELLS: [[f64; 2]; 7] =
+        [[0.0, 0.5], [0.4, 0.5], [1.0, 5.0], [2.0, 5.0], [3.1, 3.0], [4.2, 1.5], [5.5, 0.5]];
+
+    fn with_dwells() -> CamProfile<f64> {
+        let mut points = WITH_DWELLS.to_vec();
+        points.push([6.0, 0.5]);
+        CamProfile::new(&points, &[true, false, true, false, false, false, true])
+    }
+
+    #[test]
+    fn identity_a_dwell_is_flat_and_nothing_goes_beyond_it() {
+        let profile = with_dwells();
+        for k in 0..=12_000 {
+            let x = -6.0 + 0.001 * f64::from(k);
+            let [value, slope, bend] = profile.at(x);
+            let place = x.rem_euclid(6.0);
+            assert!((0.5 - ROUND_OFF..=5.0 + ROUND_OFF).contains(&value), "{x}: {value}");
+            if (1.0..=2.0).contains(&place) || !(0.4..=5.5).contains(&place) {
+                let level = if place < 0.5 || place > 5.0 { 0.5 } else { 5.0 };
+                assert!((value - level).abs() < ROUND_OFF, "{x}: {value}");
+                // Second derivatives of up to a hundred beside it.
+                assert!(slope.abs() < 1e-11 && bend.abs() < 1e-11, "{x}: {slope} {bend}");
+            }
+        }
+    }
+
+    #[test]
+    fn identity_a_profile_with_dwells_goes_through_its_points_and_its_slopes_do_not_jump() {
+        let profile = with_dwells();
+        for [x, y] in WITH_DWELLS {
+            for periods in [-2.0, 0.0, 1.0] {
+                let found = profile.at(x + 6.0 * periods)[0];
+                assert!((found - y).abs() < 10.0 * ROUND_OFF, "{x} {periods}: {found}");
+            }
+            let (before, after) = (profile.at(x - 1e-13), profile.at(x + 1e-13));
+            // A third derivative of a thousand times the distance, and round-off.
+            assert!((0..3).all(|k| (before[k] - after[k]).abs() < 1e-9), "{x}: {before:?} {after:?}");
         }
     }
 }

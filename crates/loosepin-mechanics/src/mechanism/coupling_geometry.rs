@@ -41,9 +41,9 @@ impl<T: Real> CouplingNumbers<T> {
     fn new(law: &CouplingLaw, number: &dyn Fn(QuantityId) -> T) -> Self {
         let (ratio, offset) = match law {
             CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
-            CouplingLaw::Cam { points } => {
+            CouplingLaw::Cam { points, dwells } => {
                 let points: Vec<[T; 2]> = points.iter().map(|point| point.map(number)).collect();
-                return Self::Cam(CamProfile::new(&points));
+                return Self::Cam(CamProfile::new(&points, dwells));
             }
         };
         let signed = |value: T, is_reversed: bool| if is_reversed { -value } else { value };

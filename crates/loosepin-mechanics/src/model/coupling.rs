@@ -67,10 +67,12 @@ pub enum CouplingLaw {
         /// Where the first joint is at zero, rad or m.
         offset: QuantityId,
     },
-    /// A periodic cubic spline: the profile of a cam.
+    /// A periodic cubic spline with dwells: the profile of a cam.
     Cam {
         /// Coordinates of the first joint, increasing, and of the second.
         points: Vec<[QuantityId; 2]>,
+        /// Whether the follower rests from a point to the next: their values are equal in the model.
+        dwells: Vec<bool>,
     },
 }
 
@@ -100,7 +102,7 @@ impl CouplingLaw {
     pub fn quantities(&self) -> Vec<QuantityId> {
         let (ratio, offset) = match self {
             Self::Ratio { ratio, offset } => (ratio, offset),
-            Self::Cam { points } => return points.iter().flatten().copied().collect(),
+            Self::Cam { points, .. } => return points.iter().flatten().copied().collect(),
         };
         let mut quantities = match *ratio {
             Ratio::Given(id) => vec![id],

@@ -258,6 +258,12 @@ problems! {
         FollowerTurns { entry: String, joint: String } => Code::PlayOfCoupling,
             says("{entry}: joint '{joint}' turns; only a follower that slides may lift off"),
             hint("leave contact out, or name a prismatic joint as follower");
+        CamPeriod { entry: String, from: String, to: String, whole: String } => Code::BreaksRule,
+            says(
+                "{entry}: its points go from {from} to {to}, which is one period of the profile; it must be a turn, whole turns, or a whole part of a \
+                 turn"
+            ),
+            hint("carry the points on to {whole}: between the last point and that nothing is known");
         ControlledTwice { entry: String, joint: String, other: String } => Code::DrivenTwice,
             says("{entry}: joint '{joint}' is already moved by {other}");
         CycleNeedsTurns { drive: String } => Code::DriveNotPossible,

@@ -6,7 +6,7 @@ use loosepin::model::{
     Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, JointKind, Load, LoadKind, Model,
     PointId, QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
 };
-use loosepin::units::{Dimension, format_value};
+use loosepin::units::{Dimension, format_value, listed};
 
 use super::law_words::law_words;
 use crate::console::counted;
@@ -185,12 +185,32 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     words
 }
 
+/// The points at which each run of dwelling intervals begins and ends.
+fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
+    let mut ends: Vec<[usize; 2]> = Vec::new();
+    for (interval, _) in dwells.iter().enumerate().filter(|(_, is_dwell)| **is_dwell) {
+        match ends.last_mut() {
+            Some([_, end]) if *end == interval => *end = interval + 1,
+            _ => ends.push([interval, interval + 1]),
+        }
+    }
+    ends
+}
+
 fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
     let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
     let (ratio, offset) = match &coupling.law {
         CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
-        CouplingLaw::Cam { points } => {
-            return format!("'{second}' follows '{first}' by a cam of {} points", points.len());
+        CouplingLaw::Cam { points, dwells } => {
+            let mut words = format!("'{second}' follows '{first}' by a cam of {} points", points.len());
+            let ends = dwell_ends(dwells);
+            if !ends.is_empty() {
+                let shown = |k: usize| format_value(values[points[k][0]], model.quantities[points[k][0]].dimension);
+                let dwells: Vec<String> =
+                    ends.iter().map(|[from, to]| format!("from {} to {}", shown(*from), shown(*to))).collect();
+                let _ = write!(words, "; dwells {}", listed(&dwells, "and"));
+            }
+            return words;
         }
     };
     let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);

@@ -127,12 +127,21 @@ fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
         JointKind::Revolute { bearing, journal, .. } => {
             format!("revolute: {} turns in {}", point(*journal), point(*bearing))
         }
-        JointKind::Prismatic { guide, guide_angle_rad, slider, .. } => format!(
-            "prismatic: {} slides on a line through {} at {}",
-            point(*slider),
-            point(*guide),
-            angle(values[*guide_angle_rad])
-        ),
+        JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, .. } => {
+            let turned_rad = values[*guide_angle_rad] - values[*slider_angle_rad];
+            let turned = if turned_rad == 0.0 {
+                String::new()
+            } else {
+                let body = |id: BodyId| &model.bodies[id.0].name;
+                format!(", which turns '{}' by {} from '{}'", body(slider.body), angle(turned_rad), body(guide.body))
+            };
+            format!(
+                "prismatic: {} slides on a line through {} at {}{turned}",
+                point(*slider),
+                point(*guide),
+                angle(values[*guide_angle_rad])
+            )
+        }
         JointKind::Slot { slot, slot_angle_rad, pin, .. } => format!(
             "slot: {} slides and turns in a slot through {} at {}",
             point(*pin),

@@ -10,7 +10,10 @@ use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::topology::{JointKind, Stiffness};
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::units::{Dimension, Rule, format_value};
+
+/// Of the angles of a whole period that are written with as many digits as tables have.
+const PERIOD_ROUND_OFF: f64 = 1e-9;
 
 impl ModelReader {
     /// Reads the table of couplings.
@@ -153,6 +156,14 @@ impl ModelReader {
         let [first, second] = joints?;
         let [from, to] = [first, second].map(|joint| self.coordinate_of(joint));
         let points = self.table_points(table, [("cam", from), ("follower", to)])?;
+        if from == Dimension::ANGLE {
+            self.demand_whole_turns(table, &points)?;
+        }
+        let dwells = points.windows(2).map(|pair| {
+            let [before, after] = [pair[0][1], pair[1][1]].map(|id| self.quantities.nominal_value(id));
+            before == after
+        });
+        let dwells = dwells.collect();
         let play = if table.has("contact") {
             let contact = self.contact_of(table)?;
             self.demand_contact_of_flanks(table, contact, "a cam and its follower")?;
@@ -166,7 +177,33 @@ impl ModelReader {
         } else {
             None
         };
-        Some(Coupling { path: entry.path.dotted(), first, second, law: CouplingLaw::Cam { points }, play, teeth: None })
+        Some(Coupling {
+            path: entry.path.dotted(),
+            first,
+            second,
+            law: CouplingLaw::Cam { points, dwells },
+            play,
+            teeth: None,
+        })
+    }
+
+    /// The points of a cam that turns span a turn, whole turns, or a whole part of one: after a turn it is where it was.
+    fn demand_whole_turns(&mut self, table: &Table<'_>, points: &[[QuantityId; 2]]) -> Option<()> {
+        let [first, last] = [points[0][0], points[points.len() - 1][0]].map(|id| self.quantities.nominal_value(id));
+        let turns = (last - first) / std::f64::consts::TAU;
+        let is_whole = |count: f64| (count - count.round()).abs() < PERIOD_ROUND_OFF * count;
+        if is_whole(turns) || is_whole(1.0 / turns) {
+            return Some(());
+        }
+        let degrees = |angle_rad: f64| format_value(angle_rad, Dimension::ANGLE);
+        let problem = ModelProblem::CamPeriod {
+            entry: table.path.describe(),
+            from: degrees(first),
+            to: degrees(last),
+            whole: degrees(first + turns.ceil() * std::f64::consts::TAU),
+        };
+        let key = if table.has("csv") { "csv" } else { "points" };
+        self.reader.refuse(&problem, table.get(key).map_or(table.span, |entry| entry.span))
     }
 
     /// Dimension of the coordinate of a joint.
