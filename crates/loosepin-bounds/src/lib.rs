@@ -48,6 +48,7 @@ pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::scratch::Scratch;
 pub use data::statistic::Statistic;
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
+pub use estimators::probability::least_counted_runs;
 pub use estimators::quantile::between_order_statistics;
 pub use loosepin_terms::Side;
 pub use plan::check::{MOST_OUTER, ProblemError};

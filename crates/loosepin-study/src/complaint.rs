@@ -15,6 +15,7 @@ impl Problem for StudyError {
     fn code(&self) -> Code {
         match self {
             Self::Prepare(error) => error.code(),
+            Self::NothingAsked => Code::NothingAsked,
             Self::Loosened { .. } => Code::AskNotPossible,
             Self::Plan(_)
             | Self::Contributors(_)
@@ -37,6 +38,7 @@ impl Problem for StudyError {
     fn hint(&self) -> Option<String> {
         match self {
             Self::Prepare(error) => error.hint(),
+            Self::NothingAsked => Some("run loosepin identify, or add [[ask]] or [[require]]".to_owned()),
             Self::AllFailed { reason, .. } => reason.hint(),
             Self::BudgetTooSmall { least, .. } => Some(format!(
                 "a budget of {least} runs suffices for a first answer; smaller outer and inner under [sampling] need fewer"
@@ -140,6 +142,7 @@ impl StudyError {
                 Complaint { hint: Some(hint), ..Complaint::error(self, study.budget_place().cloned()) }
             }
             Self::BudgetTooSmall { .. } | Self::TimeOfShards => Complaint::error(self, study.budget_place().cloned()),
+            Self::NothingAsked => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::Threads(_)
             | Self::Store(_)
             | Self::Table(_)

@@ -91,6 +91,9 @@ fn conduct_with(
     maker: Option<&dyn RunMaker>,
 ) -> Result<Conducted, StudyError> {
     let Means { threads, progress, stop, store } = *means;
+    if !study.has_questions() {
+        return Err(StudyError::NothingAsked);
+    }
     let response = StudyResponse::new(study)?;
     let plans = Plans::new(study, &response, store.is_some(), threads)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;

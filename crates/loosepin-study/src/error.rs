@@ -29,6 +29,9 @@ pub enum StudyError {
     /// It cannot begin.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
+    /// It has readings of a rig for `identify`, and no question.
+    #[error("the study asks no question: its readings are for identify")]
+    NothingAsked,
     /// Its sampling is not possible.
     #[error(transparent)]
     Plan(#[from] PlanError),

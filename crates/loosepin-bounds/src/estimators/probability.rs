@@ -5,6 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
 use super::sample::Sample;
+use crate::data::problem::Sampling;
 use crate::data::statistic::Event;
 use loosepin_uncertainty::clopper_pearson;
 
@@ -73,6 +74,14 @@ fn share_with(
         Estimate { value, below: (value - low).max(0.0), above: (high - value).max(0.0) }
     };
     EitherWay { low: at(hits), high: at(hits + sample.failed()) }
+}
+
+/// Runs at each value of the epistemic inputs without which no count shows that a share of at least `share` holds: where none of N runs is
+/// outside, the upper limit of Clopper and Pearson for the share outside is 1 - γ^(1/N), so that N must be ln γ/ln `share` at least.
+/// γ is the chance of a miss on one side at the confidence of all bounds.
+pub fn least_counted_runs(share: f64, replicates: usize) -> usize {
+    let confidence = Confidence::new(Sampling::default().confidence, replicates.max(2));
+    (libm::log(confidence.miss_of_one_side()) / libm::log(share)).ceil() as usize
 }
 
 /// The number of independent runs that would know the share as well.

@@ -45,8 +45,7 @@ pub fn check_tolerance(tolerance_m: f64, smallest: Option<SmallestClearance>) ->
 
 /// Shows warnings.
 pub fn warn(warnings: &[Complaint]) {
-    let mut complaints = Complaints::new();
-    warnings.iter().for_each(|warning| complaints.push(warning.clone()));
+    let complaints: Complaints = warnings.iter().cloned().collect();
     if !complaints.is_empty() {
         console::complain(&complaints);
     }

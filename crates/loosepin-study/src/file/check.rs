@@ -60,17 +60,18 @@ impl StudyReader {
 
     /// Checks what only the whole study shows.
     pub fn check_whole(&mut self, root: &Table<'_>) {
-        let is_empty = |reader: &mut Self, keys: [&str; 2]| {
-            keys.into_iter().all(|key| {
+        let is_empty = |reader: &mut Self, keys: &[&str]| {
+            keys.iter().all(|key| {
                 root.get(key).is_none_or(|entry| {
                     if entry.is_table() { reader.reader.any_keys(&entry).is_empty() } else { entry.is_empty_list() }
                 })
             })
         };
-        if is_empty(self, ["random", "epistemic"]) {
+        if is_empty(self, &["random", "epistemic"]) {
             self.reader.complain(&StudyProblem::NothingUncertain, root.span);
         }
-        if is_empty(self, ["ask", "require"]) {
+        // Readings of a rig are asked about by `identify`, which needs no question.
+        if is_empty(self, &["ask", "require", "measured"]) {
             self.reader.complain(&StudyProblem::NothingAsked, root.span);
         }
         self.check_model_values(root);
@@ -96,8 +97,8 @@ impl StudyReader {
         }
     }
 
-    /// Warns of lengths and angles that are elsewhere in the model. A clearance changes no ideal motion, and what it is in the model plays
-    /// no part.
+    /// Refuses lengths and angles that are elsewhere in the model: one dimension has one nominal value. A measured sample may lie beside it,
+    /// which is warned of. A clearance changes no ideal motion, and what it is in the model plays no part.
     fn check_model_values(&mut self, root: &Table<'_>) {
         // A specimen may be anywhere in its series, and the model stays that of the series.
         let is_series = root.get("specimen").is_none();
@@ -105,15 +106,15 @@ impl StudyReader {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
-            ("random", &input.path, input.quantity, all)
+            ("random", &input.path, input.quantity, all, input.origin.is_some())
         });
         let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
-        let epistemic =
-            self.epistemic.iter().filter(is_between).filter_map(|input| {
-                Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec()))
-            });
+        let epistemic = self.epistemic.iter().filter(is_between).filter_map(|input| {
+            Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec(), false))
+        });
         let nominal = self.model.quantities.nominal();
-        let far = |(table, path, quantity, ends): (&'static str, &String, QuantityId, Vec<f64>)| {
+        type Range<'a> = (&'static str, &'a String, QuantityId, Vec<f64>, bool);
+        let far = |(table, path, quantity, ends, is_measured): Range<'_>| {
             let known = &self.model.quantities[quantity];
             let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
             let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
@@ -123,13 +124,14 @@ impl StudyReader {
                 return None;
             }
             let [value, from, to] = format_apart([nominal[quantity], from, to], known.dimension);
-            Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }))
+            Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }, is_measured))
         };
-        let found: Vec<(&str, String, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, path, problem) in found {
+        let found: Vec<(&str, String, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
+        for (table, path, problem, is_measured) in found {
             let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
-            let place = Place::new(&self.reader.source, span);
-            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+            let place = Some(Place::new(&self.reader.source, span));
+            let complain = if is_measured { Complaint::warning } else { Complaint::error };
+            self.reader.complaints.push(complain(&problem, place));
         }
     }
 

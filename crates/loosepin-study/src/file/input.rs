@@ -281,7 +281,7 @@ impl StudyReader {
     }
 
     fn moments(&mut self, table: &Table<'_>, dimension: Dimension, positive_mean: bool) -> Option<(f64, f64)> {
-        let mean = self.parameter(table, "mean", dimension);
+        let mean = self.mean(table, dimension);
         let deviation = self.parameter(table, "standard_deviation", dimension);
         let (mean, deviation) = (mean?, deviation?);
         let mean_is_possible = !positive_mean || self.positive(table, "mean", mean, dimension);

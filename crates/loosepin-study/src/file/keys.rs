@@ -7,7 +7,7 @@ use loosepin_text::units::Rule;
 
 use super::measured_keys::MEASURED_KEYS;
 use super::motion_keys::MOTION_KEYS;
-use super::parameter_keys::{PARAMETER_KEYS, ends, moments};
+use super::parameter_keys::{PARAMETER_KEYS, ends, moments_of_quantity};
 use super::words::{
     self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
 };
@@ -142,12 +142,14 @@ const PARAMETER: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::Table(&PARAMETER_
 /// The same, a pure number.
 const SHAPE: Kind = Kind::AnyOf(&[Kind::Number { rule: Rule::Finite }, Kind::Table(&PARAMETER_KEYS)]);
 
-pub(super) static NORMAL_KEYS: Keys = Keys::new("a normal distribution", &moments!(PARAMETER));
-pub(super) static LOGNORMAL_KEYS: Keys =
-    Keys::new("a lognormal distribution, by mean and standard deviation of the variable itself", &moments!(PARAMETER));
+pub(super) static NORMAL_KEYS: Keys = Keys::new("a normal distribution", &moments_of_quantity!(PARAMETER));
+pub(super) static LOGNORMAL_KEYS: Keys = Keys::new(
+    "a lognormal distribution, by mean and standard deviation of the variable itself",
+    &moments_of_quantity!(PARAMETER),
+);
 pub(super) static TRUNCATED_NORMAL_KEYS: Keys = Keys::new(
     "a normal distribution cut to an interval; mean and standard deviation are those before the cut",
-    &[moments!(PARAMETER)[0], moments!(PARAMETER)[1], ends!(PARAMETER)[0], ends!(PARAMETER)[1]],
+    &[moments_of_quantity!(PARAMETER)[0], moments_of_quantity!(PARAMETER)[1], ends!(PARAMETER)[0], ends!(PARAMETER)[1]],
 );
 pub(super) static UNIFORM_KEYS: Keys = Keys::new("a uniform distribution", &ends!(PARAMETER));
 pub(super) static TRIANGULAR_KEYS: Keys = Keys::new(
@@ -308,7 +310,7 @@ pub(super) static RANDOM_KEYS: Keys = Keys::new(
             "tolerance",
             Kind::Text,
             "\"50 ± 0.05 mm\"",
-            "normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm",
+            "normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm, and ± 0.05 mm about the value in the model",
         ),
         optional(
             "cpk",

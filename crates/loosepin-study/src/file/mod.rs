@@ -25,6 +25,7 @@ mod promise;
 mod random;
 mod random_problem;
 mod reader;
+mod requirement_runs;
 mod resolution;
 mod specimen;
 mod specimen_problem;
@@ -142,6 +143,11 @@ impl Study {
         read(source, |_| Ok((model, model_path.to_owned())))
     }
 
+    /// Whether `loosepin study` has something to answer. A study of readings of a rig may have nothing: it is for `loosepin identify`.
+    pub fn has_questions(&self) -> bool {
+        !self.asks.is_empty() || !self.requirements.is_empty()
+    }
+
     /// The file that the study was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source
@@ -218,7 +224,7 @@ fn read(
     };
     let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
     let cycle = file.cycle(&root);
-    let (sampling, written_accuracies, written_budget) = file.sampling(&root);
+    let (mut sampling, written_accuracies, written_budget) = file.sampling(&root);
     if let Some(entry) = root.get("random") {
         file.read_random(&entry);
     }
@@ -234,6 +240,7 @@ fn read(
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
     let requirements = file.read_requirements(&root);
+    file.suffice_for_requirements(&root, &requirements, &mut sampling);
     let (measured, motion) = file.read_measured(&root, &cycle);
     let allowances = file.read_allowances(&root, &requirements);
     let together = file.together(&root, &allowances);

@@ -4,6 +4,7 @@ use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
 use super::parameter_keys::{PARAMETER_FAMILIES, PARAMETER_KEYS};
 use super::problem::StudyProblem;
 use super::reader::{Parameters, Pass, StudyReader};
+use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};
 use loosepin_uncertainty::{
@@ -21,11 +22,11 @@ impl StudyReader {
         entry: &Entry<'_>,
         table: &Table<'_>,
         path: &str,
-        dimension: Dimension,
+        quantity: QuantityId,
     ) -> Option<(RandomVariable, Vec<UncertainParameter>)> {
         let mut corner = 0;
         loop {
-            self.variable_at(Pass::Corner(corner), entry, table, dimension)?;
+            self.variable_at(Pass::Corner(corner), entry, table, quantity)?;
             let uncertain = self.parameters.found.len();
             if uncertain > MOST_PARAMETERS {
                 let problem = StudyProblem::TooManyParameters {
@@ -40,7 +41,7 @@ impl StudyReader {
                 break;
             }
         }
-        let variable = self.variable_at(Pass::Middle, entry, table, dimension)?;
+        let variable = self.variable_at(Pass::Middle, entry, table, quantity)?;
         let mut parameters = Vec::new();
         for (parameter, dimension, variable) in std::mem::take(&mut self.parameters.found) {
             parameters.push(UncertainParameter { parameter, epistemic: self.epistemic.len() });
@@ -56,9 +57,11 @@ impl StudyReader {
         pass: Pass,
         entry: &Entry<'_>,
         table: &Table<'_>,
-        dimension: Dimension,
+        quantity: QuantityId,
     ) -> Option<RandomVariable> {
-        self.parameters = Parameters { pass, found: Vec::new(), is_inner: false };
+        let dimension = self.model.quantities[quantity].dimension;
+        let nominal_si = Some(self.model.quantities.nominal()[quantity]);
+        self.parameters = Parameters { pass, found: Vec::new(), nominal_si, is_inner: false };
         let distribution: Distribution = self.distribution(table, dimension)?;
         let distribution = self.cut(table, distribution, dimension)?;
         match RandomVariable::try_new(distribution) {
@@ -67,6 +70,14 @@ impl StudyReader {
                 self.refused(&StudyProblem::Distribution { entry: entry.path.describe(), error, dimension }, entry.span)
             }
         }
+    }
+
+    /// The mean of a distribution; where it is not written, the value in the model, so that one dimension has one nominal value.
+    pub(super) fn mean(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<f64> {
+        if table.has("mean") || self.parameters.is_inner {
+            return self.parameter(table, "mean", dimension);
+        }
+        self.parameters.nominal_si
     }
 
     /// A number of a distribution, or what is known of it: then the value that the pass puts there.

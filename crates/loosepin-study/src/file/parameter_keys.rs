@@ -9,7 +9,7 @@ macro_rules! ends {
     };
 }
 
-/// Mean and standard deviation; `$kind` is a number with its unit, or more.
+/// Mean and standard deviation of a parameter of a distribution.
 macro_rules! moments {
     ($kind:expr) => {
         [
@@ -19,7 +19,17 @@ macro_rules! moments {
     };
 }
 
-pub(super) use {ends, moments};
+/// Mean and standard deviation of a quantity of the model; `$kind` is a number with its unit, or more.
+macro_rules! moments_of_quantity {
+    ($kind:expr) => {
+        [
+            optional("mean", $kind, "\"50 mm\"", "mean; the value in the model if left out"),
+            required("standard_deviation", $kind, "\"0.02 mm\"", "standard deviation"),
+        ]
+    };
+}
+
+pub(super) use {ends, moments_of_quantity};
 
 static NORMAL: Keys = Keys::new("a normal distribution of a parameter", &moments!(Kind::AnyQuantity));
 static LOGNORMAL: Keys = Keys::new(

@@ -36,6 +36,14 @@ problems! {
             says("{entry} is 1; no number of samples shows that none lies beyond the limit, so that this stays \
                   undecided"),
             hint("require a share below 1, such as 0.9973, or state ends of what scatters under [epistemic]");
+        /// A share that the runs at each value cannot show.
+        RequirementRuns { entry: String, share: f64, inner: usize, least: usize, is_written: bool } => Code::RequirementRuns,
+            says("{entry} is {share}; {inner} runs at each value can refute it, and show it only where the output is smooth in the random \
+                  inputs: by counting it takes {least}"),
+            hint_of(Some(match is_written {
+                true => format!("write inner = {} under [sampling], or leave inner out", least.next_power_of_two()),
+                false => format!("write inner = {} under [sampling], or require a smaller share", least.next_power_of_two()),
+            }));
         /// A quantity both random and epistemic.
         InputTwice { path: String } => Code::InputTwice,
             says("'{path}' is both random and epistemic"),
@@ -183,8 +191,12 @@ problems! {
         /// A value of the model that the study does not come to.
         FarFromModel { path: String, value: String, from: String, to: String } => Code::FarFromModel,
             says("'{path}' is {value} in the model, and from {from} to {to} here"),
-            hint("correct the wrong value, or ignore this if it is intended: deviations are from the ideal motion of \
-                  the model");
+            hint("a dimension has one nominal value, from which deviations count: correct the wrong one; a mean that is left out is that of the \
+                  model");
+        /// A tolerance whose nominal value is another than that of the model.
+        OtherNominal { entry: String, written: String, nominal: String } => Code::FarFromModel,
+            says("{entry}: the nominal value is {written}; that of the model is {nominal}"),
+            hint("correct the wrong one, or write the deviations alone, for example \"± 0.05 mm\": they count from the model");
         /// A study where its model is to be named.
         ModelIsStudy { file: String, is_itself: bool } => Code::WrongKindOfFile,
             says("model is '{file}', {}; must be a file with bodies and joints",

@@ -10,7 +10,7 @@ use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{Entry, Table, read_beside};
-use loosepin_text::units::{Dimension, Rule, format_apart, format_number, format_value, parse_quantity};
+use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_number, format_value, parse_quantity};
 use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
 
 /// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
@@ -20,6 +20,8 @@ const SHAPES: std::ops::RangeInclusive<f64> = 0.05..=1e6;
 const BELONGS_TO: [(&str, &str); 5] =
     [("column", "samples"), ("fitted", "samples"), ("cp", "tolerance"), ("cpk", "tolerance"), ("diameter", "fit")];
 
+/// Of a number that is written in two files.
+const ROUND_OFF: f64 = 1e-9;
 /// The limits of a drawing lie this many standard deviations from the mean, times Cp.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
 
@@ -50,7 +52,7 @@ impl StudyReader {
         } else if let Some(entry) = table.get("fit") {
             self.fit_scatter(table, &entry, quantity, path)
         } else {
-            let (variable, parameters) = self.uncertain_distribution(entry, table, path, dimension)?;
+            let (variable, parameters) = self.uncertain_distribution(entry, table, path, quantity)?;
             return Some((variable, parameters, None));
         };
         let Stated { distribution, origin, mean } = stated?;
@@ -268,8 +270,8 @@ impl StudyReader {
         let dimension = self.model.quantities[quantity].dimension;
         let [cp, cpk] = ["cp", "cpk"].map(|key| table.get(key).map(|entry| (self.capability(table, key), entry)));
         let text = self.reader.text(entry)?;
-        let Some(tolerance) = parse_tolerance(text) else {
-            let nominal_si = self.model.quantities.nominal()[quantity];
+        let nominal_si = self.model.quantities.nominal()[quantity];
+        let Some(tolerance) = parse_tolerance(text, Measured { value_si: nominal_si, dimension }) else {
             let is_limit = parse_quantity(text).is_ok_and(|limit| {
                 limit.dimension == dimension && limit.value_si > 0.0 && limit.value_si < 0.5 * nominal_si.abs()
             });
@@ -283,6 +285,11 @@ impl StudyReader {
         };
         if !self.reader.measures(entry, tolerance.limits[0].dimension, dimension) {
             return None;
+        }
+        if (tolerance.nominal.value_si - nominal_si).abs() > ROUND_OFF * nominal_si.abs() {
+            let [written, nominal] = format_apart([tolerance.nominal.value_si, nominal_si], dimension);
+            let problem = StudyProblem::OtherNominal { entry: entry.path.describe(), written, nominal };
+            return self.refused(&problem, entry.span);
         }
         let [lower, upper] = tolerance.limits.map(|limit| limit.value_si);
         if !(lower < upper) {

@@ -42,7 +42,7 @@ problems! {
             says("{entry}: '{text}' is not a nominal value with its limits"),
             hint_of(Some(match nominal {
                 _ if text.contains(',') => format!("decimal numbers have a point: \"{}\"", text.replace(',', ".")),
-                Some(nominal) => format!("write the nominal value too; that of the model is {nominal}: \"{nominal} ± {text}\""),
+                Some(nominal) => format!("write \"± {text}\" about the value of the model, or \"{nominal} ± {text}\""),
                 None => "write the nominal value and its limits: for 50 mm, \"50 ± 0.05 mm\" (or +/-) or \"50 +0.02 -0.01 mm\"".to_owned(),
             }));
         /// Limits that leave nothing between them.

@@ -99,12 +99,14 @@ pub enum Pass {
 pub struct Parameters {
     pub pass: Pass,
     pub found: Vec<(Parameter, Dimension, EpistemicVariable)>,
+    /// The value in the model of the quantity that scatters, SI: its mean where none is written.
+    pub nominal_si: Option<f64>,
     /// Whether the distribution of one of them is being read: the numbers of that one are numbers.
     pub is_inner: bool,
 }
 
 impl Default for Parameters {
     fn default() -> Self {
-        Self { pass: Pass::Middle, found: Vec::new(), is_inner: false }
+        Self { pass: Pass::Middle, found: Vec::new(), nominal_si: None, is_inner: false }
     }
 }

@@ -5,12 +5,15 @@ use loosepin_text::units::{Measured, parse_quantity};
 /// The limits that a drawing allows, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
+    /// The nominal value.
+    pub nominal: Measured,
     /// Lower and upper limit, in the order in which they were written.
     pub limits: [Measured; 2],
 }
 
-/// Reads a value with its tolerance; nothing where the text is none. A part without a unit has that of the last part with one.
-pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
+/// Reads a value with its tolerance; `None` if the text is none. A part without a unit has that of the last part with one. Where the text
+/// begins with its deviations, the nominal value is `in_model`.
+pub fn parse_tolerance(text: &str, in_model: Measured) -> Option<Tolerance> {
     let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±");
     let parts: Vec<(bool, &str)> = if let Some((nominal, half)) = text.split_once('±') {
         let half = half.trim();
@@ -19,11 +22,13 @@ pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
         }
         vec![(false, nominal), (true, half), (false, half)]
     } else {
-        let [nominal, first, second] = signed_parts(&text)?;
+        let [nominal, first, second] = signed_parts(&text).or_else(|| deviations(&text))?;
         vec![(false, nominal), (false, first), (false, second)]
     };
+    let is_relative = parts[0].1.trim().is_empty();
     let split: Vec<(bool, &str, &str)> = parts
         .into_iter()
+        .skip(usize::from(is_relative))
         .map(|(negate, part)| number_and_unit(part).map(|(n, u)| (negate, n, u)))
         .collect::<Option<_>>()?;
     let common = split.iter().rev().map(|part| part.2).find(|unit| !unit.is_empty()).unwrap_or("");
@@ -32,7 +37,8 @@ pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
         let part = parse_quantity(&format!("{number} {unit}")).ok()?;
         Some(Measured { value_si: if negate { -part.value_si } else { part.value_si }, ..part })
     });
-    let (nominal, first, second) = (measured.next()??, measured.next()??, measured.next()??);
+    let nominal = if is_relative { in_model } else { measured.next()?? };
+    let (first, second) = (measured.next()??, measured.next()??);
     if first.dimension != nominal.dimension || second.dimension != nominal.dimension {
         return None;
     }
@@ -42,7 +48,7 @@ pub fn parse_tolerance(text: &str) -> Option<Tolerance> {
     if limits[0].value_si > limits[1].value_si && !text.contains('±') {
         limits.swap(0, 1);
     }
-    Some(Tolerance { limits })
+    Some(Tolerance { nominal, limits })
 }
 
 /// `50 +0.02 -0.01 mm`: the nominal value and two deviations with their signs.
@@ -65,6 +71,14 @@ pub fn signed_parts(text: &str) -> Option<[&str; 3]> {
     Some([part(0, first), part(first, second), part(second, text.len())])
 }
 
+/// `+0.02 -0.01 mm`: two deviations with their signs, and no nominal value.
+fn deviations(text: &str) -> Option<[&str; 3]> {
+    let text = text.trim();
+    let second = text.get(1..)?.find(['+', '-'])? + 1;
+    let is_signed = text.starts_with(['+', '-']) && text[..second].ends_with([' ', '/']);
+    is_signed.then(|| ["", text[..second].trim_end_matches('/').trim(), text[second..].trim()])
+}
+
 /// A number and the unit behind it; the unit may be missing.
 pub fn number_and_unit(part: &str) -> Option<(&str, &str)> {
     let part = part.trim();
@@ -77,11 +91,14 @@ pub fn number_and_unit(part: &str) -> Option<(&str, &str)> {
 #[cfg(test)]
 mod tests {
     use super::parse_tolerance;
-    use loosepin_text::units::Dimension;
+    use loosepin_text::units::{Dimension, Measured};
+
+    /// What the model has where the text has no nominal value.
+    const IN_MODEL: Measured = Measured { value_si: 0.0713, dimension: Dimension::LENGTH };
 
     /// Lower and upper limit, µm.
     fn limits_um(text: &str) -> Option<[f64; 2]> {
-        let tolerance = parse_tolerance(text)?;
+        let tolerance = parse_tolerance(text, IN_MODEL)?;
         assert!(tolerance.limits.iter().all(|limit| limit.dimension == Dimension::LENGTH), "{text}");
         Some(tolerance.limits.map(|limit| (limit.value_si * 1e9).round() / 1e3))
     }
@@ -107,9 +124,20 @@ mod tests {
         assert_eq!(limits_um("-3 ± 0.5 mm"), Some([-3_500.0, -2_500.0]));
         assert_eq!(limits_um("0 +0.1 +0 mm"), Some([0.0, 100.0]));
         assert_eq!(
-            parse_tolerance("0.9 ± 0.02").map(|tolerance| tolerance.limits[0].dimension),
+            parse_tolerance("0.9 ± 0.02", IN_MODEL).map(|tolerance| tolerance.limits[0].dimension),
             Some(Dimension::NUMBER)
         );
+    }
+
+    #[test]
+    fn analytic_deviations_alone_count_from_the_model() {
+        for text in ["± 0.05 mm", "±50 µm", "+/- 0.05 mm", "+0.05 -0.05 mm", "+0.05/-0.05 mm", "-0.05 +0.05 mm"] {
+            assert_eq!(limits_um(text), Some([71_250.0, 71_350.0]), "{text}");
+        }
+        assert_eq!(limits_um("+0.02 -0.01 mm"), Some([71_290.0, 71_320.0]));
+        assert_eq!(limits_um("-0.01 -0.02 mm"), Some([71_280.0, 71_290.0]));
+        let nominal = |text: &str| parse_tolerance(text, IN_MODEL).map(|tolerance| tolerance.nominal.value_si);
+        assert_eq!((nominal("± 0.05 mm"), nominal("50 ± 0.05 mm")), (Some(0.0713), Some(0.05)));
     }
 
     #[test]
@@ -117,7 +145,8 @@ mod tests {
         for text in [
             "",
             "50 mm",
-            "± 0.05 mm",
+            "± mm",
+            "+0.02 mm",
             "50 ± mm",
             "50 ± -0.05 mm",
             "50 mm ± 1 deg",
@@ -126,7 +155,7 @@ mod tests {
             "a ± b mm",
             "50 ± 1 xyz",
         ] {
-            assert_eq!(parse_tolerance(text), None, "{text}");
+            assert_eq!(parse_tolerance(text, IN_MODEL), None, "{text}");
         }
     }
 }

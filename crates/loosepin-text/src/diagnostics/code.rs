@@ -290,8 +290,14 @@ mechanism is symmetric. An angle between two limits is an interval, not periodic
 
     FarFromModel "E0616" "a study and its model do not agree on a length or an angle"
 "The model has a length or an angle outside the range of the study (for a normal distribution: more than six standard deviations \
-from the mean). Deviations are from the ideal motion of the model, so they include this difference. It may be intended; more often \
-one of the two values is wrong."
+from the mean), or a tolerance with another nominal value. Deviations are from the ideal motion of the model, so they would include this \
+difference. One dimension has one nominal value: correct one of the two, leave the mean out, or write the deviations of a tolerance alone. \
+A measured sample beside the value of the model is warned of."
+
+    RequirementRuns "E0617" "the planned runs cannot show a required share"
+"A share that must be at least p is shown by counting only where N runs at each value leave less than 1 - p open: with none of them outside, N is \
+at least ln 0.005 / ln p (1960 for 99.73 %). Fewer runs can still refute the requirement, or show it where the output is smooth in the random \
+inputs. `inner` is raised to what is needed where it is left out."
 
     BadCorrelation "E0620" "a correlation is not possible"
 "A correlation joins two different random inputs of the study, each pair once, by a rank correlation (Spearman) or the linear \

@@ -1,5 +1,6 @@
 //! One complaint, and all complaints of a file.
 
+use std::collections::HashSet;
 use std::fmt::{self, Display};
 
 use super::visible::visible;
@@ -115,6 +116,12 @@ impl Complaints {
         self.list.extend(other.list);
     }
 
+    /// Removes complaints whose text was seen before, and adds the others' texts to `seen`: a model may be read twice, by itself and for
+    /// its study.
+    pub fn remove_repeats(&mut self, seen: &mut HashSet<String>) {
+        self.list.retain(|complaint| seen.insert(complaint.to_string()));
+    }
+
     /// Whether any of them is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|complaint| complaint.severity == Severity::Error)
@@ -141,6 +148,12 @@ impl Complaints {
 impl From<Complaint> for Complaints {
     fn from(complaint: Complaint) -> Complaints {
         Complaints { list: vec![complaint] }
+    }
+}
+
+impl FromIterator<Complaint> for Complaints {
+    fn from_iter<I: IntoIterator<Item = Complaint>>(complaints: I) -> Complaints {
+        Complaints { list: complaints.into_iter().collect() }
     }
 }
 

@@ -103,6 +103,13 @@ impl<'t> Entry<'t> {
         quantity_of(self.key?)
     }
 
+    /// How its key is written, with what it means: `mass = "0.3 kg" (mass of the body)`. None of an element of a list, or of a key
+    /// without an example.
+    pub fn example(&self) -> Option<String> {
+        let key = self.key.filter(|key| !key.example.is_empty())?;
+        Some(format!("{} = {} ({})", key.name, key.example, key.doc))
+    }
+
     /// A copy with the place of its key, for complaints about a name that is a key.
     pub fn at_key(&self) -> Entry<'t> {
         Entry { span: self.key_span, ..self.clone() }

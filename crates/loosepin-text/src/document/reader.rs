@@ -331,19 +331,19 @@ impl Reader {
 
     /// Complains that something else is due here.
     pub fn wrong_type<T>(&mut self, entry: &Entry<'_>, due: &'static str) -> Option<T> {
-        let example = entry.key.map_or(String::new(), |key| match key.example {
+        let pair_of_brackets = entry.key.filter(|key| {
             // [[random]] instead of [random].
-            "" if due == "a table" && matches!(entry.value, DeValue::Array(_)) => {
-                let line = if matches!(key.kind, Kind::Tables { .. }) {
-                    ", and in it a line for each: the path, then = { ... }"
-                } else {
-                    ""
-                };
-                format!("[{}], with one pair of brackets{line} ({})", key.name, key.doc)
-            }
-            "" => String::new(),
-            example => format!("{} = {example} ({})", key.name, key.doc),
+            key.example.is_empty() && due == "a table" && matches!(entry.value, DeValue::Array(_))
         });
+        let pair_of_brackets = pair_of_brackets.map(|key| {
+            let line = if matches!(key.kind, Kind::Tables { .. }) {
+                ", and in it a line for each: the path, then = { ... }"
+            } else {
+                ""
+            };
+            format!("[{}], with one pair of brackets{line} ({})", key.name, key.doc)
+        });
+        let example = pair_of_brackets.or_else(|| entry.example()).unwrap_or_default();
         let problem = DocumentProblem::WrongType { entry: entry.path.describe(), found: entry.found(), due, example };
         self.refuse(&problem, entry.span)
     }

@@ -36,6 +36,17 @@ impl ExpressionError {
         }
         self
     }
+
+    /// The error where the whole of `text` is a name that stands for nothing: the hint shows what the key takes, `example`.
+    #[must_use]
+    pub fn for_key(mut self, text: &str, key_example: Option<String>) -> Self {
+        if let ExpressionProblem::UnknownName { name, example, .. } = &mut self.problem
+            && name == text.trim()
+        {
+            *example = key_example;
+        }
+        self
+    }
 }
 
 problems! {
@@ -90,6 +101,8 @@ problems! {
             /// The functions there are, where the name stands for one.
             known: Option<Vec<String>>,
             nearest: Option<String>,
+            /// A value of the key, with what it means, where the name stands alone.
+            example: Option<String>,
         } => Code::UnknownParameter,
             says("there is no {} '{name}'", if known.is_some() { "function" } else { "parameter" }),
             hint_of(Some(match nearest {
@@ -98,7 +111,10 @@ problems! {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
                 None => match known {
                     Some(functions) => format!("there is {}", super::listed(functions, "and")),
-                    None => format!("define it under [parameter]: {name} = \"...\""),
+                    None => match example {
+                        Some(example) => format!("for example {example}; '{name}' would be a value under [parameter]"),
+                        None => format!("define it under [parameter]: {name} = \"...\""),
+                    },
                 },
             }));
         NameNotAllowed { name: String } => Code::ExpressionSyntax,

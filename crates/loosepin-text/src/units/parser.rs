@@ -409,7 +409,7 @@ impl Parser<'_> {
             let elsewhere = OTHER_NAMES.iter().find(|(other, _)| *other == name).map(|(_, here)| *here);
             let nearest = elsewhere.or_else(|| nearest_name(&name, self.names.all().into_iter().chain(functions)));
             let nearest = nearest.map(str::to_owned);
-            ExpressionProblem::UnknownName { name, known, nearest }
+            ExpressionProblem::UnknownName { name, known, nearest, example: None }
         };
         Err(self.error(problem, span))
     }

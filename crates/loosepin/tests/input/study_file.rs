@@ -50,10 +50,7 @@ fn a_study_is_read_in_file_order_and_si() {
     assert_eq!(study.asks[1].location, Where::Reduced(Reduction::MaximumAbsolute));
     assert_eq!(study.asks[1].statistics[2], Statistic::ProbabilityAbove(6e-4));
     assert_eq!(study.requirements[0].deviation, Deviation::Total);
-    assert_eq!(
-        (study.requirements[0].limit, study.requirements[0].probability_at_least),
-        (Limit::Within(6e-4), 0.9973)
-    );
+    assert_eq!((study.requirements[0].limit, study.requirements[0].probability_at_least), (Limit::Within(6e-4), 0.95));
 }
 
 #[test]
@@ -141,6 +138,56 @@ fn analytic_tolerances_are_normal_distributions() {
         assert!((found.1 / deviation - 1.0).abs() < RELATIVE_TOLERANCE, "{written}: {found:?}");
         assert!(found.2.ends_with(words), "{written}: {found:?}");
     }
+}
+
+#[test]
+fn analytic_what_names_no_nominal_value_follows_the_model() {
+    const ROUND_OFF_M: f64 = 1e-15;
+    for (written, deviation) in [
+        ("tolerance = \"± 0.06 mm\"", 2e-5),
+        ("normal = { standard_deviation = \"0.02 mm\" }", 2e-5),
+        ("lognormal = { standard_deviation = \"0.02 mm\" }", 2e-5),
+    ] {
+        let (mean, found, _) = only_input(&format!("\"parameter.crank_length\" = {{ {written} }}"));
+        assert!(
+            (mean - 0.05).abs() < ROUND_OFF_M && (found - deviation).abs() < ROUND_OFF_M,
+            "{written}: {mean} {found}"
+        );
+    }
+}
+
+/// A study of the slider-crank that requires this share, with these keys under [sampling].
+fn required(share: f64, sampling: &str) -> (usize, String) {
+    let study = study_with(&format!(
+        "[sampling]\n{sampling}\n[random]\n\"parameter.crank_length\" = {{ tolerance = \"± 0.06 mm\" }}\n[[require]]\n\
+         output = \"slider\"\nof = \"total\"\nwithin = \"1 mm\"\nover = \"cycle\"\nprobability_at_least = {share}\n"
+    ));
+    let warnings: Vec<String> = study.warnings.iter().map(ToString::to_string).collect();
+    (study.sampling.inner, warnings.join("\n"))
+}
+
+#[test]
+fn analytic_inner_is_as_large_as_a_required_share_needs() {
+    // 0.9973^1959 > 0.005 > 0.9973^1960: the limit of Clopper and Pearson for none of so many.
+    assert!(0.9973_f64.powi(1959) > 0.005 && 0.9973_f64.powi(1960) < 0.005);
+    assert_eq!(required(0.9973, ""), (2048, String::new()));
+    assert_eq!(required(0.95, ""), (256, String::new()));
+    assert_eq!(required(0.9973, "inner = 1960"), (1960, String::new()));
+    assert_eq!(required(0.9973, "budget = \"1 min\"").1, "", "a budget limits the samples on purpose");
+    let (inner, warnings) = required(0.9973, "inner = 1959");
+    assert_eq!(inner, 1959, "what is written is kept");
+    assert_eq!(
+        warnings,
+        "study.toml:12:24: warning[E0617]: [[require]] 1: probability at least is 0.9973; 1959 runs at each value can refute it, and \
+         show it only where the output is smooth in the random inputs: by counting it takes 1960\nhint: write inner = 2048 under \
+         [sampling], or leave inner out"
+    );
+    let (inner, warnings) = required(0.999999, "");
+    assert_eq!(inner, 256, "five million runs at each value are somebody's decision");
+    assert!(
+        warnings.contains("by counting it takes 5298315\nhint: write inner = 8388608 under [sampling], or require a"),
+        "{warnings}"
+    );
 }
 
 #[test]

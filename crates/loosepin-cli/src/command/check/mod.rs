@@ -8,13 +8,13 @@ mod mechanism;
 mod study;
 mod trial;
 
+use std::collections::HashSet;
 use std::path::Path;
 
-use loosepin::diagnostics::Complaints;
+use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::mechanism::Mechanism;
 use loosepin::study::InputFile;
 
-use super::inputs::warn;
 use crate::arguments::CheckArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
@@ -22,28 +22,33 @@ use crate::ending::{Done, Ending, Failure};
 /// Says what each file is; a file that is wrong does not keep the others from being looked at.
 pub fn run(arguments: &CheckArguments) -> Ending {
     let mut complaints = Complaints::new();
+    // A study repeats what its model says, which may be one of the files.
+    let mut seen = HashSet::new();
     let mut gap = "";
     for path in &arguments.files {
-        match describe(path) {
+        match describe(path, &mut seen) {
             Ok(text) => {
                 console::print(&format!("{gap}{}: {text}", path.display()))?;
                 gap = "\n";
             }
-            Err(Failure::Complaints(found)) => complaints.extend(found),
+            Err(Failure::Complaints(mut found)) => {
+                found.remove_repeats(&mut seen);
+                complaints.extend(found);
+            }
             Err(failure) => return Err(failure),
         }
     }
     if complaints.is_empty() { Ok(Done::Well) } else { Err(complaints.into()) }
 }
 
-fn describe(path: &Path) -> Result<String, Failure> {
-    describe_input(InputFile::from_path(path)?)
+fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Failure> {
+    describe_input(InputFile::from_path(path)?, seen)
 }
 
-fn describe_input(file: InputFile) -> Result<String, Failure> {
+fn describe_input(file: InputFile, seen: &mut HashSet<String>) -> Result<String, Failure> {
     match file {
         InputFile::Model(model) => {
-            warn(&model.warnings);
+            warn_once(&model.warnings, seen);
             let values = model.quantities.nominal();
             let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
             // A study has a cycle of its own, with limits of its own.
@@ -52,13 +57,22 @@ fn describe_input(file: InputFile) -> Result<String, Failure> {
             Ok(mechanism::words(&mechanism, &values, &tried))
         }
         InputFile::Study(study) => {
-            warn(&study.warnings);
+            warn_once(&study.warnings, seen);
             let values = study::middle_values(&study)?;
             let model = &study.model;
             let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
             let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
             study::words(&study, &tried)
         }
+    }
+}
+
+/// Shows the warnings that were not shown for an earlier file.
+fn warn_once(warnings: &[Complaint], seen: &mut HashSet<String>) {
+    let mut complaints: Complaints = warnings.iter().cloned().collect();
+    complaints.remove_repeats(seen);
+    if !complaints.is_empty() {
+        console::complain(&complaints);
     }
 }
 

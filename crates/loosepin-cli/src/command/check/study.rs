@@ -40,6 +40,11 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         counted(study.asks.len(), "question", "questions"),
         counted(study.requirements.len(), "requirement", "requirements")
     );
+    if !study.has_questions() {
+        let readings = counted(study.measured.len() + study.motion.len(), "reading", "readings");
+        let _ = writeln!(text, "{readings} for identify; loosepin study needs a question");
+        return Ok(text);
+    }
     let Foreseen { most_runs, run_s, promise } = foresee(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),

@@ -172,6 +172,7 @@ impl ModelReader {
                     let is_blamed = due.is_some_and(|due| !is_echo && self.blames_parameter(entry, due));
                     if !is_echo && !is_blamed {
                         let error = due.map_or(error.clone(), |due| error.for_due(text, due));
+                        let error = error.for_key(text, entry.example());
                         let span = self.reader.inside(entry, text, &error.span);
                         self.reader.complain(&error.problem, span);
                     }
