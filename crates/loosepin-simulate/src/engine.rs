@@ -15,7 +15,7 @@ use super::resume::MotionState;
 use super::settings::{Integrator, Settings, Window};
 use super::work::KinematicAccount;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
-use loosepin_mechanics::model::Course;
+use loosepin_mechanics::model::{Course, Model};
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
 /// programs would take seconds to make and gigabytes to hold, and runs are made one after the other.
@@ -50,6 +50,7 @@ pub(super) fn run_from<'m>(
     kept: &mut Kept<'m>,
     observer: &mut dyn Observer,
 ) -> Result<RunReport, RunFailure> {
+    demand_dynamics(&mechanism.model)?;
     let run = Run {
         sample: sample.clone(),
         arms: Arms::none(),
@@ -79,6 +80,12 @@ pub fn conduct<O: Observer>(
     execution: Execution,
     queue: &mut dyn Queue<Observer = O>,
 ) {
+    if let Err(failure) = demand_dynamics(&mechanism.model) {
+        while let Some(run) = queue.next() {
+            queue.finished(run.observer, Err(failure.clone()));
+        }
+        return;
+    }
     if mechanism.is_ideal() {
         while let Some(run) = queue.next() {
             let Run { sample, arms, window, mut observer, followed, .. } = run;
@@ -91,6 +98,17 @@ pub fn conduct<O: Observer>(
     let is_implicit = settings.integrator == Integrator::Implicit;
     let execution = if is_implicit { Execution::Scalar } else { execution_of(mechanism, execution) };
     Batch::conduct(mechanism, follow, settings, execution, &mut Seats::new(queue));
+}
+
+/// Refuses a model that is complete for its motion only.
+///
+/// # Errors
+/// What a run needs first of all that is missing.
+pub fn demand_dynamics(model: &Model) -> Result<(), RunFailure> {
+    match model.missing_for_runs.as_slice() {
+        [] => Ok(()),
+        [first, others @ ..] => Err(RunFailure::NoDynamics { missing: first.message.clone(), others: others.len() }),
+    }
 }
 
 /// How the runs of `mechanism` are made where `execution` is at hand.

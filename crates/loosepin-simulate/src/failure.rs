@@ -11,6 +11,13 @@ problems! {
     /// The one reason why a run failed.
     #[derive(Debug, Clone, PartialEq)]
     pub enum RunFailure | Sample(SampleError) {
+        /// The model says enough for its motion, and not for a run.
+        NoDynamics { missing: String, others: usize } => Code::NoDynamics,
+            says("a run needs more than the motion: {missing}{}", match others {
+                0 => String::new(),
+                others => format!(", and {}", if *others == 1 { "one further entry".to_owned() } else { format!("{others} further entries") }),
+            }),
+            hint("`loosepin motion` needs neither masses nor contacts; `loosepin check` lists what a run needs");
         /// The step became too small.
         StepTooSmall { time_s: f64, step_s: f64, smallest_s: f64 } => Code::StepTooSmall,
             says("at {} the step fell to {step_s:.1e} s, below the smallest of {smallest_s:.1e} s", time(*time_s)),
@@ -207,7 +214,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 31] = [
+const CODES: [&str; 32] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -239,6 +246,7 @@ const CODES: [&str; 31] = [
     "point_off_section",
     "implicit_without_nodes",
     "settled_open",
+    "no_dynamics",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -288,6 +296,7 @@ impl RunFailure {
             Self::Sample(SampleError::PointOffSection { .. }) => 28,
             Self::ImplicitWithoutNodes => 29,
             Self::SettledOpen { .. } => 30,
+            Self::NoDynamics { .. } => 31,
         }
     }
 
@@ -317,6 +326,10 @@ impl RunFailure {
             | Self::TooManyEvaluations { .. }
             | Self::EnergyNotBalanced { .. }
             | Self::Stopped { .. } => Complaint::error(self, None),
+            Self::NoDynamics { .. } => {
+                let first = model.missing_for_runs.first();
+                Complaint::error(self, first.and_then(|missing| missing.place.clone()))
+            }
             Self::LawGainsEnergy { joint, .. } => {
                 let place = joint.as_ref().and_then(|joint| model.place(&format!("joint.{joint}")));
                 Complaint::error(self, place)

@@ -65,7 +65,7 @@ pub use bending_estimate::{BendingEstimate, estimate_bending};
 pub use column::{Arms, Column, Reading, columns, relative_words};
 pub use controlled_drawing::controlled_drawing;
 pub use drawing::{add_pose, skeleton};
-pub use engine::{conduct, run};
+pub use engine::{conduct, demand_dynamics, run};
 pub use execution::Execution;
 pub use failure::RunFailure;
 pub use flight::FlightClock;

@@ -13,7 +13,9 @@ use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, PlayId, Position, QuantityError, QuantityId, Values,
 };
 use loosepin_result::study::PathError;
-use loosepin_simulate::{Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window};
+use loosepin_simulate::{
+    Arms, IdealCurve, IdealNodes, IdealReference, Reading, RunFailure, Settings, Window, demand_dynamics,
+};
 use loosepin_text::diagnostics::{Code, Problem, problems};
 use loosepin_uncertainty::EpistemicVariable;
 use std::sync::Arc;
@@ -148,6 +150,7 @@ impl StudyResponse {
                 Some((input.quantity()?, value))
             })
             .collect();
+        demand_dynamics(&study.model)?;
         check_drive(study)?;
         check_turns(study)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;

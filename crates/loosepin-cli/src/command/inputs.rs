@@ -11,23 +11,25 @@ pub use loosepin::study::{add_model, add_study};
 use crate::console;
 use crate::ending::Failure;
 
-/// Reads a model file, and says what looks like an oversight in it.
+/// Reads a model file that is to be run, and says what looks like an oversight in it.
 ///
 /// # Errors
-/// Everything that is wrong with it; a study file.
+/// Everything that is wrong with it, or missing for a run; a study file.
 pub fn read_model(path: &Path) -> Result<Model, Failure> {
     let model = InputFile::from_path(path)?.into_model()?;
     warn(&model.warnings);
+    model.demand_dynamics()?;
     Ok(model)
 }
 
-/// Reads a study file and its model, and says what looks like an oversight in them.
+/// Reads a study file and its model, which is to be run, and says what looks like an oversight in them.
 ///
 /// # Errors
-/// Everything that is wrong with them; a model file.
+/// Everything that is wrong with them, or missing for a run; a model file.
 pub fn read_study(path: &Path) -> Result<Study, Failure> {
     let study = InputFile::from_path(path)?.into_study()?;
     warn(&study.warnings);
+    study.model.demand_dynamics()?;
     Ok(study)
 }
 

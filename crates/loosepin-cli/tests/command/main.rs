@@ -22,4 +22,5 @@ mod sweep;
 mod system_limits;
 mod templates;
 mod wear;
+mod without_masses;
 mod words;

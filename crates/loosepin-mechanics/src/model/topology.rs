@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
-use loosepin_text::diagnostics::{Complaint, Place, Source, Span};
+use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
 
 /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
@@ -65,6 +65,9 @@ pub struct Model {
     pub wear: Option<WearLife>,
     /// Outputs in file order.
     pub outputs: Vec<Output>,
+    /// What runs need and the file does not say: masses, inertias, contacts, gravity. The motion without dynamics needs none of it, and the
+    /// numbers that stand for it are not to be used.
+    pub missing_for_runs: Vec<Complaint>,
     /// Warnings: entries that are allowed and yet look like an oversight.
     pub warnings: Vec<Complaint>,
     /// The file.
@@ -76,6 +79,17 @@ pub struct Model {
 }
 
 impl Model {
+    /// Says what runs need and the file does not say.
+    ///
+    /// # Errors
+    /// Each missing entry, at its place.
+    pub fn demand_dynamics(&self) -> Result<(), Complaints> {
+        match self.missing_for_runs.as_slice() {
+            [] => Ok(()),
+            missing => Err(missing.iter().cloned().collect()),
+        }
+    }
+
     /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.
     pub fn holds_section(&self, point: PointId) -> bool {
         holds_section(&self.joints, &self.drives, point)
@@ -332,6 +346,8 @@ pub struct Contact {
     pub friction: Option<Friction>,
     /// Film of oil, if any.
     pub film: Option<Lubrication>,
+    /// It stands for none: joints have play and name no contact, so that the model is complete for its motion only.
+    pub is_missing: bool,
 }
 
 /// A film of oil between pin and hole.

@@ -133,7 +133,11 @@ pub fn motion_until(
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         outputs: recorder.outputs,
-        efforts: ideal_efforts(mechanism, &sample, &cycle.states),
+        // Without masses nothing is known of them.
+        efforts: match mechanism.model.demand_dynamics() {
+            Ok(()) => ideal_efforts(mechanism, &sample, &cycle.states),
+            Err(_) => Vec::new(),
+        },
         drawing,
     })
 }

@@ -42,6 +42,29 @@ fn a_template_is_drawn_with_its_bands() {
 }
 
 #[test]
+fn a_model_without_masses_is_drawn_with_its_band() {
+    let desk = tempfile::tempdir().unwrap();
+    let server = Server::of(desk.path());
+    let mut live = server.live();
+    for (seq, name) in (1..).zip(["slider-crank", "four-bar", "toggle-press"]) {
+        let text = find_template(name).unwrap().model;
+        let only_runs_need = ["gravity ", "mass ", "inertia ", "centre_of_mass ", "contact = "];
+        let is_kept = |line: &&str| !only_runs_need.iter().any(|key| line.starts_with(key));
+        let light: String = text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
+        let seen = live.look(seq, ("model.toml", &light), None);
+        let errors = seen["complaints"].as_array().unwrap().iter().filter(|said| said["severity"] == "error");
+        assert_eq!(errors.count(), 0, "{name}: {}", seen["complaints"]);
+        let view = &seen["view"];
+        assert!(view["drawing"]["motion"]["bodies"].as_array().is_some_and(|bodies| bodies.len() > 2), "{name}");
+        let [with, without] = [text, &light].map(|text| {
+            let seen = live.look(seq + 100, ("model.toml", text), None);
+            seen["view"]["bands"][0]["largest"].as_str().map(str::to_owned)
+        });
+        assert!(with.is_some() && with == without, "{name}: {with:?} {without:?}");
+    }
+}
+
+#[test]
 fn the_band_is_twice_as_wide_with_twice_the_play() {
     let desk = tempfile::tempdir().unwrap();
     let server = Server::of(desk.path());

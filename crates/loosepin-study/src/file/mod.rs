@@ -148,6 +148,11 @@ impl Study {
         !self.asks.is_empty() || !self.requirements.is_empty()
     }
 
+    /// Whether somebody asks what only runs answer. Requirements are judged by `loosepin motion` as well.
+    pub fn needs_runs(&self) -> bool {
+        !self.asks.is_empty() || !self.measured.is_empty() || !self.motion.is_empty()
+    }
+
     /// The file that the study was read from.
     pub fn source(&self) -> &Arc<Source> {
         &self.source

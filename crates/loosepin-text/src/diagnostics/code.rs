@@ -387,6 +387,10 @@ more than their bodies have: a triangle of links, a rod that is pinned to the gr
 lengths agree by chance or to all digits, and then does not move. Mechanisms that repeat a joint on purpose (parallel cranks) need lengths \
 that agree exactly: give them one parameter."
 
+    NoDynamics "E0730" "a model without dynamics is run"
+"Lengths, joints and clearances are enough for the motion and its worst case (`loosepin motion`, the studio's band). A run needs a mass, an \
+inertia and a centre of mass for each body, a contact for each joint with play, and gravity. The entries that are missing are named."
+
     DriveStandsStill "E0801" "the drive that counts turns stands still"
 "The length of a run is given in turns of the drive that [cycle] names. At speed zero a turn never ends."
 

@@ -58,6 +58,11 @@ impl<'t> Table<'t> {
         quantity_of(self.keys.find(key)?)
     }
 
+    /// What the table of keys says of a key.
+    pub fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.find(name)
+    }
+
     /// Whether a key is written that the table cannot have: it was complained about.
     pub fn has_unknown(&self) -> bool {
         self.entries.keys().any(|written| self.keys.find(written.get_ref()).is_none())

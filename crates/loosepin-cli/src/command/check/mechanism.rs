@@ -6,7 +6,7 @@ use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
     BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, JointWear, Model,
-    OutputKind, PlayId, PointId, QuantityId,
+    Origin, OutputKind, PlayId, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -44,16 +44,23 @@ fn push_bodies(text: &mut String, model: &Model, values: &Values) {
     let _ = writeln!(text, "\n{} on the ground", counted(moving.len(), "moving body", "moving bodies"));
     let width = moving.iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
     for body in moving {
-        let value = |id: Option<_>, dimension| id.map(|id| format_value(values[id], dimension)).unwrap_or_default();
+        let value = |id: Option<_>, dimension, none: &str| {
+            id.map_or_else(|| none.to_owned(), |id| format_value(values[id], dimension))
+        };
         let _ = writeln!(
             text,
             "  {:width$}  {}, {}",
             body.name,
-            value(body.mass_kg, Dimension::MASS),
-            value(body.inertia_kg_m2, Dimension::INERTIA)
+            value(body.mass_kg, Dimension::MASS, "no mass"),
+            value(body.inertia_kg_m2, Dimension::INERTIA, "no inertia")
         );
     }
-    let _ = writeln!(text, "  gravity {} along -y", format_value(values[model.gravity_m_s2], Dimension::ACCELERATION));
+    if matches!(model.quantities[model.gravity_m_s2].origin, Origin::Default) {
+        let _ = writeln!(text, "  gravity not given");
+    } else {
+        let gravity = format_value(values[model.gravity_m_s2], Dimension::ACCELERATION);
+        let _ = writeln!(text, "  gravity {gravity} along -y");
+    }
 }
 
 fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
@@ -209,6 +216,9 @@ fn contact_lines(
     values: &Values,
     numbers: Option<&loosepin::mechanism::PlayGeometry<f64>>,
 ) -> Vec<String> {
+    if contact.is_missing {
+        return vec!["no contact is named".to_owned()];
+    }
     let mut lines = Vec::new();
     let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
     if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
@@ -471,6 +481,9 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
         match (mechanism.is_driven(), tried.is_run) {
             (true, true) => "The loops close all the way round, and the first steps of the run succeed.".to_owned(),
             (false, true) => "The first steps of the run succeed.".to_owned(),
+            (_, false) if !mechanism.model.missing_for_runs.is_empty() => {
+                format!("The loops close all the way round.\n\n{}", missing_words(&mechanism.model))
+            }
             (is_driven, false) => {
                 let closing = if is_driven { "The loops close all the way round. " } else { "" };
                 let size = mechanism.real.free;
@@ -478,6 +491,19 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
             }
         }
     );
+}
+
+/// What the model lacks for a run, a line for each entry.
+pub fn missing_words(model: &Model) -> String {
+    let lines = model.missing_for_runs.iter().map(|missing| {
+        let line =
+            missing.place.as_ref().map_or(String::new(), |place| format!("line {}: ", place.line_and_column().0));
+        format!("\n  {line}{}", missing.message)
+    });
+    format!(
+        "Complete for its motion (loosepin motion, the band of the studio). A run (simulate, study) needs more:{}",
+        lines.collect::<String>()
+    )
 }
 
 /// An angle in degrees to a hundredth, within half a turn of zero.

@@ -51,6 +51,10 @@ fn describe_input(file: InputFile, seen: &mut HashSet<String>) -> Result<String,
             warn_once(&model.warnings, seen);
             let values = model.quantities.nominal();
             let mechanism = Mechanism::new(&model, &values).map_err(|error| error.complaint(&model))?;
+            if !mechanism.is_driven() {
+                // Forces decide where it goes: without them nothing is known of it.
+                model.demand_dynamics()?;
+            }
             // A study has a cycle of its own, with limits of its own.
             trial::check_run(&mechanism, &values).map_err(|failure| failure.complaint(&model))?;
             let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(&model))?;
@@ -61,6 +65,9 @@ fn describe_input(file: InputFile, seen: &mut HashSet<String>) -> Result<String,
             let values = study::middle_values(&study)?;
             let model = &study.model;
             let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+            if study.needs_runs() || !mechanism.is_driven() {
+                model.demand_dynamics()?;
+            }
             let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
             study::words(&study, &tried)
         }

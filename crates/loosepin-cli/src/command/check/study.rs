@@ -10,6 +10,7 @@ use loosepin::study::{
 use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
 
+use super::mechanism::missing_words;
 use super::trial::Trial;
 use crate::console::{counted, duration};
 use crate::ending::Failure;
@@ -40,6 +41,10 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         counted(study.asks.len(), "question", "questions"),
         counted(study.requirements.len(), "requirement", "requirements")
     );
+    if !study.model.missing_for_runs.is_empty() {
+        let _ = writeln!(text, "\n{}", missing_words(&study.model));
+        return Ok(text);
+    }
     if !study.has_questions() {
         let readings = counted(study.measured.len() + study.motion.len(), "reading", "readings");
         let _ = writeln!(text, "{readings} for identify; loosepin study needs a question");

@@ -2,6 +2,7 @@
 //!
 //! `LOOSEPIN_FUZZ_CASES` sets how many files are tried (100 if unset; the long campaign tries 100,000 and more).
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use loosepin::diagnostics::Colour;
@@ -134,7 +135,7 @@ fn case_text(case: &str, file: &str) -> String {
 fn check(text: &str) {
     let described = Model::from_text("model.toml", text)
         .map_err(Failure::from)
-        .and_then(|model| describe_input(InputFile::Model(Box::new(model))));
+        .and_then(|model| describe_input(InputFile::Model(Box::new(model)), &mut HashSet::new()));
     match described {
         Ok(words) => assert!(words.contains("A run: ")),
         Err(Failure::Complaints(complaints)) => {
@@ -179,7 +180,7 @@ fn no_mutated_study_makes_check_panic() {
                 .fold(case_text("slider_crank_worn_pin", "study.toml"), |text, change| apply(&text, change));
             let model = Model::from_text("model.toml", &model_text).expect("the model is sound");
             if let Ok(study) = Study::from_text("study.toml", &study_text, model) {
-                let described = describe_input(InputFile::Study(Box::new(study)));
+                let described = describe_input(InputFile::Study(Box::new(study)), &mut HashSet::new());
                 assert!(!matches!(described, Err(Failure::Output(_))));
             }
             Ok(())
@@ -190,7 +191,7 @@ fn no_mutated_study_makes_check_panic() {
 /// What `check` says of a model, or complains about.
 fn said(text: &str) -> String {
     let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    match describe_input(InputFile::Model(Box::new(model))) {
+    match describe_input(InputFile::Model(Box::new(model)), &mut HashSet::new()) {
         Ok(words) => words,
         Err(Failure::Complaints(complaints)) => complaints.to_string(),
         Err(Failure::Output(error)) => panic!("{error}"),

@@ -75,7 +75,8 @@ pub fn try_out(mechanism: &Mechanism, values: &Values) -> Result<Trial, RunFailu
         }
         start
     };
-    let is_run = first_steps(mechanism, &sample, turn_s)?;
+    let has_dynamics = mechanism.model.missing_for_runs.is_empty();
+    let is_run = has_dynamics && first_steps(mechanism, &sample, turn_s)?;
     Ok(Trial { start, turn_s, is_run })
 }
 

@@ -49,21 +49,25 @@ pub(in crate::model) static GROUND_KEYS: Keys = Keys::new(
 pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
     "a body: rigid with mass, inertia and centre of mass, or a flexible beam",
     &[
-        optional("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of the body"),
+        optional("mass", quantity(D::MASS, Rule::Positive), "\"0.3 kg\"", "mass of a rigid body; needed for runs"),
         optional(
             "inertia",
             quantity(D::INERTIA, Rule::Positive),
             "\"1e-4 kg m^2\"",
-            "moment of inertia about the centre of mass",
+            "moment of inertia about the centre of mass; needed for runs",
         ),
-        optional("centre_of_mass", Kind::Vector, "[\"25 mm\", \"0 mm\"]", "centre of mass in the frame of the body"),
+        optional(
+            "centre_of_mass",
+            Kind::Vector,
+            "[\"25 mm\", \"0 mm\"]",
+            "centre of mass in the frame of the body; needed for runs",
+        ),
         optional("points", POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }", POINTS_DOC),
         optional("beam", Kind::Table(&BEAM_KEYS), "", "a beam that bends and stretches, under [body.NAME.beam]"),
         THERMAL_EXPANSION,
         TEMPERATURE_RISE_OF_BODY,
     ],
-)
-.with_exactly_one(&[&["mass", "beam"], &["inertia", "beam"], &["centre_of_mass", "beam"]]);
+);
 
 fn law_names() -> Vec<&'static str> {
     NormalDescription::all().map(|law| law.name()).collect()
@@ -619,11 +623,11 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
     "a planar mechanism with its nominal values",
     &[
         required("name", Kind::Text, "\"worn pin\"", "name of the mechanism"),
-        required(
+        optional(
             "gravity",
             quantity(D::ACCELERATION, Rule::Finite),
             "\"9.81 m/s^2\"",
-            "acceleration along -y; \"0 m/s^2\" for none",
+            "acceleration along -y; \"0 m/s^2\" for none; needed for runs",
         ),
         optional(
             "temperature_rise",

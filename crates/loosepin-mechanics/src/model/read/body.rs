@@ -7,6 +7,9 @@ use crate::model::quantity::QuantityId;
 use crate::model::topology::{Body, Point};
 use loosepin_text::document::{Entry, Table};
 
+/// What a rigid body needs to be run.
+const MASS_KEYS: [&str; 3] = ["mass", "inertia", "centre_of_mass"];
+
 impl ModelReader {
     /// Reads the table of bodies.
     pub fn read_bodies(&mut self, entry: &Entry<'_>) {
@@ -39,7 +42,15 @@ impl ModelReader {
                 let centre = table.get("centre_of_mass").map(|entry| self.vector(&entry));
                 body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
                 body.points = self.points(&table, elongation);
+                if table.get("beam").is_none() {
+                    for key in MASS_KEYS.into_iter().filter(|key| !table.has(key)) {
+                        self.miss_for_runs(&table, key);
+                    }
+                }
                 if let Some(entry) = table.get("beam") {
+                    for key in MASS_KEYS {
+                        self.refuse_beside(&table, key, "beam");
+                    }
                     self.refuse_beside(&table, "thermal_expansion", "beam");
                     self.beam(&entry, &mut body);
                 }

@@ -12,7 +12,7 @@ use loosepin_text::document::{Entry, Keys, Table};
 use loosepin_text::units::{Dimension, Rule};
 
 /// The law where the file names none: that of the source paper.
-const DEFAULT_LAW: &str = "lankarani-nikravesh";
+pub(super) const DEFAULT_LAW: &str = "lankarani-nikravesh";
 /// v_min where the file gives none (our choice), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 /// The friction law where the file names none.
@@ -73,6 +73,7 @@ impl ModelReader {
             density_kg_m3,
             friction,
             film: film.map_or(Some(None), |film| film.map(Some))?,
+            is_missing: false,
         })
     }
 

@@ -70,7 +70,7 @@ impl ModelReader {
         let play = match backlash? {
             None => None,
             backlash_m => {
-                let contact = contact?;
+                let contact = self.contact_of_play(&table, contact)?;
                 self.demand_contact_of_flanks(&table, contact, "the flanks of teeth")?;
                 Some(CouplingPlay { backlash_m, second_radius_m, contact })
             }

@@ -9,11 +9,14 @@ use crate::model::topology::{GuideClearance, SlidingVelocity, Stiffness};
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Expression, Rule, run};
 
+/// The key of the contact: a clearance needs it where the model is run, and not for the motion without dynamics.
+const CONTACT: &str = "contact";
+
 /// Keys of a joint kind that go with its clearance.
 pub(super) struct PlayKeys {
     /// The key of the clearance.
     pub clearance: &'static str,
-    /// Keys that a clearance above zero needs.
+    /// Keys that a clearance above zero needs; the contact only where the model is run.
     pub needed: &'static [&'static str],
     /// All keys that have a meaning beside a clearance only.
     pub beside: &'static [&'static str],
@@ -35,9 +38,11 @@ impl ModelReader {
             ["half_length", "half_height", "corner_radius"].map(|key| self.quantity(table, key));
         let contact = self.contact_of(table);
         let Some(clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };
-        let contact = contact?;
+        let contact = self.contact_of_play(table, contact)?;
         self.demand_flat_contact(table, contact, "a corner of a slider")?;
-        self.demand_corner_radius(table, contact)?;
+        if table.has(CONTACT) {
+            self.demand_corner_radius(table, contact)?;
+        }
         Some(Some(GuideClearance {
             half_length_m: half_length_m?,
             half_height_m: half_height_m?,
@@ -69,7 +74,9 @@ impl ModelReader {
 
     /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
     pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
-        let missing: Vec<&'static str> = keys.needed.iter().copied().filter(|key| !table.has(key)).collect();
+        let is_missing = |key: &&'static str| *key != CONTACT && !table.has(key);
+        let missing: Vec<&'static str> = keys.needed.iter().copied().filter(is_missing).collect();
+        let has_no_contact = keys.needed.contains(&CONTACT) && !table.has(CONTACT);
         let Some(entry) = table.get(keys.clearance) else {
             if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
                 self.complain_of_missing(table, key, vec![keys.clearance]);
@@ -78,7 +85,7 @@ impl ModelReader {
             return Some(None);
         };
         let expression = self.expression_due(&entry, Dimension::LENGTH)?;
-        if !missing.is_empty() && is_literal_zero(&expression) {
+        if (!missing.is_empty() || has_no_contact) && is_literal_zero(&expression) {
             // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
             self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
             return Some(None);
@@ -87,6 +94,9 @@ impl ModelReader {
         if !missing.is_empty() {
             self.complain_of_missing(table, keys.clearance, missing);
             return None;
+        }
+        if has_no_contact {
+            self.miss_for_runs(table, CONTACT);
         }
         Some(Some(clearance_m))
     }

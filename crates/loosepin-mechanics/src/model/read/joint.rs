@@ -112,7 +112,7 @@ impl ModelReader {
         if !self.demand_order(radial_clearance_m, bearing_radius_m, span) {
             return None;
         }
-        let contact = contact?;
+        let contact = self.contact_of_play(table, contact)?;
         // A length that is there and could not be read was complained about.
         let has_line_law = matches!(self.contacts[contact.0].law, NormalDescription::Line(_));
         let has_film = self.contacts[contact.0].film.is_some();
@@ -132,6 +132,11 @@ impl ModelReader {
     fn half_of(&mut self, diametral_m: QuantityId, path: &EntryPath) -> QuantityId {
         let ops = vec![Op::Load(diametral_m.0), Op::Number(0.5), Op::Multiply];
         self.derived(path.dotted(), Dimension::LENGTH, Rule::NonNegative, ops, &[diametral_m])
+    }
+
+    /// The contact of a joint with play: the one that it names, or one that stands for none; `None` after a complaint.
+    pub(super) fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId> {
+        if table.has("contact") { named } else { self.no_contact() }
     }
 
     /// The contact that a joint names.

@@ -13,6 +13,7 @@ mod guide;
 mod initial;
 mod joint;
 mod load;
+mod missing;
 mod output;
 mod parameter;
 mod parameters;
@@ -96,7 +97,10 @@ impl ModelReader {
         if let Some(entry) = root.get("parameter") {
             self.read_parameters(&entry);
         }
-        let gravity_m_s2 = self.quantity(root, "gravity").unwrap_or(UNREAD);
+        if !root.has("gravity") {
+            self.miss_for_runs(root, "gravity");
+        }
+        let gravity_m_s2 = self.quantity_or(root, "gravity", 0.0).unwrap_or(UNREAD);
         self.has_temperature_rise = root.has("temperature_rise");
         self.temperature_rise_k = self.quantity(root, "temperature_rise");
         for (key, read) in [
@@ -143,6 +147,7 @@ impl ModelReader {
                 cycle,
                 wear,
                 outputs,
+                missing_for_runs: self.missing_for_runs,
                 warnings: self.warnings,
                 source: self.reader.source,
                 tables: self.tables,

@@ -59,6 +59,7 @@ pub(super) struct ModelReader {
     pub controls: Vec<Control>,
     pub used_contacts: Vec<String>,
     pub tables: Vec<Arc<Source>>,
+    pub missing_for_runs: Vec<Complaint>,
     pub warnings: Vec<Complaint>,
 }
 
@@ -99,6 +100,7 @@ impl ModelReader {
             controls: Vec::new(),
             used_contacts: Vec::new(),
             tables: Vec::new(),
+            missing_for_runs: Vec::new(),
             warnings: Vec::new(),
         }
     }

@@ -36,6 +36,7 @@ impl ModelReader {
         let [half_length_m, end_radius_m] = ["half_length", "end_radius"].map(|key| self.quantity(table, key));
         let contact = self.contact_of(table);
         let Some(clearance_m) = self.play_clearance(table, &KEYS)? else { return Some(None) };
+        let contact = self.contact_of_play(table, contact);
         let (half_length_m, end_radius_m, contact) = (half_length_m?, end_radius_m?, contact?);
         let span = table.get("clearance").map_or(table.span, |entry| entry.span);
         if !self.demand_order(clearance_m, end_radius_m, span) {
