@@ -32,6 +32,12 @@ pub struct MotionRecord {
     /// Joints whose block may reach over an end of its guide. The quasi-static answer takes it as held over its whole length.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guide_overhangs: Vec<GuideOverhang>,
+    /// Where no end of the worst cases is proven, so that they are the largest found and no more.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unproven_spans: Vec<UnprovenSpan>,
+    /// Whether proven ends hold between the recorded angles too, not only at them.
+    #[serde(default)]
+    pub is_proven_between_angles: bool,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Angle of the drive over one cycle, increasing.
@@ -109,15 +115,34 @@ pub struct EffortMotion {
     pub value_si: Vec<f64>,
 }
 
-/// Quasi-static effect of all clearances on one output, to first order in the clearances.
+/// Quasi-static effect of all clearances on one output.
 ///
-/// Each eccentricity e_k lies in the disc |e_k| <= c_k and moves the output by g_k·e_k. Worst case: sum c_k |g_k|;
-/// uniform in the disc: variance sum c_k² |g_k|²/4; on the rim with uniform direction: sum c_k² |g_k|²/2.
+/// Each eccentricity e_k lies in the disc |e_k| <= c_k and to first order moves the output by g_k·e_k: at most by sum c_k |g_k|;
+/// uniform in the disc: variance sum c_k² |g_k|²/4; on the rim with uniform direction: sum c_k² |g_k|²/2. The worst case is that of the
+/// loops themselves, not of their first order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ClearanceAnswer {
-    /// Worst case: the output lies within plus and minus this.
-    #[serde(with = "extended")]
+    /// Sum of the first-order effects of all joints: a preview of the worst case, which may be larger.
+    #[serde(with = "extended", default)]
+    pub first_order_si: Vec<f64>,
+    /// The largest magnitude of the deviation that was found; empty in previews.
+    #[serde(with = "extended", default)]
     pub worst_case_si: Vec<f64>,
+    /// The lowest deviation that was found, <= 0; empty in previews.
+    #[serde(with = "extended", default)]
+    pub lowest_si: Vec<f64>,
+    /// The highest deviation that was found, >= 0; empty in previews.
+    #[serde(with = "extended", default)]
+    pub highest_si: Vec<f64>,
+    /// A proven end: no play makes a deviation below it; minus infinity where nothing is proven. Empty in previews.
+    #[serde(with = "extended", default)]
+    pub proven_lowest_si: Vec<f64>,
+    /// A proven end: no play makes a deviation above it; infinite where nothing is proven. Empty in previews.
+    #[serde(with = "extended", default)]
+    pub proven_highest_si: Vec<f64>,
+    /// Where the joints are in the worst case over the cycle; absent in previews and where play moves nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub witness: Option<WorstCaseWitness>,
     /// Standard deviation when the journals are anywhere in their discs.
     #[serde(with = "extended")]
     pub disc_standard_deviation_si: Vec<f64>,
@@ -128,7 +153,41 @@ pub struct ClearanceAnswer {
     pub contributors: Vec<JointContributor>,
 }
 
-/// What one clearance joint contributes to the worst case.
+/// Where the joints with play are when an output deviates most.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WorstCaseWitness {
+    /// Angle of the drive.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: f64,
+    /// The deviation there, with its sign.
+    #[serde(with = "extended")]
+    pub deviation_si: f64,
+    /// The joints, in their order.
+    pub joints: Vec<WitnessJoint>,
+}
+
+/// Where one joint with play is in a worst case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WitnessJoint {
+    /// Name of the joint.
+    pub joint: String,
+    /// Eccentricity (x, y) of a journal, m; ordinate, m, and angle, rad, of a slider in its guide; ordinate of a pin in a slot, or length
+    /// by which a coupling deviates, m, and zero.
+    #[serde(with = "extended")]
+    pub displacement_si: [f64; 2],
+}
+
+/// Angles of the drive at which no end of the worst case is proven.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct UnprovenSpan {
+    /// From and to.
+    #[serde(with = "extended")]
+    pub span_rad: [f64; 2],
+    /// Why, in words.
+    pub words: String,
+}
+
+/// What one clearance joint contributes to the first-order sum.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointContributor {
     /// Name of the joint.
@@ -136,9 +195,9 @@ pub struct JointContributor {
     /// Radial clearance c_k.
     #[serde(with = "extended")]
     pub radial_clearance_m: f64,
-    /// c_k |g_k| over the cycle.
+    /// c_k |g_k| over the cycle: its part of the first-order sum.
     #[serde(with = "extended")]
-    pub worst_case_si: Vec<f64>,
+    pub first_order_si: Vec<f64>,
 }
 
 /// Share of one scattering dimension.

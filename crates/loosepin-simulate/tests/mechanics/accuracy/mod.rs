@@ -9,6 +9,7 @@ mod motion;
 mod runs;
 mod singular;
 mod worst_case;
+mod worst_case_of_cycle;
 
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{CycleInput, Model, QuantityId, Values};
