@@ -61,6 +61,7 @@ mod motion_kind_section;
 mod motion_page;
 mod number;
 mod page;
+mod play_effect;
 mod percentile_words;
 mod posterior_figure;
 mod posterior_text;

@@ -2,16 +2,17 @@
 
 use super::input_file::InputFile;
 use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion_until};
+use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Complaints;
 use std::sync::atomic::AtomicBool;
 
 impl InputFile {
-    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer; `set` are settings `path=value`. Clearances
+    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
     /// that a study knows as intervals or lists are taken where there is most play, random inputs by their standard deviation.
     ///
     /// # Errors
@@ -30,6 +31,23 @@ impl InputFile {
         set: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Complaints> {
+        self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+    }
+
+    /// As [`Self::ideal_motion`], with worst cases of the play: the largest found, and proven ends.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`].
+    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        self.moved(positions, set, &motion_with_worst_cases)
+    }
+
+    fn moved(
+        &self,
+        positions: usize,
+        set: &[String],
+        motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
+    ) -> Result<MotionRecord, Complaints> {
         let model = self.model();
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
@@ -44,7 +62,7 @@ impl InputFile {
             },
             overrides: Override::of_settings(&settings),
         };
-        Ok(motion_until(&mechanism, &set.values, &plan, stop).map_err(|error| error.complaint(model))?)
+        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it

@@ -24,7 +24,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let mut record = file.ideal_motion(POSITIONS, &arguments.set)?;
+    let mut record = file.ideal_motion_with_worst_cases(POSITIONS, &arguments.set)?;
     record.repeat = repeat(&file, &arguments.set);
     let claim = claim(ResultKind::Motion, &model.name, inputs(model, &file, arguments), &arguments.output);
     let folder = claim.take()?;
