@@ -79,9 +79,8 @@ pub(super) fn add_worst_cases(
             answer.proven_highest_si.push(row.proven_si[1]);
         }
         let found = |row: usize, side: usize| &rows[row].found[side];
-        answer.witness = witness(cycle, answer, |row, side| {
-            found(row, side).displacements.iter().map(|e| [e.x, e.y]).collect()
-        });
+        answer.witness =
+            witness(cycle, answer, |row, side| found(row, side).displacements.iter().map(|e| [e.x, e.y]).collect());
     }
     Some(Proofs { unproven_spans: spans(cycle.drive_angle_rad, &reasons), is_between_angles })
 }

@@ -30,6 +30,6 @@ pub use play_reach::PlayReach;
 pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};
 pub use worst_case::{
-    FoundWorstCase, WorstPosition, disc_standard_deviation_si, first_order_si, found_worst_case, rim_standard_deviation_si,
-    starts_on_borders,
+    FoundWorstCase, WorstPosition, disc_standard_deviation_si, first_order_si, found_worst_case,
+    rim_standard_deviation_si, starts_on_borders,
 };

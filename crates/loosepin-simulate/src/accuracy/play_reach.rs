@@ -167,7 +167,8 @@ impl PlayReach {
             }
             Self::Guide { .. } => {
                 let share = step.min(1.0);
-                self.furthest(gradient).map_or(at, |end| if share == 1.0 { end } else { self.within(at + (end - at) * share) })
+                self.furthest(gradient)
+                    .map_or(at, |end| if share == 1.0 { end } else { self.within(at + (end - at) * share) })
             }
         }
     }

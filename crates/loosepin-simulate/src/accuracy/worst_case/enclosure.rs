@@ -187,8 +187,8 @@ impl<'a> Encloser<'a> {
             let mut inside = true;
             let mut found = Vec::with_capacity(n);
             for row in 0..n {
-                let mut sum = (0..n)
-                    .fold(Interval::ZERO, |sum, k| sum - Interval::from_f64(inverse[row * n + k]) * residuals[k]);
+                let mut sum =
+                    (0..n).fold(Interval::ZERO, |sum, k| sum - Interval::from_f64(inverse[row * n + k]) * residuals[k]);
                 for (k, v) in v.iter().enumerate() {
                     sum -= times(row, n + k) * *v;
                 }
@@ -250,8 +250,7 @@ impl<'a> Encloser<'a> {
         // w for each output: (Y J)ᵀ u = dy/dq, w = Yᵀ u.
         let matrix = preconditioned(inverse, &at.of_residuals, n, nz, 0..n);
         let transposed: Vec<Interval> = (0..n * n).map(|k| matrix[(k % n) * n + k / n]).collect();
-        let right: Vec<Interval> =
-            (0..n * outputs).map(|k| at.of_outputs[(k % outputs) * nz + k / outputs]).collect();
+        let right: Vec<Interval> = (0..n * outputs).map(|k| at.of_outputs[(k % outputs) * nz + k / outputs]).collect();
         let solved = eliminate(transposed, n, right, outputs)?;
         let weight = |output: usize, row: usize| {
             (0..n).fold(Interval::ZERO, |sum, k| {
@@ -325,15 +324,10 @@ fn slopes<T: Real>(
     v: &[T],
 ) -> Slopes<T> {
     let (n, nz) = (q.len(), q.len() + v.len());
-    let mut found = Slopes {
-        of_residuals: vec![T::zero(); n * nz],
-        of_outputs: vec![T::zero(); readings.len() * nz],
-    };
+    let mut found = Slopes { of_residuals: vec![T::zero(); n * nz], of_outputs: vec![T::zero(); readings.len() * nz] };
     for z in 0..nz {
-        let number = |place: usize, value: &T| Dual {
-            value: *value,
-            derivative: if place == z { T::one() } else { T::zero() },
-        };
+        let number =
+            |place: usize, value: &T| Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } };
         let along_q: Vec<_> = q.iter().enumerate().map(|(k, value)| number(k, value)).collect();
         let along_v: Vec<_> = v.iter().enumerate().map(|(k, value)| number(n + k, value)).collect();
         moving.place(evaluator, &along_q, driven, &along_v);

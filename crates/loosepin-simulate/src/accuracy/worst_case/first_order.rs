@@ -23,4 +23,3 @@ pub fn rim_standard_deviation_si(joints: &[(PlayReach, Vec2<f64>)]) -> f64 {
 fn root_sum_of_squares(joints: &[(PlayReach, Vec2<f64>)], which: usize) -> f64 {
     joints.iter().map(|(reach, gradient)| reach.spreads_si2(*gradient)[which]).sum::<f64>().sqrt()
 }
-

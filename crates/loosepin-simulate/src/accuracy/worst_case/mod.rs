@@ -16,5 +16,5 @@ mod upper_end;
 mod variables;
 
 pub use first_order::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
-pub use search::{FoundWorstCase, WorstPosition, found_worst_case, starts_on_borders};
 pub(super) use over_cycle::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
+pub use search::{FoundWorstCase, WorstPosition, found_worst_case, starts_on_borders};

@@ -74,7 +74,11 @@ pub(in super::super) fn worst_over_cycle(
     let mut not_proven = Vec::with_capacity(cycle.coordinates.len());
     let mut of_outputs: Vec<Vec<FoundAndProven>> = found
         .into_iter()
-        .map(|rows| rows.into_iter().map(|found| FoundAndProven { found, proven_si: [f64::NEG_INFINITY, f64::INFINITY] }).collect())
+        .map(|rows| {
+            rows.into_iter()
+                .map(|found| FoundAndProven { found, proven_si: [f64::NEG_INFINITY, f64::INFINITY] })
+                .collect()
+        })
         .collect();
     for (row, coordinates) in cycle.coordinates.iter().enumerate() {
         if is_stopped() {
@@ -138,12 +142,18 @@ fn found_over_cycle(
         for (output, found) in outputs.iter().zip(&mut found) {
             let differs = [0, 1].map(|side| {
                 let [here, behind] = [row, row + 1].map(|row| &found[row][side].displacements);
-                cycle.reaches.iter().zip(here.iter().zip(behind)).any(|(reach, (a, b))| reach.distance(*a, *b) > SAME_PLACE)
+                cycle
+                    .reaches
+                    .iter()
+                    .zip(here.iter().zip(behind))
+                    .any(|(reach, (a, b))| reach.distance(*a, *b) > SAME_PLACE)
             });
             if !differs.contains(&true) {
                 continue;
             }
-            let starts = [0, 1].map(|side| if differs[side] { vec![found[row + 1][side].displacements.as_slice()] } else { Vec::new() });
+            let starts = [0, 1].map(|side| {
+                if differs[side] { vec![found[row + 1][side].displacements.as_slice()] } else { Vec::new() }
+            });
             let again = search(row, output, [&starts[0], &starts[1]]);
             for (side, again) in again.into_iter().enumerate() {
                 let own = &mut found[row][side];

@@ -102,7 +102,8 @@ impl Quadratic<'_> {
                 ways.for_each(|(value, safe)| *value = (*value * safe).sqrt().max(0.5 * (*value + safe)));
                 continue;
             };
-            let value = 0.5 * multipliers.iter().sum::<f64>() + 0.5 * s.iter().zip(gradient).map(|(s, g)| s * g).sum::<f64>();
+            let value =
+                0.5 * multipliers.iter().sum::<f64>() + 0.5 * s.iter().zip(gradient).map(|(s, g)| s * g).sum::<f64>();
             if value < best.0 {
                 best = (value, multipliers.clone());
             }
@@ -212,7 +213,8 @@ mod tests {
         // x + x² over |(x, y)| ≤ 1 is 2 at (1, 0); x - y² as well as x is 1 there.
         for (second, due) in [([2.0, 0.0, 0.0, 0.0], 2.0), ([0.0, 0.0, 0.0, -2.0], 1.0)] {
             let (gradient, hessian) = (exact(&[1.0, 0.0]), exact(&second));
-            let bound = Quadratic { balls: std::slice::from_ref(&(0..2)), gradient: &gradient, hessian: &hessian }.upper_end();
+            let bound =
+                Quadratic { balls: std::slice::from_ref(&(0..2)), gradient: &gradient, hessian: &hessian }.upper_end();
             assert!((due..due + 1e-6).contains(&bound), "{bound} {due}");
         }
     }
@@ -233,8 +235,7 @@ mod tests {
                 }
             }
             let wide: Vec<Interval> = hessian.iter().map(|value| Interval::new(value - 1e-3, value + 1e-3)).collect();
-            let bound =
-                Quadratic { balls: &balls, gradient: &exact(&gradient), hessian: &wide }.upper_end();
+            let bound = Quadratic { balls: &balls, gradient: &exact(&gradient), hessian: &wide }.upper_end();
             let mut largest = f64::NEG_INFINITY;
             for sample in 0..20_000 {
                 let turn = |salt: f64| std::f64::consts::TAU * ((sample as f64 + 1.0) * salt).fract();

@@ -42,9 +42,8 @@ impl Ends {
         };
         let end = |sign: f64| {
             let is_input = |place: usize| self.has_input && place + 1 == n;
-            let gradient: Vec<Interval> = (0..n)
-                .map(|k| if is_input(k) { Interval::ZERO } else { sum(&enclosed.gradients, k, sign) })
-                .collect();
+            let gradient: Vec<Interval> =
+                (0..n).map(|k| if is_input(k) { Interval::ZERO } else { sum(&enclosed.gradients, k, sign) }).collect();
             let hessian: Vec<Interval> = (0..n * n)
                 .map(|at| {
                     let is_of_input = is_input(at / n) && is_input(at % n);

@@ -24,9 +24,19 @@ pub(super) struct Variables {
 enum PlayVariables {
     /// It cannot be displaced.
     Fixed,
-    Disc { first: usize, radius_m: f64 },
-    Line { place: usize, clearance_m: f64 },
-    Guide { first: usize, half_clearance_m: f64, half_tilt_rad: f64 },
+    Disc {
+        first: usize,
+        radius_m: f64,
+    },
+    Line {
+        place: usize,
+        clearance_m: f64,
+    },
+    Guide {
+        first: usize,
+        half_clearance_m: f64,
+        half_tilt_rad: f64,
+    },
 }
 
 /// The largest tilt comes from an iteration that ends at round-off.
@@ -48,9 +58,7 @@ impl Variables {
         let plays = reaches
             .iter()
             .map(|reach| match *reach {
-                PlayReach::Disc { radius_m } if radius_m > 0.0 => {
-                    PlayVariables::Disc { first: take(&[2]), radius_m }
-                }
+                PlayReach::Disc { radius_m } if radius_m > 0.0 => PlayVariables::Disc { first: take(&[2]), radius_m },
                 PlayReach::Slot { clearance_m } if clearance_m > 0.0 => {
                     PlayVariables::Line { place: take(&[1]), clearance_m }
                 }

@@ -6,6 +6,7 @@ mod guide;
 mod kinematics;
 mod mechanics;
 mod motion;
+mod oracle;
 mod runs;
 mod singular;
 mod worst_case;

@@ -82,8 +82,7 @@ fn analytic_exact_worst_case_of_the_slider_crank() {
         let angle = 0.05 + 0.26 * f64::from(step);
         let state = ideal_at(&built, &sample, angle / built.input().speed_rad_s);
         loops.set_position(state.coordinates());
-        let exact =
-            found_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
+        let exact = found_worst_case(&mut loops, reading, &[GUDGEON], &starts_on_borders(&[GUDGEON]));
         let centred = slider_m(angle, 0.0, 0.0);
         let highest = largest(|psi| slider_m(angle, 5e-4, psi)) - centred;
         let lowest = -largest(|psi| -slider_m(angle, 5e-4, psi)) - centred;
@@ -151,8 +150,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_directions() {
             let mut loops = DisplacedLoops::new(&built.mechanism, &built.values);
             loops.set_position(state.coordinates());
             let reading = position_outputs(&built.mechanism)[0].reading;
-            let exact =
-                found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
+            let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
             let [lowest, highest] = brute_force(&built, &mut loops, 0, &radii_m, per_joint);
             // A grid of directions falls short by the square of half its step, 1.5 % for 18 directions.
             let short = 1.6 * (std::f64::consts::PI / per_joint as f64).powi(2);

@@ -34,16 +34,38 @@ fn scratch() {
             start.elapsed()
         );
     }
-    for case in ["slider_crank_5000","slider_crank_two_clearances", "four_bar_three_clearances", "six_bar", "slider_crank_guide", "scotch_yoke", "eight_bar", "double_four_bar", "geared_four_bar_backlash", "five_bar_two_drives", "four_bar_coupler_path"] {
+    for case in [
+        "slider_crank_5000",
+        "slider_crank_two_clearances",
+        "four_bar_three_clearances",
+        "six_bar",
+        "slider_crank_guide",
+        "scotch_yoke",
+        "eight_bar",
+        "double_four_bar",
+        "geared_four_bar_backlash",
+        "five_bar_two_drives",
+        "four_bar_coupler_path",
+    ] {
         let built = build_case(case);
         let start = std::time::Instant::now();
         let record = super::motion::motion_of(&built, 360);
         let plain = start.elapsed();
         let record = worst_of(&built, 360);
-        println!("{case} {} plays {:?} then {:?} {:?}", built.mechanism.plays.len(), plain, start.elapsed(), record.unproven_spans);
+        println!(
+            "{case} {} plays {:?} then {:?} {:?}",
+            built.mechanism.plays.len(),
+            plain,
+            start.elapsed(),
+            record.unproven_spans
+        );
         for output in &record.outputs {
             let answer = &output.clearance;
-            let excess: Vec<f64> = (0..answer.worst_case_si.len()).map(|k| f64::max(answer.proven_highest_si[k], -answer.proven_lowest_si[k]) / answer.worst_case_si[k] - 1.0).collect();
+            let excess: Vec<f64> = (0..answer.worst_case_si.len())
+                .map(|k| {
+                    f64::max(answer.proven_highest_si[k], -answer.proven_lowest_si[k]) / answer.worst_case_si[k] - 1.0
+                })
+                .collect();
             println!(
                 "   {} first {:e} found {:e} proven {:e} {:e} excess by row {:e}..{:e}",
                 output.name,
