@@ -49,7 +49,7 @@ pub(super) fn add_worst_cases(
             },
         })
         .collect();
-    let driven_steps = driven_steps(cycle);
+    let driven_steps = driven_steps(cycle.mechanism, cycle.sample, cycle.states);
     let is_between_angles = driven_steps.is_some();
     let positions = CycleOfPositions {
         mechanism: cycle.mechanism,
@@ -86,14 +86,23 @@ pub(super) fn add_worst_cases(
 }
 
 /// Half of the longest way of each drive from one position to the next, where all run at constant speed.
-fn driven_steps(cycle: &WalkedCycle<'_, '_>) -> Option<Vec<f64>> {
-    let times = cycle.states.windows(2).map(|pair| (pair[1].time_s() - pair[0].time_s()).abs());
+pub(super) fn driven_steps(
+    mechanism: &Mechanism,
+    sample: &Sample<f64>,
+    states: &[IdealMotion<'_>],
+) -> Option<Vec<f64>> {
+    let times = states.windows(2).map(|pair| (pair[1].time_s() - pair[0].time_s()).abs());
     let half_s = 0.5 * times.fold(0.0, f64::max) * OVERLAP;
-    let drives = cycle.mechanism.ideal.drives.iter();
-    drives.map(|drive| cycle.sample.drives.constant_speed(*drive).map(|speed| speed * half_s)).collect()
+    let drives = mechanism.ideal.drives.iter();
+    drives.map(|drive| sample.drives.constant_speed(*drive).map(|speed| speed * half_s)).collect()
 }
 
-fn why_unproven(mechanism: &Mechanism, coordinate: Option<usize>, overhanging: Option<&str>) -> Option<String> {
+/// Why no end is proven at a position where `coordinate` is known least and the block of a joint may overhang its guide; nothing where ends are.
+pub(super) fn why_unproven(
+    mechanism: &Mechanism,
+    coordinate: Option<usize>,
+    overhanging: Option<&str>,
+) -> Option<String> {
     let tree = &mechanism.ideal;
     if tree.free < tree.constraint_rows() {
         return Some("joints repeat each other, and play decides which of them carry".to_owned());

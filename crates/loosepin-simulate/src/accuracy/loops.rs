@@ -78,6 +78,18 @@ impl<'a> DisplacedLoops<'a> {
         self.is_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
     }
 
+    /// Takes the position nearest to `coordinates` in which the loops are closed with all journals centred.
+    ///
+    /// # Errors
+    /// They cannot be closed from there.
+    pub(super) fn close_near(&mut self, coordinates: &[f64]) -> Result<(), AccuracyError> {
+        self.set_position(coordinates);
+        self.close()?;
+        let closed = self.coordinates.clone();
+        self.set_position(&closed);
+        Ok(())
+    }
+
     /// Puts all joints back into the middle of their play.
     pub fn centre(&mut self) {
         let centred = vec![Vec2::zero(); self.mechanism.plays.len()];

@@ -7,6 +7,7 @@ mod check;
 mod complaint;
 mod cycle;
 mod cycle_worst_case;
+mod deviation_ends;
 mod dimension;
 mod efforts;
 mod error;
@@ -22,6 +23,9 @@ mod transmission;
 mod worst_case;
 
 pub use check::{check_quasi_static, quasi_static_check};
+pub use deviation_ends::{
+    AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, FoundDeviation, deviation_ends,
+};
 pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;

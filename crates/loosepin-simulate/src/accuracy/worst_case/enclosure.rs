@@ -28,7 +28,7 @@ const INFLATION: f64 = 1.15;
 const LARGEST_GROWTH: f64 = 50.0;
 
 /// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.
-pub(super) struct Enclosed {
+pub(in super::super) struct Enclosed {
     /// For each output.
     pub gradients: Vec<Vec<Interval>>,
     /// For each output, row by row.
@@ -38,13 +38,13 @@ pub(super) struct Enclosed {
 }
 
 /// The loops could not be shown to close in one way over all play.
-pub(super) struct NotEnclosed {
+pub(in super::super) struct NotEnclosed {
     /// The free coordinate that is known least.
     pub coordinate: usize,
 }
 
 /// What may move, and how.
-pub(super) struct Moving<'a> {
+pub(in super::super) struct Moving<'a> {
     pub mechanism: &'a Mechanism,
     pub values: &'a Values,
     pub variables: Variables,
@@ -55,7 +55,7 @@ pub(super) struct Moving<'a> {
 }
 
 /// Evaluators over the numbers that the proof needs.
-pub(super) struct Encloser<'a> {
+pub(in super::super) struct Encloser<'a> {
     moving: Moving<'a>,
     readings: Vec<Position>,
     plain: Evaluator<'a, Dual<f64>>,

@@ -4,7 +4,7 @@ use super::super::loops::DisplacedLoops;
 use super::super::play_reach::PlayReach;
 use super::enclosure::{Encloser, Moving};
 use super::search::{Objective, WorstPosition, best_of, starts_on_borders};
-use super::upper_end::Ends;
+use super::upper_end::{Ends, Reference};
 use super::variables::Variables;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::Mechanism;
@@ -62,7 +62,7 @@ pub(in super::super) fn worst_over_cycle(
 ) -> Option<CycleWorstCase> {
     let found = found_over_cycle(cycle, outputs, is_stopped)?;
     let variables = Variables::new(cycle.reaches);
-    let ends = Ends::new(variables.balls.clone(), 0, cycle.driven_steps.is_some());
+    let ends = Ends::new(variables.balls.clone(), 0, cycle.driven_steps.is_some(), Reference::SameParts);
     let moving = Moving {
         mechanism: cycle.mechanism,
         values: cycle.values,

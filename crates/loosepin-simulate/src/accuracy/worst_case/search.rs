@@ -81,7 +81,7 @@ pub fn starts_on_borders(reaches: &[PlayReach]) -> Vec<Vec<Vec2<f64>>> {
 }
 
 /// The best end of searches from `starts`, the largest for the sign 1 and the smallest for -1, and whether the loops were in the way.
-pub(super) fn best_of(
+pub(in super::super) fn best_of(
     loops: &mut DisplacedLoops<'_>,
     objective: Objective<'_>,
     reaches: &[PlayReach],

@@ -8,28 +8,48 @@
 //! ```
 //!
 //! with the gradient g at the ideal position and with H̃ and h̃ in the intervals of d²y/de² and d²y/de dτ over all positions. So the input
-//! is one more number of the quadratic function, without first and second derivatives of its own.
+//! is one more number of the quadratic function, without first and second derivatives of its own. The same holds for dimensions that
+//! the position without play has too.
 
 use super::enclosure::Enclosed;
 use super::quadratic::Quadratic;
 use loosepin_math::{Interval, Real};
 use std::ops::Range;
 
+/// What deviations are counted from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Reference {
+    /// The position without play of the same parts, at the same input.
+    SameParts,
+    /// The ideal position of nominal parts, at the same input.
+    NominalParts,
+    /// The ideal position of nominal parts at the middle of the input.
+    ThisPosition,
+}
+
 /// The lowest and the highest deviation that one output can have, proven.
-pub(super) struct Ends {
-    pub balls: Vec<Range<usize>>,
+pub(in super::super) struct Ends {
+    balls: Vec<Range<usize>>,
     /// Whether the last number is the input.
-    pub has_input: bool,
+    has_input: bool,
+    /// From this number on they change the position that deviations are counted from as well: the input, and perhaps dimensions.
+    first_of_reference: usize,
 }
 
 impl Ends {
     /// `balls` of the play, `dimensions` numbers and perhaps the input.
-    pub fn new(mut balls: Vec<Range<usize>>, dimensions: usize, has_input: bool) -> Self {
+    pub fn new(mut balls: Vec<Range<usize>>, dimensions: usize, has_input: bool, reference: Reference) -> Self {
+        let plays = balls.last().map_or(0, |ball| ball.end);
+        let first_of_reference = match reference {
+            Reference::SameParts => plays,
+            Reference::NominalParts => plays + dimensions,
+            Reference::ThisPosition => usize::MAX,
+        };
         for _ in 0..dimensions + usize::from(has_input) {
             let next = balls.last().map_or(0, |ball| ball.end);
             balls.push(next..next + 1);
         }
-        Self { balls, has_input }
+        Self { balls, has_input, first_of_reference }
     }
 
     /// Of the output that counts positions by `weights`, `[lowest, highest]`; infinite where nothing is proven.
@@ -41,13 +61,14 @@ impl Ends {
             })
         };
         let end = |sign: f64| {
-            let is_input = |place: usize| self.has_input && place + 1 == n;
-            let gradient: Vec<Interval> =
-                (0..n).map(|k| if is_input(k) { Interval::ZERO } else { sum(&enclosed.gradients, k, sign) }).collect();
+            let is_of_reference = |place: usize| place >= self.first_of_reference;
+            let gradient: Vec<Interval> = (0..n)
+                .map(|k| if is_of_reference(k) { Interval::ZERO } else { sum(&enclosed.gradients, k, sign) })
+                .collect();
             let hessian: Vec<Interval> = (0..n * n)
                 .map(|at| {
-                    let is_of_input = is_input(at / n) && is_input(at % n);
-                    if is_of_input { Interval::ZERO } else { sum(&enclosed.hessians, at, sign) }
+                    let is_of_both = is_of_reference(at / n) && is_of_reference(at % n);
+                    if is_of_both { Interval::ZERO } else { sum(&enclosed.hessians, at, sign) }
                 })
                 .collect();
             Quadratic { balls: &self.balls, gradient: &gradient, hessian: &hessian }.upper_end()

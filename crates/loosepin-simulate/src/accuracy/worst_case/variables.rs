@@ -14,7 +14,7 @@ use std::ops::Range;
 ///
 /// The last holds a little more than the guide allows: its border is bent inwards between the four ends that both have.
 #[derive(Debug, Clone)]
-pub(super) struct Variables {
+pub(in super::super) struct Variables {
     plays: Vec<PlayVariables>,
     /// Places of the numbers of each ball.
     pub balls: Vec<Range<usize>>,
