@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::figure::name_of;
 use super::mechanism_figure::mechanism_figure;
+use super::motion_verdicts::{verdict_headline, verdict_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::play_effect::{Shown, play_effect, unproven_sentences};
@@ -76,6 +77,8 @@ fn has_scatter(output: &OutputMotion) -> bool {
 
 /// The answer in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
+    let judged = verdict_headline(record).map(|headline| format!("{headline}."));
+    let verdicts: Vec<String> = judged.into_iter().chain(verdict_sentences(record, writer)).collect();
     let mut sentences: Vec<String> = record
         .outputs
         .iter()
@@ -123,7 +126,7 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
     }
     sentences.extend(unproven_sentences(record, writer));
     sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
-    sentences
+    verdicts.into_iter().chain(sentences).collect()
 }
 
 /// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`

@@ -285,8 +285,10 @@ pub fn motion_text(record: &MotionRecord) -> String {
     for sentence in motion_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let mut ranges =
-        table(&["output", "smallest", "largest", "most play", "at", "proven at most", "standard deviation"], &[1, 2, 3, 4, 5, 6]);
+    let mut ranges = table(
+        &["output", "smallest", "largest", "most play", "at", "proven at most", "standard deviation"],
+        &[1, 2, 3, 4, 5, 6],
+    );
     for output in &record.outputs {
         let PlayEffect { angle_rad, largest_si: worst_si, shown } = play_effect(record, output);
         let proven = match shown {

@@ -4,6 +4,7 @@ use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
 use crate::simulation::{Drawing, Override};
+use crate::study::Deviation;
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.
@@ -49,8 +50,89 @@ pub struct MotionRecord {
     /// One entry per torque, force or power of a drive among the outputs, in file order.
     #[serde(default)]
     pub efforts: Vec<EffortMotion>,
+    /// The requirements of the study, judged without dynamics, in file order; one for each pose.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub requirements: Vec<MotionRequirement>,
+    /// What may be loosened by the study, judged without dynamics, in file order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub allowances: Vec<MotionAllowance>,
     /// The mechanism and its ideal poses.
     pub drawing: Drawing,
+}
+
+/// A requirement of a study, judged without dynamics: by the play at its worst and all parts within their limits.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionRequirement {
+    /// Name of the output.
+    pub output: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Which deviation.
+    pub of: Deviation,
+    /// The pose, an angle of the drive; absent where the limit holds over the cycle.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub pose_rad: Option<f64>,
+    /// Least allowed value; minus infinity where there is none.
+    #[serde(with = "extended")]
+    pub lower_si: f64,
+    /// Largest allowed value; infinity where there is none.
+    #[serde(with = "extended")]
+    pub upper_si: f64,
+    /// The least share of mechanisms that must keep the limits.
+    #[serde(with = "extended")]
+    pub probability_at_least: f64,
+    /// The least share of mechanisms of which all parts lie within the limits that they are taken to.
+    #[serde(with = "extended")]
+    pub share_within_limits: f64,
+    /// Ends that nothing passes; infinite where nothing is proven.
+    #[serde(with = "extended")]
+    pub proven_si: [f64; 2],
+    /// The lowest and the highest that were found.
+    #[serde(with = "extended")]
+    pub found_si: [f64; 2],
+    /// Angles of the drive at which they were found.
+    #[serde(with = "extended")]
+    pub found_at_rad: [f64; 2],
+    /// The verdict.
+    pub verdict: MotionVerdict,
+    /// Why there is none, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+/// The verdict on a requirement without dynamics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MotionVerdict {
+    /// The proven ends keep the limit, in a large enough share of mechanisms.
+    Met,
+    /// Play and parts within their limits break it.
+    NotMetInTheWorstCase,
+    /// The limit lies between what was found and what is proven, or too few mechanisms lie within the limits of the parts.
+    Undecided,
+    /// It cannot be judged without dynamics.
+    NeedsDynamics,
+}
+
+/// How far an input may be loosened so that every requirement that can be judged without dynamics is still met there.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionAllowance {
+    /// Path of the input.
+    pub path: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// The largest value that was asked about.
+    #[serde(with = "extended")]
+    pub up_to_si: f64,
+    /// The loosest value that was tried and is met; absent where none is.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub loosest_si: Option<f64>,
+    /// The fit of that value, where fits were asked about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<String>,
+    /// Why it was not judged, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
 }
 
 /// A position where the mechanism cannot transmit motion.

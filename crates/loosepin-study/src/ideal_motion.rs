@@ -1,6 +1,7 @@
 //! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
 
 use super::input_file::InputFile;
+use super::judge::{Judged, judge};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
@@ -34,12 +35,18 @@ impl InputFile {
         self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
     }
 
-    /// As [`Self::ideal_motion`], with worst cases of the play: the largest found, and proven ends.
+    /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, and with the requirements of a study
+    /// judged by them.
     ///
     /// # Errors
     /// As for [`Self::ideal_motion`].
     pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
-        self.moved(positions, set, &motion_with_worst_cases)
+        let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
+        if let InputFile::Study(study) = self {
+            let Judged { requirements, allowances } = judge(study, positions, set)?;
+            (record.requirements, record.allowances) = (requirements, allowances);
+        }
+        Ok(record)
     }
 
     fn moved(

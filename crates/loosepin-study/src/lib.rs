@@ -33,6 +33,7 @@ mod ideal_tables;
 mod input_file;
 mod inputs;
 mod iso_286;
+mod judge;
 mod keep;
 mod lanes;
 mod learned;

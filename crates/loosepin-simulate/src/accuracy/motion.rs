@@ -181,6 +181,8 @@ fn motion_with(
         drive_angle_rad,
         outputs: recorder.outputs,
         efforts: ideal_efforts(mechanism, &sample, &cycle.states),
+        requirements: Vec::new(),
+        allowances: Vec::new(),
         drawing,
     })
 }
