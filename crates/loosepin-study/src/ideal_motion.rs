@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 
 impl InputFile {
     /// The ideal motion over one turn in `positions` steps, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
-    /// that a study knows as intervals or lists are taken where there is most play, random inputs by their standard deviation.
+    /// that are uncertain in a study are taken where there is most play, other random inputs by their standard deviation.
     ///
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
@@ -84,7 +84,7 @@ impl InputFile {
         controlled_drawing(&mechanism, &set.values, positions).ok()
     }
 
-    /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
+    /// Where play is uncertain in a study, the worst case is that of the most play; what is `set` counts before.
     fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
         let is_set =

@@ -5,6 +5,7 @@
 //! 1 - Σ (1 - p_i) of all mechanisms are within them, p_i being the probability of one input, however the inputs go together.
 
 use super::file::{Allowance, AllowedInput, Requirement, Study, Where};
+use super::input_limits::{DEVIATIONS, InputLimits};
 use super::outputs::Seen;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
@@ -16,10 +17,7 @@ use loosepin_simulate::accuracy::{
 };
 use loosepin_text::diagnostics::Complaints;
 use loosepin_text::units::SiUnit;
-use loosepin_uncertainty::RandomVariable;
 
-/// Standard deviations on either side of the mean to which a distribution without an end is taken.
-const DEVIATIONS: f64 = 3.0;
 /// Halvings of the range of what may be loosened, as in a study.
 const HALVINGS: usize = 7;
 
@@ -27,17 +25,6 @@ const HALVINGS: usize = 7;
 pub(super) struct Judged {
     pub requirements: Vec<MotionRequirement>,
     pub allowances: Vec<MotionAllowance>,
-}
-
-/// Where an input lies.
-#[derive(Debug, Clone)]
-struct InputLimits {
-    path: String,
-    quantity: QuantityId,
-    low_si: f64,
-    high_si: f64,
-    /// The least probability of lying there.
-    share: f64,
 }
 
 /// Judges what `study` requires over its turn in `positions` steps; inputs that `set` names have that value.
@@ -56,36 +43,6 @@ pub(super) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<J
     let requirements = judge.requirements(&limits).map_err(|error| error.complaint(&study.model))?;
     let allowances = judge.allowances(&limits).map_err(|error| error.complaint(&study.model))?;
     Ok(Judged { requirements, allowances })
-}
-
-impl Study {
-    fn input_limits(&self) -> Vec<InputLimits> {
-        let random = self.random.iter().map(|input| {
-            let variables = input.variables(&self.epistemic, |known| known.ends().to_vec());
-            let all = variables.iter().map(limits_of).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1), a.2.min(b.2)));
-            let (low_si, high_si, share) = all.unwrap_or_else(|| limits_of(&input.variable));
-            InputLimits { path: input.path.clone(), quantity: input.quantity, low_si, high_si, share }
-        });
-        let unknown = self.epistemic.iter().filter_map(|input| {
-            let [low_si, high_si] = input.variable.ends();
-            Some(InputLimits { path: input.path.clone(), quantity: input.quantity()?, low_si, high_si, share: 1.0 })
-        });
-        random.chain(unknown).collect()
-    }
-}
-
-/// The limits of a random input, and the probability of lying within them.
-fn limits_of(variable: &RandomVariable) -> (f64, f64, f64) {
-    let reach = DEVIATIONS * variable.standard_deviation();
-    let [first, last] = [variable.quantile(0.0), variable.quantile(1.0)];
-    if first.is_finite() && last.is_finite() {
-        return (first, last, 1.0);
-    }
-    let low = if first.is_finite() { first } else { variable.mean() - reach };
-    let high = if last.is_finite() { last } else { variable.mean() + reach };
-    let outside = if first.is_finite() { 0.0 } else { variable.cdf(low) };
-    let above = if last.is_finite() { 0.0 } else { variable.survival(high) };
-    (low, high, 1.0 - outside - above)
 }
 
 /// Where the positions of a requirement stand among the questions.

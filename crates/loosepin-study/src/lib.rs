@@ -31,6 +31,7 @@ mod goals;
 mod ideal_motion;
 mod ideal_tables;
 mod input_file;
+mod input_limits;
 mod inputs;
 mod iso_286;
 mod judge;

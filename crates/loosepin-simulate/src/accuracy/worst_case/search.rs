@@ -11,6 +11,8 @@ const STEPS: usize = 200;
 const SETTLED: f64 = 1e-14;
 /// A step that does not improve is shortened so often, each time to a quarter, before the search ends.
 const SHORTENINGS: usize = 16;
+/// Further starts where the loops cannot follow all displacements.
+const STARTS_WHERE_BLOCKED: usize = 16;
 /// The longest step, in units of the play: from any place to the border.
 const LONGEST_STEP: f64 = 1e6;
 
@@ -92,19 +94,41 @@ pub(in super::super) fn best_of(
     let centred = objective.value(loops);
     let mut best = WorstPosition { deviation_si: 0.0, displacements: loops.displacements().to_vec() };
     let mut is_blocked = false;
-    for start in starts {
+    // Whether the loops were in the way.
+    let mut from = |start: &[Vec2<f64>], best: &mut WorstPosition| {
         loops.centre();
         if loops.displace(start).is_err() {
-            is_blocked = true;
-            continue;
+            return true;
         }
-        is_blocked |= climb(loops, objective, reaches, sign);
+        let is_blocked = climb(loops, objective, reaches, sign);
         let deviation_si = objective.value(loops) - centred;
         if sign * (deviation_si - best.deviation_si) > 0.0 {
-            best = WorstPosition { deviation_si, displacements: loops.displacements().to_vec() };
+            *best = WorstPosition { deviation_si, displacements: loops.displacements().to_vec() };
+        }
+        is_blocked
+    };
+    for start in starts {
+        is_blocked |= from(start, &mut best);
+    }
+    if is_blocked {
+        // Where the play is cut off by a singular position an extreme may lie on the edge of what is left: more starts.
+        for index in 0..STARTS_WHERE_BLOCKED {
+            from(&scattered(reaches, index), &mut best);
         }
     }
     (best, is_blocked)
+}
+
+/// Places all over the play, the joints independent of each other: multiples of irrational numbers.
+fn scattered(reaches: &[PlayReach], index: usize) -> Vec<Vec2<f64>> {
+    const IRRATIONAL: [f64; 2] = [0.618_033_988_749_895, 0.414_213_562_373_095];
+    let part = |joint: usize, which: usize| {
+        ((index + 1) as f64 * (IRRATIONAL[which] + 0.732_050_807_568_877 * joint as f64)).fract()
+    };
+    let at = |(joint, reach): (usize, &PlayReach)| {
+        reach.on_border(std::f64::consts::TAU * part(joint, 0)) * part(joint, 1).sqrt()
+    };
+    reaches.iter().enumerate().map(at).collect()
 }
 
 /// Climbs from the present displacements by projected gradient steps: each joint goes along its own gradient, in units of its play, and is put
