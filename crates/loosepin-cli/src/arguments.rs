@@ -110,8 +110,10 @@ pub struct CheckArguments {
 /// Show the ideal motion and the quasi-static effect of play and tolerances
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Needs less than a second. Shows the worst case and the standard deviation of the play, and the contribution of \
-    each joint. For a study, it also shows the root sum of squares of the random inputs. Writes summary.json and report.html.\n\n\
+    after_help = "Needs about a second. Shows the worst case of the play, found and proven, its standard deviation, and the contribution of \
+    each joint. For a study, it also shows the root sum of squares of the random inputs, and judges [[require]] and [allow] without \
+    dynamics. Writes summary.json and report.html.\n\n\
+    Exit status 1: a requirement is not met in the worst case, or cannot be decided without dynamics.\n\n\
     Examples:\n  loosepin motion model.toml\n  loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"
 )]
 pub struct MotionArguments {

@@ -1,8 +1,8 @@
 //! The band of an output without dynamics, as it is shown while a mechanism is edited.
 //!
-//! At each angle of the drive, with the worst case of play w, the standard deviation s_p of journals anywhere in their clearance
+//! At each angle of the drive, with the first-order sum of play w (a preview of the worst case), the standard deviation s_p of journals anywhere in their clearance
 //! circles and the standard deviation s_d of the dimensions: the outer band is ±(w + 2 s_d), the inner one ±2 √(s_p² + s_d²).
-//! With k clearances of worst cases w_i, 2 s_p = √(w_1² + … + w_k²) ≤ w: the inner band lies in the outer one.
+//! With k clearances of effects w_i, 2 s_p = √(w_1² + … + w_k²) ≤ w: the inner band lies in the outer one.
 
 use maud::html;
 use serde::Serialize;
@@ -77,7 +77,9 @@ fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> Str
     if outer_si <= limit_si {
         format!("Without dynamics the band stays within ±{limit}.")
     } else if inner_si <= limit_si {
-        format!("Without dynamics ±2 standard deviations stay within ±{limit}, the worst case does not.")
+        format!(
+            "Without dynamics ±2 standard deviations stay within ±{limit}, the largest effect of play to first order does not."
+        )
     } else {
         format!("Without dynamics the band goes beyond ±{limit}.")
     }
@@ -86,10 +88,10 @@ fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> Str
 /// Half widths of the outer and the inner band at each position, SI.
 fn half_widths_si(output: &OutputMotion) -> [Vec<f64>; 2] {
     let at = |list: &[f64], position: usize| list.get(position).copied().unwrap_or(0.0);
-    let positions = output.clearance.worst_case_si.len();
+    let positions = output.clearance.first_order_si.len();
     let both = |position: usize| {
         let dimensions_si = at(&output.dimensional_standard_deviation_si, position);
-        let worst_si = at(&output.clearance.worst_case_si, position);
+        let worst_si = at(&output.clearance.first_order_si, position);
         let anywhere_si = at(&output.clearance.disc_standard_deviation_si, position);
         [worst_si + DEVIATIONS * dimensions_si, DEVIATIONS * anywhere_si.hypot(dimensions_si)]
     };
@@ -102,11 +104,14 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
     if !(largest_si > 0.0) {
         return None;
     }
-    let has_play = output.clearance.worst_case_si.iter().any(|value| *value != 0.0);
+    let has_play = output.clearance.first_order_si.iter().any(|value| *value != 0.0);
     let has_parts = output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0);
     let [outer, inner] = match (has_play, has_parts) {
-        (true, true) => ["worst play, and parts at ±2 standard deviations", "±2 standard deviations of play and parts"],
-        (true, false) => ["worst case of play", "±2 standard deviations of play"],
+        (true, true) => [
+            "most play to first order, and parts at ±2 standard deviations",
+            "±2 standard deviations of play and parts",
+        ],
+        (true, false) => ["most play, to first order", "±2 standard deviations of play"],
         _ => ["", "±2 standard deviations of the parts"],
     };
     let mut chart = Chart::over_angle(name_of("band", &output.name), &record.drive, &record.drive_angle_rad, writer);
@@ -158,7 +163,7 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
 fn parts(output: &OutputMotion, position: usize, writer: &NumberWriter) -> Vec<BandPart> {
     let at = |list: &[f64]| list.get(position).copied().unwrap_or(0.0);
     let plays =
-        output.clearance.contributors.iter().map(|joint| (joint.joint.clone(), "play", at(&joint.worst_case_si)));
+        output.clearance.contributors.iter().map(|joint| (joint.joint.clone(), "play", at(&joint.first_order_si)));
     let dimensions = &output.dimensional_contributors;
     let variances: f64 = dimensions.iter().map(|dimension| at(&dimension.standard_deviation_si).powi(2)).sum();
     let all_si = DEVIATIONS * at(&output.dimensional_standard_deviation_si);
@@ -184,12 +189,12 @@ mod tests {
     use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor};
     use loosepin_text::units::SiUnit;
 
-    /// Two joints and two dimensions at one position: worst cases 3 and 4 µm, standard deviations 1 and 2 µm.
+    /// Two joints and two dimensions at one position: effects of 3 and 4 µm, standard deviations 1 and 2 µm.
     fn output() -> OutputMotion {
         let joint = |name: &str, worst_si: f64| JointContributor {
             joint: name.to_owned(),
             radial_clearance_m: 1e-4,
-            worst_case_si: vec![worst_si],
+            first_order_si: vec![worst_si],
         };
         let dimension = |path: &str, deviation_si: f64| DimensionContributor {
             path: path.to_owned(),
@@ -203,11 +208,12 @@ mod tests {
             velocity_si: vec![0.0],
             acceleration_si: vec![0.0],
             clearance: ClearanceAnswer {
-                worst_case_si: vec![7e-6],
-                // Each journal anywhere in its circle: the worst case over 2, and 3² + 4² = 5².
+                first_order_si: vec![7e-6],
+                // Each journal anywhere in its circle: the effect over 2, and 3² + 4² = 5².
                 disc_standard_deviation_si: vec![2.5e-6],
                 rim_standard_deviation_si: vec![5e-6 / 2f64.sqrt()],
                 contributors: vec![joint("crank_pin", 3e-6), joint("gudgeon", 4e-6)],
+                ..ClearanceAnswer::default()
             },
             dimensional_standard_deviation_si: vec![5f64.sqrt() * 1e-6],
             dimensional_contributors: vec![dimension("parameter.rod", 1e-6), dimension("parameter.crank", 2e-6)],
@@ -226,7 +232,7 @@ mod tests {
     fn a_limit_between_both_bands_is_kept_by_the_inner_one_alone() {
         let words = |limit_si: f64| kept_words([7.0, 5.0], limit_si, "x");
         assert_eq!(words(7.0), "Without dynamics the band stays within ±x.");
-        assert!(words(6.0).contains("the worst case does not"));
+        assert!(words(6.0).contains("to first order does not"));
         assert_eq!(words(4.9), "Without dynamics the band goes beyond ±x.");
     }
 

@@ -6,8 +6,10 @@ use std::f64::consts::TAU;
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::figure::name_of;
 use super::mechanism_figure::mechanism_figure;
+use super::motion_verdicts::{verdict_headline, verdict_sentences};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
 use super::page::{Page, Section, cards, facts, sentences};
+use super::play_effect::{Shown, play_effect, unproven_sentences};
 use super::repeat_section::repeat_section;
 use super::still_figures::percent_of;
 use super::wording::{listed, named_words};
@@ -66,7 +68,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
 }
 
 fn has_clearance(output: &OutputMotion) -> bool {
-    output.clearance.worst_case_si.iter().any(|value| *value != 0.0)
+    output.clearance.first_order_si.iter().any(|value| *value != 0.0)
 }
 
 fn has_scatter(output: &OutputMotion) -> bool {
@@ -75,19 +77,21 @@ fn has_scatter(output: &OutputMotion) -> bool {
 
 /// The answer in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
+    let judged = verdict_headline(record).map(|headline| format!("{headline}."));
+    let verdicts: Vec<String> = judged.into_iter().chain(verdict_sentences(record, writer)).collect();
     let mut sentences: Vec<String> = record
         .outputs
         .iter()
         .filter(|output| has_clearance(output))
         .map(|output| {
-            let (angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
+            let effect = play_effect(record, output);
             let (_, rim_si) = largest(record, &output.clearance.rim_standard_deviation_si);
             format!(
-                "Play alone moves the {} by up to ±{} (worst case, at {}). If every contact direction is equally likely, the \
-                 standard deviation is at most {}.",
+                "Play alone moves the {} by up to {} ({}). If every contact direction is equally likely, the standard deviation is at \
+                 most {}.",
                 moved_words(output),
-                writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-                turn_angle(record, angle_rad, 3, writer),
+                effect.written(output, writer),
+                effect.words(record, output, writer),
                 writer.rounded(rim_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
             )
         })
@@ -120,8 +124,9 @@ pub(super) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -
             position.words
         ));
     }
+    sentences.extend(unproven_sentences(record, writer));
     sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
-    sentences
+    verdicts.into_iter().chain(sentences).collect()
 }
 
 /// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`
@@ -160,7 +165,7 @@ pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, w
 }
 
 /// An angle of the drive as it is told: within its turn where the record holds a whole one.
-fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
+pub(super) fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
     const ROUND_OFF: f64 = 1e-9;
     let span_rad = match record.drive_angle_rad[..] {
         [first, .., last] => last - first,
@@ -187,8 +192,8 @@ fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Char
 fn clearance(record: &MotionRecord, shown: Option<usize>, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Each journal may lie anywhere in its clearance circle. The worst case adds the largest effects of all joints. The \
-             standard deviations assume journals spread evenly over their circles, or over the rims. Inertia and impacts are not \
+            "Each journal may lie anywhere in its clearance circle. The worst case is the largest deviation that a search over all \
+             these places finds, with the links as they are and not to first order; beyond the proven ends no place leads. The standard deviations assume journals spread evenly over their circles, or over the rims. Inertia and impacts are not \
              included: use " code { "simulate" } " and " code { "study" } " for them."
         }
         @for (index, output) in record.outputs.iter().enumerate() {
@@ -212,25 +217,38 @@ fn clearance_chart(record: &MotionRecord, output: &OutputMotion, writer: &Number
         chart.entries.push(Entry::new(label, role, !filled, values));
     };
     let answer = &output.clearance;
-    band("worst case", Role::Mixed, true, &answer.worst_case_si);
+    let effect = play_effect(record, output);
+    if effect.shown == Shown::FirstOrder {
+        band("first order", Role::Mixed, true, &answer.first_order_si);
+    }
     band("± standard deviation, anywhere in the circles", Role::Random, true, &answer.disc_standard_deviation_si);
     band("± standard deviation, on the rims", Role::Mean, false, &answer.rim_standard_deviation_si);
     band("± standard deviation of the dimensions", Role::Probability, false, &output.dimensional_standard_deviation_si);
-    let (angle_rad, worst_si) = largest(record, &answer.worst_case_si);
-    let words = format!(
-        "at most ±{}, at {}",
-        writer.rounded(worst_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
-        turn_angle(record, angle_rad, 3, writer)
-    );
+    add_worst_case(&mut chart, output, writer);
+    let words = format!("{} ({})", effect.written(output, writer), effect.words(record, output, writer));
     chart.caption = html! {
-        strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " Worst case: " (words)
-        ". First order in the clearances."
+        strong { "Quasi-static effect of play on " (named_words(&output.name, &output.words)) "." } " At most " (words) "."
     };
     chart.alternative = format!(
-        "Chart of the quasi-static worst case of {} over one cycle: {words}.",
+        "Chart of the quasi-static effect of play on {} over one cycle: at most {words}.",
         named_words(&output.name, &output.words)
     );
     chart
+}
+
+/// The band between the lowest and the highest deviation found, and the proven ends where there are any.
+fn add_worst_case(chart: &mut Chart, output: &OutputMotion, writer: &NumberWriter) {
+    let answer = &output.clearance;
+    if answer.worst_case_si.is_empty() {
+        return;
+    }
+    let [lower, upper] = [&answer.lowest_si, &answer.highest_si].map(|values| scaled(values, &output.unit, writer));
+    chart.entries.insert(0, Entry::new("worst case, found", Role::Mixed, false, EntryValues::band(&lower, &upper)));
+    let ends = [&answer.proven_lowest_si, &answer.proven_highest_si];
+    if ends.iter().all(|end| end.iter().all(|value| value.is_finite())) {
+        let [lower, upper] = ends.map(|values| scaled(values, &output.unit, writer));
+        chart.entries.push(Entry::new("proven ends", Role::Limit, true, EntryValues::pair(&lower, &upper)));
+    }
 }
 
 fn contributors(record: &MotionRecord, writer: &NumberWriter) -> Markup {
@@ -242,13 +260,13 @@ fn contributors(record: &MotionRecord, writer: &NumberWriter) -> Markup {
 }
 
 fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Markup {
-    let (worst_angle_rad, worst_si) = largest(record, &output.clearance.worst_case_si);
+    let (worst_angle_rad, worst_si) = largest(record, &output.clearance.first_order_si);
     let pose = record.drive_angle_rad.iter().position(|angle_rad| *angle_rad == worst_angle_rad).unwrap_or(0);
     let mut joints: Vec<(f64, _)> = output
         .clearance
         .contributors
         .iter()
-        .map(|joint| (joint.worst_case_si.get(pose).copied().unwrap_or(0.0), joint))
+        .map(|joint| (joint.first_order_si.get(pose).copied().unwrap_or(0.0), joint))
         .collect();
     joints.sort_by(|a, b| b.0.total_cmp(&a.0));
     let rows = joints.into_iter().map(|(part_si, joint)| {
@@ -262,9 +280,9 @@ fn contributor_table(record: &MotionRecord, output: &OutputMotion, writer: &Numb
     html! {
         figure.treatments {
             h3 { (named_words(&output.name, &output.words)) }
-            (cards(["Joint", "#Radial clearance", "#Part of the worst case", "Share"], rows))
+            (cards(["Joint", "#Radial clearance", "#Effect, first order", "Share"], rows))
             figcaption {
-                "Shares of the worst case at " (turn_angle(record, worst_angle_rad, 3, writer))
+                "Shares of the sum of the first-order effects at " (turn_angle(record, worst_angle_rad, 3, writer))
                 ", where it is largest."
             }
         }
@@ -413,11 +431,14 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> Markup {
         (
             "Effect of play".to_owned(),
             html! {
-                "first order: each eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own \
-                 Jacobian. Worst case Σ c|g|; variance Σ c²|g|²/4 (anywhere in the disc), Σ c²|g|²/2 (on the rim)"
+                "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own \
+                 Jacobian: Σ c|g| at most; variance Σ c²|g|²/4 (anywhere in the disc), Σ c²|g|²/2 (on the rim)"
             },
         ),
     ];
+    if record.outputs.iter().any(|output| !output.clearance.worst_case_si.is_empty()) {
+        rows.push(("Worst case".to_owned(), worst_case_method(record)));
+    }
     for position in &record.singular_positions {
         rows.push((
             "Singular position".to_owned(),
@@ -426,4 +447,13 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> Markup {
     }
     rows.push(("Version".to_owned(), html! { "loosepin " (record.version) }));
     facts(&rows)
+}
+
+fn worst_case_method(record: &MotionRecord) -> Markup {
+    html! {
+        "found: searches from several starts over all places of the joints, the loops closed exactly, at each angle shown. Proven: no place \
+         of rigid parts within their play leads beyond; Taylor's formula of second degree with its remainder on intervals that are rounded \
+         outwards, "
+        @if record.is_proven_between_angles { "at all angles of the drive" } @else { "at the angles shown" }
+    }
 }

@@ -11,6 +11,7 @@ use super::life_section::{life_sentences, life_table};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
 use super::percentile_words::percentile_sentences;
+use super::play_effect::{PlayEffect, Shown, play_effect};
 use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
@@ -284,10 +285,16 @@ pub fn motion_text(record: &MotionRecord) -> String {
     for sentence in motion_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let mut ranges =
-        table(&["output", "smallest", "largest", "worst case of play", "at", "standard deviation"], &[1, 2, 3, 4, 5]);
+    let mut ranges = table(
+        &["output", "smallest", "largest", "most play", "at", "proven at most", "standard deviation"],
+        &[1, 2, 3, 4, 5, 6],
+    );
     for output in &record.outputs {
-        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let PlayEffect { angle_rad, largest_si: worst_si, shown } = play_effect(record, output);
+        let proven = match shown {
+            Shown::UpTo(proven_si) => format!("±{}", writer.rounded(proven_si, &output.unit, 4, Rounding::Up)),
+            Shown::FirstOrder | Shown::Found => "not proven".to_owned(),
+        };
         let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
         let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -299,18 +306,19 @@ pub fn motion_text(record: &MotionRecord) -> String {
             if output.value_si.is_empty() { "-".to_owned() } else { writer.value(largest, &output.unit) },
             where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
             where_known(motion_page::turn_angle(record, angle_rad, 4, &writer)),
+            where_known(proven),
             where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
         ]);
     }
     push_table(&mut text, &ranges);
     push_table(&mut text, &effort_table(record, &writer));
-    let mut contributors = table(&["output", "joint", "clearance", "part of the worst case", "share"], &[2, 3, 4]);
+    let mut contributors = table(&["output", "joint", "clearance", "effect, first order", "share"], &[2, 3, 4]);
     for output in &record.outputs {
-        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.worst_case_si);
+        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.first_order_si);
         let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
         // Where play moves nothing there is nothing to share.
         for joint in output.clearance.contributors.iter().filter(|_| worst_si > 0.0) {
-            let part_si = joint.worst_case_si.get(pose).copied().unwrap_or(f64::NAN);
+            let part_si = joint.first_order_si.get(pose).copied().unwrap_or(f64::NAN);
             contributors.add_row([
                 output.name.clone(),
                 joint.joint.clone(),

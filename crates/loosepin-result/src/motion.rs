@@ -4,6 +4,7 @@ use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
 use crate::simulation::{Drawing, Override};
+use crate::study::Deviation;
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.
@@ -32,6 +33,12 @@ pub struct MotionRecord {
     /// Joints whose block may reach over an end of its guide. The quasi-static answer takes it as held over its whole length.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guide_overhangs: Vec<GuideOverhang>,
+    /// Where no end of the worst cases is proven, so that they are the largest found and no more.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unproven_spans: Vec<UnprovenSpan>,
+    /// Whether proven ends hold between the recorded angles too, not only at them.
+    #[serde(default)]
+    pub is_proven_between_angles: bool,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Angle of the drive over one cycle, increasing.
@@ -43,8 +50,89 @@ pub struct MotionRecord {
     /// One entry per torque, force or power of a drive among the outputs, in file order.
     #[serde(default)]
     pub efforts: Vec<EffortMotion>,
+    /// The requirements of the study, judged without dynamics, in file order; one for each pose.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub requirements: Vec<MotionRequirement>,
+    /// What may be loosened by the study, judged without dynamics, in file order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub allowances: Vec<MotionAllowance>,
     /// The mechanism and its ideal poses.
     pub drawing: Drawing,
+}
+
+/// A requirement of a study, judged without dynamics: by the play at its worst and all parts within their limits.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionRequirement {
+    /// Name of the output.
+    pub output: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// Which deviation.
+    pub of: Deviation,
+    /// The pose, an angle of the drive; absent where the limit holds over the cycle.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub pose_rad: Option<f64>,
+    /// Least allowed value; minus infinity where there is none.
+    #[serde(with = "extended")]
+    pub lower_si: f64,
+    /// Largest allowed value; infinity where there is none.
+    #[serde(with = "extended")]
+    pub upper_si: f64,
+    /// The least share of mechanisms that must keep the limits.
+    #[serde(with = "extended")]
+    pub probability_at_least: f64,
+    /// The least share of mechanisms of which all parts lie within the limits that they are taken to.
+    #[serde(with = "extended")]
+    pub share_within_limits: f64,
+    /// Ends that nothing passes; infinite where nothing is proven.
+    #[serde(with = "extended")]
+    pub proven_si: [f64; 2],
+    /// The lowest and the highest that were found.
+    #[serde(with = "extended")]
+    pub found_si: [f64; 2],
+    /// Angles of the drive at which they were found.
+    #[serde(with = "extended")]
+    pub found_at_rad: [f64; 2],
+    /// The verdict.
+    pub verdict: MotionVerdict,
+    /// Why there is none, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+}
+
+/// The verdict on a requirement without dynamics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MotionVerdict {
+    /// The proven ends keep the limit, in a large enough share of mechanisms.
+    Met,
+    /// Play and parts within their limits break it.
+    NotMetInTheWorstCase,
+    /// The limit lies between what was found and what is proven, or too few mechanisms lie within the limits of the parts.
+    Undecided,
+    /// It cannot be judged without dynamics.
+    NeedsDynamics,
+}
+
+/// How far an input may be loosened so that every requirement that can be judged without dynamics is still met there.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MotionAllowance {
+    /// Path of the input.
+    pub path: String,
+    /// Its unit.
+    pub unit: SiUnit,
+    /// The largest value that was asked about.
+    #[serde(with = "extended")]
+    pub up_to_si: f64,
+    /// The loosest value that was tried and is met; absent where none is.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub loosest_si: Option<f64>,
+    /// The fit of that value, where fits were asked about.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<String>,
+    /// Why it was not judged, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
 }
 
 /// A position where the mechanism cannot transmit motion.
@@ -109,15 +197,34 @@ pub struct EffortMotion {
     pub value_si: Vec<f64>,
 }
 
-/// Quasi-static effect of all clearances on one output, to first order in the clearances.
+/// Quasi-static effect of all clearances on one output.
 ///
-/// Each eccentricity e_k lies in the disc |e_k| <= c_k and moves the output by g_k·e_k. Worst case: sum c_k |g_k|;
-/// uniform in the disc: variance sum c_k² |g_k|²/4; on the rim with uniform direction: sum c_k² |g_k|²/2.
+/// Each eccentricity e_k lies in the disc |e_k| <= c_k and to first order moves the output by g_k·e_k: at most by sum c_k |g_k|;
+/// uniform in the disc: variance sum c_k² |g_k|²/4; on the rim with uniform direction: sum c_k² |g_k|²/2. The worst case is that of the
+/// loops themselves, not of their first order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ClearanceAnswer {
-    /// Worst case: the output lies within plus and minus this.
-    #[serde(with = "extended")]
+    /// Sum of the first-order effects of all joints: a preview of the worst case, which may be larger.
+    #[serde(with = "extended", default)]
+    pub first_order_si: Vec<f64>,
+    /// The largest magnitude of the deviation that was found; empty in previews.
+    #[serde(with = "extended", default)]
     pub worst_case_si: Vec<f64>,
+    /// The lowest deviation that was found, <= 0; empty in previews.
+    #[serde(with = "extended", default)]
+    pub lowest_si: Vec<f64>,
+    /// The highest deviation that was found, >= 0; empty in previews.
+    #[serde(with = "extended", default)]
+    pub highest_si: Vec<f64>,
+    /// A proven end: no play makes a deviation below it; minus infinity where nothing is proven. Empty in previews.
+    #[serde(with = "extended", default)]
+    pub proven_lowest_si: Vec<f64>,
+    /// A proven end: no play makes a deviation above it; infinite where nothing is proven. Empty in previews.
+    #[serde(with = "extended", default)]
+    pub proven_highest_si: Vec<f64>,
+    /// Where the joints are in the worst case over the cycle; absent in previews and where play moves nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub witness: Option<WorstCaseWitness>,
     /// Standard deviation when the journals are anywhere in their discs.
     #[serde(with = "extended")]
     pub disc_standard_deviation_si: Vec<f64>,
@@ -128,7 +235,41 @@ pub struct ClearanceAnswer {
     pub contributors: Vec<JointContributor>,
 }
 
-/// What one clearance joint contributes to the worst case.
+/// Where the joints with play are when an output deviates most.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WorstCaseWitness {
+    /// Angle of the drive.
+    #[serde(with = "extended")]
+    pub drive_angle_rad: f64,
+    /// The deviation there, with its sign.
+    #[serde(with = "extended")]
+    pub deviation_si: f64,
+    /// The joints, in their order.
+    pub joints: Vec<WitnessJoint>,
+}
+
+/// Where one joint with play is in a worst case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WitnessJoint {
+    /// Name of the joint.
+    pub joint: String,
+    /// Eccentricity (x, y) of a journal, m; ordinate, m, and angle, rad, of a slider in its guide; ordinate of a pin in a slot, or length
+    /// by which a coupling deviates, m, and zero.
+    #[serde(with = "extended")]
+    pub displacement_si: [f64; 2],
+}
+
+/// Angles of the drive at which no end of the worst case is proven.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct UnprovenSpan {
+    /// From and to.
+    #[serde(with = "extended")]
+    pub span_rad: [f64; 2],
+    /// Why, in words.
+    pub words: String,
+}
+
+/// What one clearance joint contributes to the first-order sum.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointContributor {
     /// Name of the joint.
@@ -136,9 +277,9 @@ pub struct JointContributor {
     /// Radial clearance c_k.
     #[serde(with = "extended")]
     pub radial_clearance_m: f64,
-    /// c_k |g_k| over the cycle.
+    /// c_k |g_k| over the cycle: its part of the first-order sum.
     #[serde(with = "extended")]
-    pub worst_case_si: Vec<f64>,
+    pub first_order_si: Vec<f64>,
 }
 
 /// Share of one scattering dimension.

@@ -1,18 +1,20 @@
 //! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
 
 use super::input_file::InputFile;
+use super::judge::{Judged, judge};
 use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{MotionPlan, Scatter, motion_until};
+use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases};
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Complaints;
 use std::sync::atomic::AtomicBool;
 
 impl InputFile {
-    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer; `set` are settings `path=value`. Clearances
-    /// that a study knows as intervals or lists are taken where there is most play, random inputs by their standard deviation.
+    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
+    /// that are uncertain in a study are taken where there is most play, other random inputs by their standard deviation.
     ///
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
@@ -30,6 +32,29 @@ impl InputFile {
         set: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Complaints> {
+        self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+    }
+
+    /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, and with the requirements of a study
+    /// judged by them.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`].
+    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
+        if let InputFile::Study(study) = self {
+            let Judged { requirements, allowances } = judge(study, positions, set)?;
+            (record.requirements, record.allowances) = (requirements, allowances);
+        }
+        Ok(record)
+    }
+
+    fn moved(
+        &self,
+        positions: usize,
+        set: &[String],
+        motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
+    ) -> Result<MotionRecord, Complaints> {
         let model = self.model();
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
@@ -44,7 +69,7 @@ impl InputFile {
             },
             overrides: Override::of_settings(&settings),
         };
-        Ok(motion_until(&mechanism, &set.values, &plan, stop).map_err(|error| error.complaint(model))?)
+        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it
@@ -59,7 +84,7 @@ impl InputFile {
         controlled_drawing(&mechanism, &set.values, positions).ok()
     }
 
-    /// Where a study knows play as an interval or a list only, the worst case is that of the most play; what is `set` counts before.
+    /// Where play is uncertain in a study, the worst case is that of the most play; what is `set` counts before.
     fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
         let is_set =

@@ -1,29 +1,28 @@
-//! The unknown values with which joints have the most play, for what knows no intervals.
+//! The values with which joints have the most play, for what knows no intervals and no distributions.
 
 use super::file::Study;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_text::units::{ReadableUnit, SiUnit, UNITS, format_value, parse_quantity};
 
 impl Study {
-    /// Settings `path=value` of what is known as an interval or a list, and decides a clearance: each at the end where that is larger.
+    /// Settings `path=value` of what is uncertain and decides a clearance: each at the end where that is larger, of its interval or list, or
+    /// of the limits to which its distribution is taken ([`Self::input_limits`]).
     ///
     /// A quantity behind several clearances is taken where their sum is larger, the other quantities as they stand in the model;
     /// an end that the model cannot take is none. Clearances that do not change with it leave it as it stands.
-    pub fn widest_play(&self) -> Vec<(&str, String)> {
-        let widest = |(path, id, ends): (_, QuantityId, [f64; 2])| {
+    pub fn widest_play(&self) -> Vec<(String, String)> {
+        let widest = |(path, id, ends): (String, QuantityId, [f64; 2])| {
             let play = ends.map(|end| (self.sum_of_clearances_m(id, end), end));
             let (_, value_si) = play
                 .into_iter()
                 .filter_map(|(sum_m, end)| Some((sum_m?, end)))
                 .reduce(|low, high| if low.0 > high.0 { low } else { high })?;
-            Some((path, format!("{path}={}", self.written_exactly(id, value_si))))
+            let setting = format!("{path}={}", self.written_exactly(id, value_si));
+            Some((path, setting))
         };
-        let known = self.epistemic.iter().filter_map(|input| {
-            let id = input.quantity()?;
-            self.model.play_from(id).next()?;
-            Some((input.path.as_str(), id, input.variable.ends()))
-        });
-        known.filter_map(widest).collect()
+        let all = self.input_limits().into_iter();
+        let known = all.filter(|input| self.model.play_from(input.quantity).next().is_some());
+        known.filter_map(|input| widest((input.path, input.quantity, [input.low_si.max(0.0), input.high_si]))).collect()
     }
 
     /// The sum of all clearances that depend on a quantity where it is `value_si`, m; nothing where the model cannot take that.

@@ -1,6 +1,6 @@
 //! `loosepin motion`.
 
-use loosepin::accuracy::record::MotionRecord;
+use loosepin::accuracy::record::{MotionRecord, MotionVerdict};
 use loosepin::model::Model;
 use loosepin::report::{motion_page, motion_text};
 use loosepin::result::repeat::Repeat;
@@ -11,7 +11,7 @@ use loosepin::study::InputFile;
 use super::inputs::{add_model, add_study, warn};
 use super::stored::{StoredResult, claim, run_and_write, show_found, write_and_tell};
 use crate::arguments::MotionArguments;
-use crate::ending::Ending;
+use crate::ending::{Done, Ending};
 
 /// Positions in a turn: every degree.
 const POSITIONS: usize = 360;
@@ -24,7 +24,7 @@ pub fn run(arguments: &MotionArguments) -> Ending {
         InputFile::Model(model) => &model.warnings,
         InputFile::Study(study) => &study.warnings,
     });
-    let mut record = file.ideal_motion(POSITIONS, &arguments.set)?;
+    let mut record = file.ideal_motion_with_worst_cases(POSITIONS, &arguments.set)?;
     record.repeat = repeat(&file, &arguments.set);
     let claim = claim(ResultKind::Motion, &model.name, inputs(model, &file, arguments), &arguments.output);
     let folder = claim.take()?;
@@ -37,6 +37,11 @@ pub fn run(arguments: &MotionArguments) -> Ending {
 impl StoredResult for MotionRecord {
     const PAGE: fn(&Self) -> String = motion_page;
     const TEXT: fn(&Self) -> String = motion_text;
+
+    fn done(&self) -> Done {
+        let is_met = self.requirements.iter().all(|requirement| requirement.verdict == MotionVerdict::Met);
+        if is_met { Done::Well } else { Done::RequirementNotMet }
+    }
 }
 
 /// How the result is made again.

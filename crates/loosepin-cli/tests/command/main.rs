@@ -10,6 +10,7 @@ mod failed_runs;
 mod figures;
 mod identify;
 mod import;
+mod motion_verdicts;
 mod pages;
 mod paths;
 mod repeat;

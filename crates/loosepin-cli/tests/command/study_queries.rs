@@ -151,25 +151,25 @@ fn identity_the_cheapest_offers_meet_the_requirement() {
 /// A question, so that there is a study.
 const ASK: &str = "[[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n";
 
-/// The worst case over the turn that `motion` finds, of the first output, and what it was found with.
-fn worst_case(desk: &Desk, arguments: &[&str]) -> (f64, Value) {
+/// The largest first-order effect of play over the turn that `motion` tells, of the first output, and what it was found with.
+fn first_order(desk: &Desk, arguments: &[&str]) -> (f64, Value) {
     desk.succeed(&[&["motion"][..], arguments, &["--out", "motion", "--force"]].concat());
     let record: Value = serde_json::from_str(&desk.read("motion/summary.json")).expect("JSON");
-    let worst = record["outputs"][0]["clearance"]["worst_case_si"].as_array().expect("positions");
+    let worst = record["outputs"][0]["clearance"]["first_order_si"].as_array().expect("positions");
     (worst.iter().map(number).fold(0.0, f64::max), record["overrides"].clone())
 }
 
 #[test]
 fn identity_motion_takes_the_most_play_unless_it_is_told_otherwise() {
-    /// To first order the worst case is in proportion to the clearance; round-off.
+    /// To first order the effect is in proportion to the clearance; round-off.
     const RELATIVE_TOLERANCE: f64 = 1e-9;
     let gudgeon = "[epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n";
     let desk = Desk::with_model("slider_crank_worn_pin");
     desk.write("study.toml", &format!("{SHORT}{gudgeon}{ASK}"));
-    let (worst, overrides) = worst_case(&desk, &["study.toml"]);
+    let (worst, overrides) = first_order(&desk, &["study.toml"]);
     assert_eq!(overrides[0]["written"], "0.5 mm");
     // The example of the help.
-    let (set, overrides) = worst_case(&desk, &["study.toml", "--set", "joint.gudgeon.radial_clearance=0.3mm"]);
+    let (set, overrides) = first_order(&desk, &["study.toml", "--set", "joint.gudgeon.radial_clearance=0.3mm"]);
     assert_eq!((overrides.as_array().expect("a list").len(), &overrides[0]["written"]), (1, &Value::from("0.3mm")));
     assert!((set / worst - 0.6).abs() < RELATIVE_TOLERANCE, "{set} {worst}");
     // A clearance by an expression: the radius of the pin makes it larger where it is smaller.
@@ -180,14 +180,14 @@ fn identity_motion_takes_the_most_play_unless_it_is_told_otherwise() {
     desk.write("model.toml", &model);
     let pin = "[epistemic]\n\"parameter.pin_radius\" = { interval = [\"9.8 mm\", \"10.2 mm\"] }\n";
     desk.write("study.toml", &format!("{SHORT}{pin}{ASK}"));
-    let (by_expression, overrides) = worst_case(&desk, &["study.toml"]);
+    let (by_expression, overrides) = first_order(&desk, &["study.toml"]);
     assert_eq!(overrides[0]["written"], "9.8 mm");
     assert!((by_expression / worst - 1.0).abs() < RELATIVE_TOLERANCE, "{by_expression} {worst}");
 }
 
 #[test]
 fn identity_motion_takes_the_most_play_of_a_guide() {
-    /// To first order the worst case is in proportion to the clearance; round-off.
+    /// To first order the effect is in proportion to the clearance; round-off.
     const RELATIVE_TOLERANCE: f64 = 1e-9;
     let desk = Desk::with_model("slider_crank_worn_pin");
     let guide = "slider = \"slider.pin\"\nhalf_length = \"50 mm\"\nhalf_height = \"25 mm\"\nclearance = \"0.1 mm\"\n\
@@ -196,8 +196,8 @@ fn identity_motion_takes_the_most_play_of_a_guide() {
     let path = "joint.guide.clearance";
     let interval = format!("[epistemic]\n\"{path}\" = {{ interval = [\"0.01 mm\", \"0.3 mm\"] }}\n");
     desk.write("study.toml", &format!("{SHORT}{interval}{ASK}"));
-    let (worst, overrides) = worst_case(&desk, &["study.toml"]);
+    let (worst, overrides) = first_order(&desk, &["study.toml"]);
     assert_eq!((&overrides[0]["path"], &overrides[0]["written"]), (&Value::from(path), &Value::from("0.3 mm")));
-    let (set, _) = worst_case(&desk, &["study.toml", "--set", &format!("{path}=0.3mm")]);
+    let (set, _) = first_order(&desk, &["study.toml", "--set", &format!("{path}=0.3mm")]);
     assert!((set / worst - 1.0).abs() < RELATIVE_TOLERANCE, "{set} {worst}");
 }

@@ -93,11 +93,11 @@ impl<T: Real> CouplingGeometry<T> {
     }
 
     /// Displaces the second joint by `displacement_m` from where it is in `centred`. A follower stays on its cam.
-    pub fn set_displacement(&mut self, displacement_m: T, centred: &CouplingGeometry<f64>) {
+    pub fn set_displacement(&mut self, displacement_m: T, centred: &CouplingGeometry<T>) {
         if let (CouplingNumbers::Ratio { offset, .. }, CouplingNumbers::Ratio { offset: from, .. }) =
             (&mut self.law, &centred.law)
         {
-            *offset = T::from_f64(*from) + displacement_m / self.lever;
+            *offset = *from + displacement_m / self.lever;
         }
     }
 }

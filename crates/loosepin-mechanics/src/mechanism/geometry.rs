@@ -286,7 +286,7 @@ impl<T: Real> Geometry<T> {
 
     /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second
     /// joint of a coupling by the first part of the displacement, m.
-    pub fn set_displacement(&mut self, tree: &Tree, play: PlayId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+    pub fn set_displacement(&mut self, tree: &Tree, play: PlayId, displacement: Vec2<T>, centred: &Geometry<T>) {
         match play {
             PlayId::Joint(joint) => self.set_joint_displacement(tree, joint, displacement, centred),
             PlayId::Coupling(index) => {
@@ -300,7 +300,7 @@ impl<T: Real> Geometry<T> {
     /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
     /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
     /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
-    fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<f64>) {
+    fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<T>) {
         let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
         for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
             match link.attachment {
@@ -311,12 +311,12 @@ impl<T: Real> Geometry<T> {
                     // A guide that hangs on its slider is displaced the other way, and turns with its line.
                     let (parent_turn_rad, own_turn_rad, ordinate_m) =
                         if forward { (T::zero(), -tilt_rad, ordinate_m) } else { (-tilt_rad, T::zero(), -ordinate_m) };
-                    geometry.parent_angle_rad = T::from_f64(centred.parent_angle_rad) + parent_turn_rad;
-                    geometry.own_angle_rad = T::from_f64(centred.own_angle_rad) + own_turn_rad;
+                    geometry.parent_angle_rad = centred.parent_angle_rad + parent_turn_rad;
+                    geometry.own_angle_rad = centred.own_angle_rad + own_turn_rad;
                     geometry.parent_direction = direction(geometry.parent_angle_rad);
                     geometry.turn_from_parent = direction(geometry.parent_angle_rad - geometry.own_angle_rad);
                     geometry.parent_arm_m =
-                        Vec2::from_f64(centred.parent_arm_m).plus(geometry.parent_direction.turned(), ordinate_m);
+                        centred.parent_arm_m.plus(geometry.parent_direction.turned(), ordinate_m);
                 }
                 _ => {}
             }
@@ -328,8 +328,8 @@ impl<T: Real> Geometry<T> {
             match cut.kind {
                 CutKind::Prismatic | CutKind::Slot => {
                     let normal = direction(geometry.angles_rad[0]).turned();
-                    geometry.arms_m[0] = Vec2::from_f64(centred.arms_m[0]).plus(normal, ordinate_m);
-                    geometry.angles_rad[1] = T::from_f64(centred.angles_rad[1]) - tilt_rad;
+                    geometry.arms_m[0] = centred.arms_m[0].plus(normal, ordinate_m);
+                    geometry.angles_rad[1] = centred.angles_rad[1] - tilt_rad;
                 }
                 CutKind::Revolute | CutKind::Rigid => geometry.eccentricity_m = displacement,
             }

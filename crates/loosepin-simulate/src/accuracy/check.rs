@@ -5,7 +5,7 @@ use super::loops::DisplacedLoops;
 use super::overhang::overhanging;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
-use super::worst_case::{ExactWorstCase, exact_worst_case};
+use super::worst_case::{FoundWorstCase, found_worst_case, starts_on_borders};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayGeometry, PlayShape, Sample};
 use loosepin_mechanics::model::Values;
@@ -122,12 +122,21 @@ impl<'r> Compared<'r> {
         tolerance_si: f64,
     ) {
         let deviation_si = self.deviation_si[row];
-        let Ok(ExactWorstCase { lowest, highest }) =
-            exact_worst_case(loops, self.output.reading, reaches, &self.starts)
-        else {
+        let mut found = found_worst_case(loops, self.output.reading, reaches, &self.starts);
+        let is_beyond = |found: &FoundWorstCase| {
+            deviation_si < found.lowest.deviation_si - tolerance_si
+                || found.highest.deviation_si + tolerance_si < deviation_si
+        };
+        if is_beyond(&found) {
+            // Another extreme may lie further out: the search is done again from more places.
+            self.starts.extend(starts_on_borders(reaches));
+            found = found_worst_case(loops, self.output.reading, reaches, &self.starts);
+        }
+        let FoundWorstCase { lowest, highest, is_blocked } = found;
+        if is_blocked {
             self.leave_out();
             return;
-        };
+        }
         let worst_case_si = if deviation_si < 0.0 { lowest.deviation_si } else { highest.deviation_si };
         let share = if deviation_si == 0.0 { 0.0 } else { deviation_si / worst_case_si };
         let slack_si = tolerance_si + RELATIVE_TOLERANCE * worst_case_si.abs();

@@ -1,6 +1,7 @@
 //! The loops of the ideal mechanism at one instant, with the bodies of joints with play displaced against each other.
 
 use super::error::AccuracyError;
+use super::play_reach::PlayReach;
 use loosepin_math::{Dual, Vec2, determinant, solve_square};
 use loosepin_mechanics::mechanism::constraints::{self, Opening};
 use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, point_m};
@@ -30,6 +31,7 @@ pub struct DisplacedLoops<'a> {
     dual_geometry: Geometry<Dual<f64>>,
     /// The numbers with all joints in the middle of their play.
     centred_geometry: Geometry<f64>,
+    dual_centred_geometry: Geometry<Dual<f64>>,
     /// Displacements, in the order of [`Mechanism::plays`].
     displacements: Vec<Vec2<f64>>,
     coordinates: Vec<f64>,
@@ -55,6 +57,7 @@ impl<'a> DisplacedLoops<'a> {
             geometry: Geometry::new(&mechanism.model, tree, values),
             dual_geometry: Geometry::new(&mechanism.model, tree, values),
             centred_geometry: Geometry::new(&mechanism.model, tree, values),
+            dual_centred_geometry: Geometry::new(&mechanism.model, tree, values),
             displacements: vec![Vec2::zero(); mechanism.plays.len()],
             coordinates: vec![0.0; columns],
             centred: vec![0.0; columns],
@@ -73,6 +76,18 @@ impl<'a> DisplacedLoops<'a> {
         self.centre();
         let mut matrix = self.loop_matrix();
         self.is_positive = determinant(&mut matrix, self.mechanism.ideal.free) > 0.0;
+    }
+
+    /// Takes the position nearest to `coordinates` in which the loops are closed with all journals centred.
+    ///
+    /// # Errors
+    /// They cannot be closed from there.
+    pub(super) fn close_near(&mut self, coordinates: &[f64]) -> Result<(), AccuracyError> {
+        self.set_position(coordinates);
+        self.close()?;
+        let closed = self.coordinates.clone();
+        self.set_position(&closed);
+        Ok(())
     }
 
     /// Puts all joints back into the middle of their play.
@@ -154,10 +169,69 @@ impl<'a> DisplacedLoops<'a> {
             Vec2::new(Dual { value: at.x, derivative: direction.x }, Dual { value: at.y, derivative: direction.y });
         let tree = &self.mechanism.ideal;
         let mut geometry = self.dual_geometry.clone();
-        geometry.set_displacement(tree, id, moving, &self.centred_geometry);
+        geometry.set_displacement(tree, id, moving, &self.dual_centred_geometry);
         let (model, values) = (&self.mechanism.model, self.values);
         let driven = vec![0.0; tree.drives.len()];
         self.derivatives(&geometry, &driven, readings, &|point| point_m(model, values, point))
+    }
+
+    /// d/d(e_k) of the sum of `readings` that `weights` gives (place and factor), for each joint with play whose reach is not a point.
+    ///
+    /// By the adjoint of the loop equations: with w = (dΦ/dq)⁻ᵀ dy/dq, the derivative along e is dy - w·dΦ at fixed q.
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub(super) fn play_gradient(
+        &mut self,
+        readings: &[Position],
+        weights: &[(usize, f64)],
+        reaches: &[PlayReach],
+    ) -> Result<Vec<Vec2<f64>>, AccuracyError> {
+        let tree = &self.mechanism.ideal;
+        let n = tree.free;
+        let (model, values) = (&self.mechanism.model, self.values);
+        let output = |kinematics: &Kinematics<Dual<f64>>| -> f64 {
+            let value = |(place, weight): &(usize, f64)| {
+                weight * readings[*place].value(tree, kinematics, |point| point_m(model, values, point)).derivative
+            };
+            weights.iter().map(value).sum()
+        };
+        let mut coordinates: Vec<Dual<f64>> = self.coordinates.iter().map(|q| Dual::constant(*q)).collect();
+        let mut adjoint = Vec::with_capacity(n);
+        for k in 0..n {
+            coordinates[k].derivative = 1.0;
+            self.dual_kinematics.set_positions(tree, &self.dual_geometry, &coordinates);
+            coordinates[k].derivative = 0.0;
+            adjoint.push(output(&self.dual_kinematics));
+        }
+        if n > 0 {
+            let matrix = self.loop_matrix();
+            let mut transposed: Vec<f64> = (0..n * n).map(|at| matrix[at % n * n + at / n]).collect();
+            let is_regular = solve_square(&mut transposed, n, &mut adjoint) > SINGULAR_PIVOT_RATIO;
+            if !is_regular {
+                return Err(AccuracyError::SingularWithPlay);
+            }
+        }
+        let rows = self.mechanism.ideal_rows();
+        let mut gradients = vec![Vec2::zero(); reaches.len()];
+        for (play, reach) in reaches.iter().enumerate() {
+            let (id, at) = (self.mechanism.plays[play], self.displacements[play]);
+            let mut along = |x: f64, y: f64| {
+                let moving = Vec2::new(Dual { value: at.x, derivative: x }, Dual { value: at.y, derivative: y });
+                self.dual_geometry.set_displacement(tree, id, moving, &self.dual_centred_geometry);
+                self.dual_kinematics.set_positions(tree, &self.dual_geometry, &coordinates);
+                constraints::residuals(tree, &self.dual_geometry, &self.dual_kinematics, &mut self.dual_residuals);
+                let parts = adjoint.iter().zip(rows).map(|(weight, row)| weight * self.dual_residuals[*row].derivative);
+                output(&self.dual_kinematics) - parts.sum::<f64>()
+            };
+            gradients[play] = match *reach {
+                PlayReach::Slot { clearance_m: 0.0 } => continue,
+                PlayReach::Slot { .. } => Vec2::new(along(1.0, 0.0), 0.0),
+                PlayReach::Disc { .. } | PlayReach::Guide { .. } => Vec2::new(along(1.0, 0.0), along(0.0, 1.0)),
+            };
+            self.dual_geometry.set_displacement(tree, id, Vec2::from_f64(at), &self.dual_centred_geometry);
+        }
+        Ok(gradients)
     }
 
     /// Derivatives of `readings` when the numbers of the mechanism move along `geometry`, its driven coordinates along
@@ -211,10 +285,10 @@ impl<'a> DisplacedLoops<'a> {
 
     fn set_displacements(&mut self, displacements: &[Vec2<f64>]) {
         self.displacements.copy_from_slice(displacements);
-        let (tree, centred) = (&self.mechanism.ideal, &self.centred_geometry);
+        let tree = &self.mechanism.ideal;
         for (&id, &displacement) in self.mechanism.plays.iter().zip(displacements) {
-            self.geometry.set_displacement(tree, id, displacement, centred);
-            self.dual_geometry.set_displacement(tree, id, Vec2::from_f64(displacement), centred);
+            self.geometry.set_displacement(tree, id, displacement, &self.centred_geometry);
+            self.dual_geometry.set_displacement(tree, id, Vec2::from_f64(displacement), &self.dual_centred_geometry);
         }
     }
 

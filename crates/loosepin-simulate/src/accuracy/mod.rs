@@ -6,6 +6,8 @@
 mod check;
 mod complaint;
 mod cycle;
+mod cycle_worst_case;
+mod deviation_ends;
 mod dimension;
 mod efforts;
 mod error;
@@ -21,14 +23,17 @@ mod transmission;
 mod worst_case;
 
 pub use check::{check_quasi_static, quasi_static_check};
+pub use deviation_ends::{
+    AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, FoundDeviation, deviation_ends,
+};
 pub use dimension::{DimensionDirection, dimension_direction};
 pub use error::AccuracyError;
 pub use loops::DisplacedLoops;
-pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion, motion_until};
+pub use motion::{MotionPlan, Scatter, ScatterCorrelation, motion, motion_until, motion_with_worst_cases};
 pub use play_reach::PlayReach;
 pub use position::{PositionOutput, position_outputs};
 pub use sensitivity::{dimension_derivatives, play_gradients};
 pub use worst_case::{
-    ExactWorstCase, WorstPosition, disc_standard_deviation_si, exact_worst_case, rim_standard_deviation_si,
-    starts_on_borders, worst_case_si,
+    FoundWorstCase, WorstPosition, disc_standard_deviation_si, first_order_si, found_worst_case,
+    rim_standard_deviation_si, starts_on_borders,
 };

@@ -1,6 +1,7 @@
 //! The ideal motion over one cycle with the quasi-static answer: what `loosepin motion` shows.
 
 use super::cycle::Cycle;
+use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
@@ -10,7 +11,7 @@ use super::part::{Part, PartKind};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::sensitivity::{dimension_derivatives, play_gradients};
-use super::worst_case::{disc_standard_deviation_si, rim_standard_deviation_si, worst_case_si};
+use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, point_m};
@@ -59,8 +60,8 @@ pub struct ScatterCorrelation {
     pub linear: f64,
 }
 
-/// The ideal motion of `mechanism` with `values` over one turn of a drive, what clearances do to it quasi-statically, and
-/// what scattering dimensions do to first order.
+/// The ideal motion of `mechanism` with `values` over one turn of a drive, what clearances do to it quasi-statically and to first order, and
+/// what scattering dimensions do to first order: a preview, without worst cases.
 ///
 /// Where the mechanism cannot go through a whole turn, the record holds the positions that it can reach from its start in
 /// both directions, and its singular positions name the ends.
@@ -81,6 +82,28 @@ pub fn motion_until(
     values: &Values,
     plan: &MotionPlan,
     stop: &AtomicBool,
+) -> Result<MotionRecord, AccuracyError> {
+    motion_with(mechanism, values, plan, stop, false)
+}
+
+/// As [`motion`], with the worst cases of the loops themselves: the largest deviations found, and ends that are proven.
+///
+/// # Errors
+/// As for [`motion`].
+pub fn motion_with_worst_cases(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &MotionPlan,
+) -> Result<MotionRecord, AccuracyError> {
+    motion_with(mechanism, values, plan, &AtomicBool::new(false), true)
+}
+
+fn motion_with(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &MotionPlan,
+    stop: &AtomicBool,
+    has_worst_cases: bool,
 ) -> Result<MotionRecord, AccuracyError> {
     let go_on = || if stop.load(Ordering::Relaxed) { Err(AccuracyError::Stopped) } else { Ok(()) };
     if !mechanism.is_driven() {
@@ -110,16 +133,38 @@ pub fn motion_until(
     let mut recorder = Recorder::new(mechanism, values, &sample, reaches.clone(), (&outputs, &jets), plan, &directions);
     let mut drawing = skeleton(mechanism, values);
     let mut drive_angle_rad = Vec::with_capacity(cycle.states.len());
+    let mut overhanging_joints = Vec::with_capacity(cycle.states.len());
     for (state, jets) in cycle.states.iter().zip(&jets) {
         go_on()?;
         let angle_rad = input.angle_rad(state.time_s());
         drive_angle_rad.push(angle_rad);
         recorder.record(state, jets)?;
-        let over = overhanging(mechanism, &sample, &reaches, state.kinematics());
-        overhangs.record(angle_rad, over.map(|play| mechanism.model.play_name(mechanism.plays[play]).to_owned()));
+        let over: Vec<String> = overhanging(mechanism, &sample, &reaches, state.kinematics())
+            .map(|play| mechanism.model.play_name(mechanism.plays[play]).to_owned())
+            .collect();
+        overhanging_joints.push(over.first().cloned());
+        overhangs.record(angle_rad, over.into_iter());
         add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
     }
     drawing.ideal_poses = Default::default();
+    let mut proofs = None;
+    if has_worst_cases {
+        let walked = WalkedCycle {
+            mechanism,
+            values,
+            sample: &sample,
+            states: &cycle.states,
+            drive_angle_rad: &drive_angle_rad,
+            reaches: &reaches,
+            readings: &recorder.readings,
+            parts: &recorder.parts,
+            velocities: jets.iter().map(|jets| jets.iter().map(|jet| jet[1]).collect()).collect(),
+            overhanging: overhanging_joints,
+        };
+        proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
+        go_on()?;
+    }
+    let is_proven_between_angles = proofs.as_ref().is_some_and(|proofs| proofs.is_between_angles);
     Ok(MotionRecord {
         model: mechanism.model.name.clone(),
         version: loosepin_text::VERSION.to_owned(),
@@ -128,6 +173,8 @@ pub fn motion_until(
         mobility: mobility_words(mechanism),
         singular_positions: cycle.singular_positions(&input),
         guide_overhangs: overhangs.into_found(),
+        unproven_spans: proofs.map_or_else(Vec::new, |proofs| proofs.unproven_spans),
+        is_proven_between_angles,
         drive: input.name,
         repeat: Repeat::default(),
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
@@ -138,6 +185,8 @@ pub fn motion_until(
             Ok(()) => ideal_efforts(mechanism, &sample, &cycle.states),
             Err(_) => Vec::new(),
         },
+        requirements: Vec::new(),
+        allowances: Vec::new(),
         drawing,
     })
 }
@@ -203,7 +252,7 @@ impl<'a> Recorder<'a> {
         let contributors = mechanism.plays.iter().zip(&sample.plays).map(|(joint, play)| JointContributor {
             joint: model.play_name(*joint).to_owned(),
             radial_clearance_m: play.clearance_m,
-            worst_case_si: Vec::new(),
+            first_order_si: Vec::new(),
         });
         let clearance = ClearanceAnswer { contributors: contributors.collect(), ..ClearanceAnswer::default() };
         let dimensional_contributors: Vec<DimensionContributor> = directions
@@ -261,11 +310,11 @@ impl<'a> Recorder<'a> {
             let joints: Vec<_> =
                 self.reaches.iter().enumerate().map(|(play, reach)| (*reach, gradient(play))).collect();
             let answer = &mut output.clearance;
-            answer.worst_case_si.push(worst_case_si(&joints));
+            answer.first_order_si.push(first_order_si(&joints));
             answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
             answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
             for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
-                contributor.worst_case_si.push(worst_case_si(&[*joint]));
+                contributor.first_order_si.push(first_order_si(&[*joint]));
             }
         }
         let mut variances = vec![0.0; self.outputs.len()];

@@ -135,6 +135,44 @@ impl PlayReach {
         }
     }
 
+    /// How far two displacements are from each other, in units of the play.
+    pub(super) fn distance(&self, a: Vec2<f64>, b: Vec2<f64>) -> f64 {
+        let way = b - a;
+        match *self {
+            Self::Disc { radius_m } if radius_m > 0.0 => way.length() / radius_m,
+            Self::Slot { clearance_m } if clearance_m > 0.0 => way.x.abs() / clearance_m,
+            Self::Guide { clearance_m, largest_tilt_rad, .. } if clearance_m > 0.0 => {
+                way.x.abs() / clearance_m + way.y.abs() / largest_tilt_rad
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// A displacement moved along `gradient` by `step` units of the play and put back to the border where it leaves it; a guide goes towards
+    /// the one of its ends that is [furthest](Self::furthest), at most all the way.
+    pub(super) fn stepped(&self, at: Vec2<f64>, gradient: Vec2<f64>, step: f64) -> Vec2<f64> {
+        match *self {
+            Self::Disc { radius_m } => {
+                let length = gradient.length();
+                if !(length > 0.0) {
+                    return at;
+                }
+                let moved = at + gradient * (step * radius_m / length);
+                let distance_m = moved.length();
+                if distance_m > radius_m { moved * (radius_m / distance_m) } else { moved }
+            }
+            Self::Slot { clearance_m } => {
+                let sign = if gradient.x == 0.0 { 0.0 } else { gradient.x.signum() };
+                Vec2::new((at.x + sign * step * clearance_m).clamp(-clearance_m, clearance_m), 0.0)
+            }
+            Self::Guide { .. } => {
+                let share = step.min(1.0);
+                self.furthest(gradient)
+                    .map_or(at, |end| if share == 1.0 { end } else { self.within(at + (end - at) * share) })
+            }
+        }
+    }
+
     /// A displacement on the border in the direction of `angle_rad`; in a guide one of its ends.
     pub(super) fn on_border(&self, angle_rad: f64) -> Vec2<f64> {
         let (sine, cosine) = sin_cos(angle_rad);

@@ -213,15 +213,15 @@ impl Still<'_> {
         (total > 0.0).then(|| own / total)
     }
 
-    /// The share of `joints` in the worst case of all; nothing where there are none.
+    /// The share of `joints` in the first-order effect of all; nothing where there are none.
     fn play_share(&self, joints: &[&str]) -> Option<f64> {
         let all = &self.output.clearance.contributors;
         let own: Vec<f64> = all
             .iter()
             .filter(|known| joints.contains(&known.joint.as_str()))
-            .map(|own| self.sum(&own.worst_case_si, |value| value))
+            .map(|own| self.sum(&own.first_order_si, |value| value))
             .collect();
-        let total = self.sum(&self.output.clearance.worst_case_si, |value| value);
+        let total = self.sum(&self.output.clearance.first_order_si, |value| value);
         (total > 0.0 && !own.is_empty()).then(|| own.iter().sum::<f64>() / total)
     }
 }

@@ -135,8 +135,10 @@ pub(super) enum QuantityKind {
     Output,
     /// An output of the mechanism without play.
     IdealOutput,
-    /// First-order worst case of an output over all eccentricities.
+    /// Largest deviation of an output by play that is found, without dynamics.
     WorstCase,
+    /// Sum of the first-order effects of all play on an output.
+    FirstOrderPlay,
     /// First-order standard deviation of an output from what scatters in the study.
     DimensionalStandardDeviation,
     /// Largest residual of the energy account over the largest energy exchanged.

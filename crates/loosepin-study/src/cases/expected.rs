@@ -262,7 +262,10 @@ impl ExpectedReader<'_> {
         let entry = table.get("output")?;
         let index = self.output(&entry)?;
         let column = columns(&self.case.mechanism.model).swap_remove(index);
-        let is_quasi_static = matches!(kind, QuantityKind::WorstCase | QuantityKind::DimensionalStandardDeviation);
+        let is_quasi_static = matches!(
+            kind,
+            QuantityKind::WorstCase | QuantityKind::FirstOrderPlay | QuantityKind::DimensionalStandardDeviation
+        );
         let known: Vec<String> = position_outputs(&self.case.mechanism).into_iter().map(|output| output.name).collect();
         if is_quasi_static && !known.contains(&column.name) {
             self.unknown(&entry, "output of positions", &column.name, known);
@@ -319,6 +322,7 @@ impl ExpectedReader<'_> {
             QuantityKind::Output
             | QuantityKind::IdealOutput
             | QuantityKind::WorstCase
+            | QuantityKind::FirstOrderPlay
             | QuantityKind::DimensionalStandardDeviation => match reduce {
                 Some(Reduce::AngleOfMinimum | Reduce::AngleOfMaximum) => Dimension::ANGLE,
                 _ => column.map_or(Dimension::NUMBER, |column| dimension_of(&column.unit)),

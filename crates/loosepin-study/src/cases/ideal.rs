@@ -4,7 +4,7 @@ use super::case::{At, Case, ExpectedNumber, Quantity, QuantityKind, Reduce};
 use super::problem::CaseProblem;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::Values;
-use loosepin_simulate::accuracy::{MotionPlan, motion};
+use loosepin_simulate::accuracy::{MotionPlan, motion, motion_with_worst_cases};
 use loosepin_simulate::{Arms, IdealReference, RunFailure, Settings, input, maximum_within};
 use loosepin_text::diagnostics::{Complaint, Place};
 
@@ -84,7 +84,7 @@ impl<'q> IdealOutput<'q> {
     }
 }
 
-/// Worst case of the play, or standard deviation of what scatters, to first order at an angle of the drive.
+/// Worst case of the play, its first-order sum, or standard deviation of what scatters to first order, at an angle of the drive.
 pub(super) fn quasi_static(
     case: &Case,
     values: &Values,
@@ -100,7 +100,11 @@ pub(super) fn quasi_static(
         correlations: case.correlations.clone(),
         overrides: Vec::new(),
     };
-    let record = motion(mechanism, values, &plan).map_err(|error| error.complaint(&case.model))?;
+    let of = match quantity.kind {
+        QuantityKind::WorstCase => motion_with_worst_cases,
+        _ => motion,
+    };
+    let record = of(mechanism, values, &plan).map_err(|error| error.complaint(&case.model))?;
     let Some(At::Angle(angle_rad)) = number.at else { return Ok(f64::NAN) };
     /// An angle counts as that of a position to round-off of a turn, rad.
     const SAME_ANGLE_RAD: f64 = 1e-9;
@@ -113,6 +117,7 @@ pub(super) fn quasi_static(
     let output = record.outputs.iter().find(|output| Some(&output.name) == name);
     let series = output.map(|output| match quantity.kind {
         QuantityKind::WorstCase => &output.clearance.worst_case_si,
+        QuantityKind::FirstOrderPlay => &output.clearance.first_order_si,
         _ => &output.dimensional_standard_deviation_si,
     });
     Ok(series.and_then(|series| series.get(position)).copied().unwrap_or(f64::NAN))

@@ -8,7 +8,7 @@ use loosepin_text::units::Rule;
 pub(super) const ORIGINS: [&str; 4] = ["analytic", "published", "peer", "pinned"];
 
 /// The quantities with their words and the keys that say more.
-pub(super) const QUANTITIES: [(&str, QuantityKind, &[&str]); 19] = [
+pub(super) const QUANTITIES: [(&str, QuantityKind, &[&str]); 20] = [
     ("contact_onset", QuantityKind::ContactOnset, &["joint", "span"]),
     ("impact_speed", QuantityKind::ImpactSpeed, &["joint", "span"]),
     ("separation_speed", QuantityKind::SeparationSpeed, &["joint", "span"]),
@@ -22,6 +22,7 @@ pub(super) const QUANTITIES: [(&str, QuantityKind, &[&str]); 19] = [
     ("output", QuantityKind::Output, &["output", "state", "reduce", "time", "span"]),
     ("ideal_output", QuantityKind::IdealOutput, &["output", "state", "reduce", "angle", "time"]),
     ("worst_case", QuantityKind::WorstCase, &["output", "angle"]),
+    ("first_order_play", QuantityKind::FirstOrderPlay, &["output", "angle"]),
     ("dimensional_standard_deviation", QuantityKind::DimensionalStandardDeviation, &["output", "angle"]),
     ("energy_residual", QuantityKind::EnergyResidual, &["span"]),
     ("loop_drift", QuantityKind::LoopDrift, &["span"]),

@@ -70,7 +70,7 @@ impl<'c> Runs<'c> {
                 ideal_output(&mechanism, &values, quantity, number)
                     .map_err(|failure| failure.complaint(&case.model).into())
             }
-            QuantityKind::WorstCase | QuantityKind::DimensionalStandardDeviation => {
+            QuantityKind::WorstCase | QuantityKind::FirstOrderPlay | QuantityKind::DimensionalStandardDeviation => {
                 let (mechanism, values) = self.compiled(&number.settings)?;
                 Ok(quasi_static(case, &values, &mechanism, quantity, number, place)?)
             }

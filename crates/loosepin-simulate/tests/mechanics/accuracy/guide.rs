@@ -5,8 +5,8 @@ use crate::elements::file;
 use loosepin_math::Vec2;
 use loosepin_mechanics::model::Cycle;
 use loosepin_simulate::accuracy::{
-    DisplacedLoops, PlayReach, exact_worst_case, play_gradients, position_outputs, quasi_static_check,
-    starts_on_borders, worst_case_si,
+    DisplacedLoops, PlayReach, first_order_si, found_worst_case, play_gradients, position_outputs, quasi_static_check,
+    starts_on_borders,
 };
 use loosepin_simulate::record::SimulationRecord;
 use loosepin_simulate::{Plan, Settings, simulate};
@@ -110,7 +110,7 @@ fn analytic_worst_case_across_the_guide_and_by_its_tilt() {
         };
         loops.set_position(ideal_at(&built, &sample, time_s).coordinates());
         let reading = position_outputs(&built.mechanism)[0].reading;
-        let exact = exact_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches)).expect("it closes");
+        let exact = found_worst_case(&mut loops, reading, &reaches, &starts_on_borders(&reaches));
         let ends = [
             tool_m(CLEARANCE_M, 0.0),
             tool_m(-CLEARANCE_M, 0.0),
@@ -124,7 +124,7 @@ fn analytic_worst_case_across_the_guide_and_by_its_tilt() {
         assert!((exact.lowest.deviation_si - lowest).abs() < ROUND_OFF_M, "{:?} {lowest}", exact.lowest);
         let gradient = play_gradients(&mut loops, &[reading]).expect("it is regular")[0][0];
         let first_order = f64::max(CLEARANCE_M * gradient.x.abs(), largest_tilt_rad * 0.018);
-        assert!((worst_case_si(&[(reaches[0], gradient)]) - first_order).abs() < ROUND_OFF_M);
+        assert!((first_order_si(&[(reaches[0], gradient)]) - first_order).abs() < ROUND_OFF_M);
     }
 }
 
@@ -142,7 +142,7 @@ fn identity_exact_worst_case_holds_against_a_grid_of_all_places() {
             loops.set_position(ideal_at(&built, &sample, time_s).coordinates());
             for output in position_outputs(&built.mechanism) {
                 let starts = starts_on_borders(&reaches);
-                let exact = exact_worst_case(&mut loops, output.reading, &reaches, &starts).expect("it closes");
+                let exact = found_worst_case(&mut loops, output.reading, &reaches, &starts);
                 loops.centre();
                 let centred = loops.value(output.reading);
                 let mut largest = [0.0_f64; 2];

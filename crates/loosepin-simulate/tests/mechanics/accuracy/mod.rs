@@ -6,9 +6,11 @@ mod guide;
 mod kinematics;
 mod mechanics;
 mod motion;
+mod oracle;
 mod runs;
 mod singular;
 mod worst_case;
+mod worst_case_of_cycle;
 
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{CycleInput, Model, QuantityId, Values};

@@ -230,7 +230,7 @@ fn identity_errors_of_a_path_are_those_of_its_coordinates_turned() {
     for position in 0..record.drive_angle_rad.len() {
         for joint in 0..2 {
             // A disc has a gradient of any direction: the lengths of g_x and g_y are those of its parts.
-            let part = |output: &OutputMotion| output.clearance.contributors[joint].worst_case_si[position];
+            let part = |output: &OutputMotion| output.clearance.contributors[joint].first_order_si[position];
             close(turned.map(part), straight.map(part));
         }
         let part = |output: &OutputMotion| output.dimensional_standard_deviation_si[position];
@@ -380,7 +380,7 @@ fn identity_a_drive_that_turns_backwards_is_recorded_by_increasing_angle() {
         assert!((ahead.value_si[k] - back.value_si[k]).abs() < POSITION_M);
         assert!((ahead.velocity_si[k] + back.velocity_si[k]).abs() < RELATIVE * 30.0);
         assert!((ahead.acceleration_si[k] - back.acceleration_si[k]).abs() < RELATIVE * 2e4);
-        assert!((ahead.clearance.worst_case_si[k] - back.clearance.worst_case_si[k]).abs() < POSITION_M);
+        assert!((ahead.clearance.first_order_si[k] - back.clearance.first_order_si[k]).abs() < POSITION_M);
     }
 }
 

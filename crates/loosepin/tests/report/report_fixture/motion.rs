@@ -24,14 +24,15 @@ pub fn worn_pin() -> MotionRecord {
         JointContributor {
             joint: "gudgeon".to_owned(),
             radial_clearance_m: GUDGEON_CLEARANCE_M,
-            worst_case_si: over(&|angle| GUDGEON_CLEARANCE_M * gain(angle)),
+            first_order_si: over(&|angle| GUDGEON_CLEARANCE_M * gain(angle)),
         },
         JointContributor {
             joint: "crankpin".to_owned(),
             radial_clearance_m: CRANKPIN_CLEARANCE_M,
-            worst_case_si: over(&|angle| CRANKPIN_CLEARANCE_M * gain(angle)),
+            first_order_si: over(&|angle| CRANKPIN_CLEARANCE_M * gain(angle)),
         },
     ];
+    let play = |angle: f64| (GUDGEON_CLEARANCE_M + CRANKPIN_CLEARANCE_M) * gain(angle);
     let root_sum_square = GUDGEON_CLEARANCE_M.hypot(CRANKPIN_CLEARANCE_M);
     MotionRecord {
         model: "slider-crank with a worn pin".to_owned(),
@@ -46,6 +47,10 @@ pub fn worn_pin() -> MotionRecord {
             words: "dead centre: the slider cannot drive the crank here".to_owned(),
         }],
         guide_overhangs: Vec::new(),
+        unproven_spans: Vec::new(),
+        is_proven_between_angles: true,
+        requirements: Vec::new(),
+        allowances: Vec::new(),
         display_units: DisplayUnits::default(),
         outputs: vec![OutputMotion {
             name: "slider".to_owned(),
@@ -55,7 +60,13 @@ pub fn worn_pin() -> MotionRecord {
             velocity_si: over(&velocity),
             acceleration_si: over(&acceleration),
             clearance: ClearanceAnswer {
-                worst_case_si: over(&|angle| (GUDGEON_CLEARANCE_M + CRANKPIN_CLEARANCE_M) * gain(angle)),
+                first_order_si: over(&|angle| play(angle)),
+                worst_case_si: over(&|angle| 1.002 * play(angle)),
+                lowest_si: over(&|angle| -1.002 * play(angle)),
+                highest_si: over(&|angle| 0.999 * play(angle)),
+                proven_lowest_si: over(&|angle| -1.004 * play(angle)),
+                proven_highest_si: over(&|angle| 1.001 * play(angle)),
+                witness: None,
                 disc_standard_deviation_si: over(&|angle| 0.5 * root_sum_square * gain(angle)),
                 rim_standard_deviation_si: over(&|angle| root_sum_square * gain(angle) / 2f64.sqrt()),
                 contributors,
@@ -173,14 +184,15 @@ pub fn four_bar() -> MotionRecord {
             velocity_si: over(&rate),
             acceleration_si: over(&|angle| (rate(angle + 1e-4) - rate(angle - 1e-4)) / 2e-4 * SPEED_RAD_S),
             clearance: ClearanceAnswer {
-                worst_case_si: over(&|angle| CLEARANCE_M * gain(angle)),
+                first_order_si: over(&|angle| CLEARANCE_M * gain(angle)),
                 disc_standard_deviation_si: over(&|angle| 0.5 * CLEARANCE_M * gain(angle)),
                 rim_standard_deviation_si: over(&|angle| CLEARANCE_M * gain(angle) / 2f64.sqrt()),
                 contributors: vec![JointContributor {
                     joint: "d".to_owned(),
                     radial_clearance_m: CLEARANCE_M,
-                    worst_case_si: over(&|angle| CLEARANCE_M * gain(angle)),
+                    first_order_si: over(&|angle| CLEARANCE_M * gain(angle)),
                 }],
+                ..ClearanceAnswer::default()
             },
             dimensional_standard_deviation_si: Vec::new(),
             dimensional_contributors: Vec::new(),

@@ -1,0 +1,87 @@
+//! `loosepin motion` judges requirements without dynamics.
+
+use super::command_line::{Desk, Said};
+use serde_json::Value;
+
+/// Lengths that scatter and a play that is known roughly; a requirement with `limit` on `output`, and what follows.
+fn judged(limit: &str, further: &str) -> (Said, Value) {
+    let desk = Desk::with_model("slider_crank_worn_pin");
+    let study = format!(
+        "name = \"judged\"\nmodel = \"model.toml\"\nseed = 1\n[cycle]\ntransient_turns = 0\nrecorded_turns = 1\nsamples_per_turn = 180\n\
+         [sampling]\nouter = 4\ninner = 16\n\
+         [random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", standard_deviation = \"0.02 mm\" }} }}\n\
+         \"parameter.rod_length\" = {{ normal = {{ mean = \"120 mm\", standard_deviation = \"0.03 mm\" }} }}\n\
+         [epistemic]\n\"joint.gudgeon.radial_clearance\" = {{ interval = [\"0.1 mm\", \"0.5 mm\"] }}\n\
+         [[require]]\n{limit}\nover = \"cycle\"\n{further}"
+    );
+    desk.write("study.toml", &study);
+    let said = desk.run(&["motion", "study.toml", "--out", "out"]);
+    let record = serde_json::from_str(&desk.read("out/summary.json")).expect("JSON");
+    (said, record)
+}
+
+fn total(within: &str, probability: &str) -> String {
+    format!("output = \"slider\"\nof = \"total\"\nwithin = \"{within}\"\nprobability_at_least = {probability}")
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn a_limit_that_the_proven_ends_keep_is_met() {
+    let (said, record) = judged(&total("0.9 mm", "0.95"), "");
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 0, "{output} {}", said.messages);
+    assert!(output.contains("All requirements met without dynamics."), "{output}");
+    let due = "Met without dynamics: deviation of slider within ±0.9 mm over the whole cycle, in at least 95 % of the mechanisms. \
+               Proven: with play anywhere and such parts it stays within";
+    assert!(output.contains(due), "{output}");
+    // Two inputs within 3 standard deviations: 1 - 2 · 0.0027.
+    let requirement = &record["requirements"][0];
+    let share = requirement["share_within_limits"].as_f64().expect("a number");
+    assert!((share - (1.0 - 2.0 * 0.002_699_796)).abs() < 1e-8, "{share}");
+    // All lengths at three standard deviations, the pin drawn along the rod.
+    let ends: Vec<f64> = [0, 1].map(|side| requirement["found_si"][side].as_f64().expect("a number")).into();
+    let proven: Vec<f64> = [0, 1].map(|side| requirement["proven_si"][side].as_f64().expect("a number")).into();
+    assert!(proven[0] <= ends[0] && ends[1] <= proven[1] && proven[1] < 6.9e-4 && ends[1] > 6.0e-4, "{ends:?} {proven:?}");
+}
+
+#[test]
+fn a_limit_that_the_worst_case_breaks_is_not_met() {
+    let (said, _) = judged(&total("0.6 mm", "0.95"), "");
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 1, "{output}");
+    assert!(output.contains("Not all requirements are met in the worst case without dynamics."), "{output}");
+    assert!(output.contains("Not met in the worst case: deviation of slider within ±0.6 mm"), "{output}");
+    assert!(output.contains("with play and parts at their worst. How often, loosepin study tells."), "{output}");
+}
+
+#[test]
+fn a_share_that_the_limits_of_the_parts_do_not_hold_is_undecided() {
+    let (said, _) = judged(&total("0.9 mm", "0.9973"), "");
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 1, "{output}");
+    assert!(output.contains("Undecided without dynamics: deviation of slider within ±0.9 mm"), "{output}");
+    assert!(output.contains("At least 99.4 % of the mechanisms have all parts within the limits"), "{output}");
+}
+
+#[test]
+fn a_speed_is_not_judged() {
+    let limit = "output = \"slider_velocity\"\nof = \"value\"\nbelow = \"40 m/s\"\nprobability_at_least = 0.95";
+    let (said, _) = judged(limit, "");
+    let output = one_line(&said.output);
+    assert_eq!(said.status, 1, "{output}");
+    assert!(output.contains("Not judged without dynamics: value of slider_velocity below 40 m/s over the whole cycle"), "{output}");
+}
+
+#[test]
+fn analytic_how_far_play_may_be_loosened() {
+    let (said, record) = judged(&total("0.9 mm", "0.95"), "[allow]\n\"joint.gudgeon.radial_clearance\" = { up_to = \"2 mm\" }\n");
+    assert_eq!(said.status, 0, "{}", said.output);
+    let loosest = record["allowances"][0]["loosest_si"].as_f64().expect("a number");
+    // Crank and rod at three standard deviations take 0.06 and 0.09 mm, by slopes up to 1.1 each; the play has a slope of up to 1.1.
+    assert!((6.8e-4..7.8e-4).contains(&loosest), "{loosest}");
+    let output = one_line(&said.output);
+    assert!(output.contains("joint.gudgeon.radial_clearance may grow to 0.7"), "{output}");
+}

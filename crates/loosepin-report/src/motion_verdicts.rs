@@ -1,0 +1,119 @@
+//! What `motion` says of the requirements of a study without dynamics, in sentences for pages and terminals.
+
+use super::answer::limits_words;
+use super::number::{NumberWriter, Rounding};
+use super::wording::{capitalised, deviation_words};
+use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
+use loosepin_text::units::SiUnit;
+
+/// The headline over all requirements; nothing where there are none.
+pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
+    let verdicts = || record.requirements.iter().map(|requirement| requirement.verdict);
+    if record.requirements.is_empty() {
+        return None;
+    }
+    let has = |verdict: MotionVerdict| verdicts().any(|own| own == verdict);
+    Some(if has(MotionVerdict::NotMetInTheWorstCase) {
+        "Not all requirements are met in the worst case without dynamics"
+    } else if has(MotionVerdict::Undecided) || has(MotionVerdict::NeedsDynamics) {
+        "Not all requirements can be decided without dynamics"
+    } else {
+        "All requirements met without dynamics"
+    })
+}
+
+/// A sentence or a few for each requirement, and for each input that may be loosened.
+pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
+    let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
+    let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
+    let rests_on =
+        record.requirements.iter().any(|requirement| requirement.verdict == MotionVerdict::Met).then(|| {
+            "A contact that gives way, or a body that bends, adds to that; only runs show how much.".to_owned()
+        });
+    requirements.chain(allowances).chain(rests_on).collect()
+}
+
+fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, writer: &NumberWriter<'_>) -> String {
+    let MotionRequirement { output, unit, of, pose_rad, proven_si, found_si, verdict, .. } = requirement;
+    let place = match pose_rad {
+        Some(pose_rad) => format!("at {}", writer.value_trimmed(*pose_rad, &SiUnit::ANGLE)),
+        None => "over the whole cycle".to_owned(),
+    };
+    let what = format!(
+        "{} of {output} {} {place}, in at least {} of the mechanisms",
+        deviation_words(*of),
+        limits_words(requirement.lower_si, requirement.upper_si, unit, writer),
+        writer.percent(requirement.probability_at_least, Rounding::Nearest)
+    );
+    let between = |ends: [f64; 2]| {
+        let low = writer.rounded(ends[0], unit, 4, Rounding::Down);
+        format!("{low} to {}", writer.rounded(ends[1], unit, 4, Rounding::Up))
+    };
+    let share = match requirement.share_within_limits {
+        1.0 => "All parts lie within the limits that are stated for them.".to_owned(),
+        share => format!(
+            "At least {} of the mechanisms have all parts within the limits stated for them, or within ±3 standard deviations.",
+            writer.percent(share, Rounding::Down)
+        ),
+    };
+    let is_proven = proven_si.iter().all(|end| end.is_finite());
+    let end = match verdict {
+        MotionVerdict::Met => {
+            format!("Proven: with play anywhere and such parts it stays within {}. {share}", between(*proven_si))
+        }
+        MotionVerdict::NotMetInTheWorstCase => {
+            let side = usize::from(found_si[1] > requirement.upper_si);
+            format!(
+                "It reaches {} at {} of {}, with play and parts at their worst. How often, loosepin study tells.",
+                writer.rounded(found_si[side], unit, 4, Rounding::Nearest),
+                writer.angle_in_turn(requirement.found_at_rad[side], 4),
+                record.drive
+            )
+        }
+        MotionVerdict::Undecided => {
+            let found = if found_si.iter().all(|end| end.is_finite()) {
+                format!("Found: {}; ", between(*found_si))
+            } else {
+                String::new()
+            };
+            let proven = match &requirement.reason {
+                Some(reason) => format!("nothing is proven: {reason}."),
+                None if is_proven => format!("proven: it stays within {}. {share}", between(*proven_si)),
+                None => "nothing is proven.".to_owned(),
+            };
+            capitalised(&format!("{found}{proven}"))
+        }
+        MotionVerdict::NeedsDynamics => {
+            format!(
+                "{}: loosepin study decides.",
+                capitalised(requirement.reason.as_deref().unwrap_or("it needs runs"))
+            )
+        }
+    };
+    let verdict = match verdict {
+        MotionVerdict::Met => "Met without dynamics",
+        MotionVerdict::NotMetInTheWorstCase => "Not met in the worst case",
+        MotionVerdict::Undecided => "Undecided without dynamics",
+        MotionVerdict::NeedsDynamics => "Not judged without dynamics",
+    };
+    format!("{verdict}: {what}. {end}")
+}
+
+fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) -> String {
+    let MotionAllowance { path, unit, up_to_si, loosest_si, fit, reason } = allowance;
+    let up_to = writer.value_trimmed(*up_to_si, unit);
+    match (reason, loosest_si, fit) {
+        (Some(reason), ..) => format!("{path} is not loosened here: {reason}."),
+        (None, Some(_), Some(fit)) => {
+            format!("{path}: {fit} is the loosest fit with which they are proven to be met without dynamics.")
+        }
+        (None, Some(loosest_si), None) if loosest_si == up_to_si => {
+            format!("{path} may grow to {up_to}, all that was asked about; they are proven to be met without dynamics.")
+        }
+        (None, Some(loosest_si), None) => format!(
+            "{path} may grow to {} (of {up_to} asked about): up to there they are proven to be met without dynamics.",
+            writer.rounded(*loosest_si, unit, 4, Rounding::Down)
+        ),
+        (None, None, _) => format!("{path}: no value up to {up_to} is proven to meet them without dynamics."),
+    }
+}

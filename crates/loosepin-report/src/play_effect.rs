@@ -1,0 +1,79 @@
+//! How far play moves an output without dynamics, and what was shown of that number, in words.
+
+use super::motion_page::{largest, told_rad, turn_angle};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use super::wording::listed;
+use loosepin_result::motion::{MotionRecord, OutputMotion};
+use loosepin_text::units::SiUnit;
+
+/// The largest effect of play on one output over the cycle.
+pub(super) struct PlayEffect {
+    /// Angle of the drive.
+    pub angle_rad: f64,
+    /// The largest magnitude of the deviation.
+    pub largest_si: f64,
+    pub shown: Shown,
+}
+
+/// What is known of [`PlayEffect::largest_si`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Shown {
+    /// It is the sum of first-order effects.
+    FirstOrder,
+    /// It was found, and no play makes it larger than this number, which is proven.
+    UpTo(f64),
+    /// It was found; nothing is proven of larger ones.
+    Found,
+}
+
+/// The largest effect of play on an output; not a number where there are no positions.
+pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayEffect {
+    let answer = &output.clearance;
+    if answer.worst_case_si.is_empty() {
+        let (angle_rad, largest_si) = largest(record, &answer.first_order_si);
+        return PlayEffect { angle_rad, largest_si, shown: Shown::FirstOrder };
+    }
+    let (angle_rad, largest_si) = largest(record, &answer.worst_case_si);
+    let ends = answer.proven_lowest_si.iter().map(|low| -low).chain(answer.proven_highest_si.iter().copied());
+    let proven_si = ends.fold(0.0, f64::max);
+    let shown = if proven_si.is_finite() { Shown::UpTo(proven_si) } else { Shown::Found };
+    PlayEffect { angle_rad, largest_si, shown }
+}
+
+impl PlayEffect {
+    /// `±0.5503 mm`, rounded up.
+    pub fn written(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
+        format!("±{}", writer.rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+    }
+
+    /// `worst case, at 270°; proven: never more than ±0.5504 mm`.
+    pub fn words(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
+        let at = turn_angle(record, self.angle_rad, 3, writer);
+        match self.shown {
+            Shown::FirstOrder => format!("first order, at {at}"),
+            Shown::UpTo(proven_si) => {
+                let end = writer.rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up);
+                let between = if record.is_proven_between_angles { "" } else { " at the angles shown" };
+                format!("worst case, at {at}; proven: never more than ±{end}{between}")
+            }
+            Shown::Found => format!("largest found, at {at}; that there is no larger one is not proven"),
+        }
+    }
+}
+
+/// Where no end of the worst cases is proven, a sentence for each reason.
+pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_>) -> Vec<String> {
+    let mut reasons: Vec<&str> = record.unproven_spans.iter().map(|span| span.words.as_str()).collect();
+    reasons.sort_unstable();
+    reasons.dedup();
+    let angle = |angle_rad: f64| writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest);
+    let sentence = |words: &str| {
+        let spans = record.unproven_spans.iter().filter(|span| span.words == words).map(|span| {
+            let [from, to] = span.span_rad.map(angle);
+            if from == to { format!("at {from}") } else { format!("from {from} to {to}") }
+        });
+        let places = listed(&spans.collect::<Vec<_>>());
+        format!("Worst cases are the largest found, without a proven end, {places} of {}: {words}.", record.drive)
+    };
+    reasons.into_iter().map(sentence).collect()
+}

@@ -1,0 +1,411 @@
+//! Where all positions lie that the play allows, and first and second derivatives of the outputs over them, on intervals.
+//!
+//! Φ(q, v) = 0 are the loop equations over the free coordinates q and the numbers v of [`super::variables`]: play, dimensions, and last the
+//! input of the cycle around its angle. With J = dΦ/dq over a box Q and the inverse Y of its middle, Krawczyk's operator
+//!
+//! ```text
+//! K = q₀ - Y Φ(q₀, v) + (1 - Y J)(Q - q₀)
+//! ```
+//!
+//! lies inside Q only if for every v there is exactly one q in Q that closes the loops (R. Krawczyk, Computing 4 (1969) 187). It is then the
+//! assembly of the ideal position, since all of them hang together. The implicit function theorem gives
+//!
+//! ```text
+//! T = dq/dv = -J⁻¹ dΦ/dv,   w = J⁻ᵀ dy/dq,   d²y/dv² = Tᵀ (d²y - Σ w_r d²Φ_r) T  with T over (q, v)
+//! ```
+
+use super::evaluate::Evaluator;
+use super::variables::Variables;
+use loosepin_math::{Dual, Interval, Real, solve_square};
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::{Position, Values};
+
+/// Boxes that are tried before the proof is given up.
+const BOXES: usize = 8;
+/// How much larger than what they must hold they are made.
+const INFLATION: f64 = 1.15;
+/// A box that has grown so much since the first is given up.
+const LARGEST_GROWTH: f64 = 50.0;
+
+/// First derivatives of the outputs at the ideal position, and second ones over all positions, both over the numbers v.
+pub(in super::super) struct Enclosed {
+    /// For each output.
+    pub gradients: Vec<Vec<Interval>>,
+    /// For each output, row by row.
+    pub hessians: Vec<Vec<Interval>>,
+    /// dy/dv over all positions, for each output.
+    pub slopes: Vec<Vec<Interval>>,
+}
+
+/// The loops could not be shown to close in one way over all play.
+pub(in super::super) struct NotEnclosed {
+    /// The free coordinate that is known least.
+    pub coordinate: usize,
+}
+
+/// What may move, and how.
+pub(in super::super) struct Moving<'a> {
+    pub mechanism: &'a Mechanism,
+    pub values: &'a Values,
+    pub variables: Variables,
+    /// For each dimension that deviates: by how much every quantity changes at its limit.
+    pub dimensions: Vec<Vec<f64>>,
+    /// By how much each driven coordinate changes at the limit of the input, if it may move.
+    pub driven_steps: Option<Vec<f64>>,
+}
+
+/// Evaluators over the numbers that the proof needs.
+pub(in super::super) struct Encloser<'a> {
+    moving: Moving<'a>,
+    readings: Vec<Position>,
+    plain: Evaluator<'a, Dual<f64>>,
+    first: Evaluator<'a, Dual<Interval>>,
+    second: Evaluator<'a, Dual<Dual<Interval>>>,
+}
+
+/// A box of which it is shown that it holds one position for each v.
+struct Closed {
+    /// A smaller box that holds all of these positions.
+    positions: Vec<Interval>,
+    /// The box itself.
+    tried: Vec<Interval>,
+    /// Derivatives over it.
+    slopes: Slopes<Interval>,
+}
+
+/// Derivatives of residuals and outputs over (q, v), row by row.
+struct Slopes<T> {
+    of_residuals: Vec<T>,
+    of_outputs: Vec<T>,
+}
+
+impl Moving<'_> {
+    /// How many numbers v there are.
+    pub fn count(&self) -> usize {
+        self.variables.count() + self.dimensions.len() + usize::from(self.driven_steps.is_some())
+    }
+
+    fn place<T: Real>(&self, evaluator: &mut Evaluator<'_, T>, q: &[T], driven: &[f64], v: &[T]) {
+        let plays = self.variables.count();
+        if !self.dimensions.is_empty() {
+            let number = |id: usize| {
+                let start = T::from_f64(self.values.0[id]);
+                let ways = self.dimensions.iter().zip(&v[plays..]).filter(|(step, _)| step[id] != 0.0);
+                ways.fold(start, |sum, (step, v)| sum + *v * T::from_f64(step[id]))
+            };
+            evaluator.set_numbers((0..self.values.0.len()).map(number));
+        }
+        let mut coordinates = q.to_vec();
+        match &self.driven_steps {
+            Some(steps) => {
+                let input = v[v.len() - 1];
+                let ways = driven.iter().zip(steps);
+                coordinates.extend(ways.map(|(at, step)| T::from_f64(*at) + input * T::from_f64(*step)));
+            }
+            None => coordinates.extend(driven.iter().map(|at| T::from_f64(*at))),
+        }
+        evaluator.set(&coordinates, self.variables.displacements(v));
+    }
+}
+
+impl<'a> Encloser<'a> {
+    pub fn new(moving: Moving<'a>, readings: Vec<Position>) -> Self {
+        let values = &moving.values.0;
+        Self {
+            readings,
+            plain: Evaluator::new(moving.mechanism, values.iter().map(|v| Real::from_f64(*v)).collect()),
+            first: Evaluator::new(moving.mechanism, values.iter().map(|v| Real::from_f64(*v)).collect()),
+            second: Evaluator::new(moving.mechanism, values.iter().map(|v| Real::from_f64(*v)).collect()),
+            moving,
+        }
+    }
+
+    /// Derivatives of the outputs around the ideal position `coordinates`, free coordinates first, then driven ones.
+    ///
+    /// # Errors
+    /// The loops were not shown to close in one way.
+    pub fn enclose(&mut self, coordinates: &[f64]) -> Result<Enclosed, NotEnclosed> {
+        let n = self.moving.mechanism.ideal.free;
+        let nv = self.moving.count();
+        let (q0, driven) = coordinates.split_at(n);
+        let at_rest = slopes(&self.moving, &mut self.plain, &self.readings, q0, driven, &vec![0.0; nv]);
+        let Some(inverse) = inverse_of(&at_rest.of_residuals, n, n + nv) else {
+            return Err(NotEnclosed { coordinate: 0 });
+        };
+        // The ideal position itself is known to round-off.
+        let nowhere = vec![Interval::ZERO; nv];
+        let round_off: Vec<f64> = q0.iter().map(|q| 1e-13 * (1.0 + q.abs())).collect();
+        let exact = self.closed(q0, driven, &nowhere, round_off, &inverse)?;
+        let (_, gradients) = self.ways(&exact.slopes, &inverse).ok_or(NotEnclosed { coordinate: 0 })?;
+
+        let everywhere = vec![Interval::around_zero(1.0); nv];
+        let moved = (0..n).map(|row| {
+            let columns = n..n + nv;
+            let steps = columns.map(|column| {
+                (0..n).map(|k| inverse[row * n + k] * at_rest.of_residuals[k * (n + nv) + column]).sum::<f64>().abs()
+            });
+            INFLATION * steps.sum::<f64>() + 1e-12 * (1.0 + q0[row].abs())
+        });
+        let moved: Vec<f64> = moved.collect();
+        let Closed { positions: box_, tried, .. } = self.closed(q0, driven, &everywhere, moved, &inverse)?;
+        // The one position without play that lies in the box is the ideal one.
+        if let Some(coordinate) = (0..n).find(|k| !exact.positions[*k].is_inside(tried[*k])) {
+            return Err(NotEnclosed { coordinate });
+        }
+        // Once more, over the smaller box that is known by now.
+        let at = slopes(&self.moving, &mut self.first, &self.readings, &box_, driven, &everywhere);
+        let failed = || NotEnclosed { coordinate: widest(&box_, q0) };
+        let (ways, slopes) = self.ways(&at, &inverse).ok_or_else(failed)?;
+        let hessians = self.hessians(&box_, driven, &everywhere, &at, &ways, &inverse).ok_or_else(failed)?;
+        Ok(Enclosed { gradients, hessians, slopes })
+    }
+
+    /// A box around `q0` that holds the one position for each v in `v`, and the derivatives over it.
+    fn closed(
+        &mut self,
+        q0: &[f64],
+        driven: &[f64],
+        v: &[Interval],
+        mut radii: Vec<f64>,
+        inverse: &[f64],
+    ) -> Result<Closed, NotEnclosed> {
+        let (n, nv) = (q0.len(), v.len());
+        let first_radii = radii.clone();
+        let centre: Vec<Interval> = q0.iter().map(|q| Interval::from_f64(*q)).collect();
+        let nowhere = vec![Interval::ZERO; nv];
+        let residuals = residuals(&self.moving, &mut self.first, &centre, driven, &nowhere);
+        let mut worst = 0;
+        for _ in 0..BOXES {
+            let away: Vec<Interval> = radii.iter().map(|radius| Interval::around_zero(*radius)).collect();
+            let box_: Vec<Interval> = centre.iter().zip(&away).map(|(q, away)| *q + *away).collect();
+            let at = slopes(&self.moving, &mut self.first, &self.readings, &box_, driven, v);
+            let times = |row: usize, column: usize| {
+                (0..n).fold(Interval::ZERO, |sum, k| {
+                    sum + Interval::from_f64(inverse[row * n + k]) * at.of_residuals[k * (n + nv) + column]
+                })
+            };
+            let mut inside = true;
+            let mut found = Vec::with_capacity(n);
+            for row in 0..n {
+                let mut sum =
+                    (0..n).fold(Interval::ZERO, |sum, k| sum - Interval::from_f64(inverse[row * n + k]) * residuals[k]);
+                for (k, v) in v.iter().enumerate() {
+                    sum -= times(row, n + k) * *v;
+                }
+                for column in 0..n {
+                    let unit = Interval::from_f64(f64::from(u8::from(row == column)));
+                    sum += (unit - times(row, column)) * away[column];
+                }
+                inside &= sum.is_inside(away[row]);
+                found.push(sum);
+            }
+            let growth = |row: usize| found[row].magnitude() / first_radii[row];
+            worst = (0..n).max_by(|a, b| growth(*a).total_cmp(&growth(*b))).unwrap_or(0);
+            if inside {
+                let positions = centre.iter().zip(&found).map(|(q, away)| *q + *away).collect();
+                return Ok(Closed { positions, tried: box_, slopes: at });
+            }
+            if n > 0 && !(growth(worst) < LARGEST_GROWTH) {
+                break;
+            }
+            for (radius, found) in radii.iter_mut().zip(&found) {
+                *radius = radius.max(INFLATION * found.magnitude());
+            }
+        }
+        Err(NotEnclosed { coordinate: worst })
+    }
+
+    /// T, (q, v) by v, and dy/dv for each output.
+    fn ways(&self, at: &Slopes<Interval>, inverse: &[f64]) -> Option<(Vec<Interval>, Vec<Vec<Interval>>)> {
+        let (n, nv) = (self.moving.mechanism.ideal.free, self.moving.count());
+        let nz = n + nv;
+        let matrix = preconditioned(inverse, &at.of_residuals, n, nz, 0..n);
+        let right: Vec<Interval> =
+            preconditioned(inverse, &at.of_residuals, n, nz, n..nz).into_iter().map(|entry| -entry).collect();
+        let mut ways = eliminate(matrix, n, right, nv)?;
+        for row in 0..nv {
+            ways.extend((0..nv).map(|column| Interval::from_f64(f64::from(u8::from(row == column)))));
+        }
+        let slopes = (0..self.readings.len())
+            .map(|output| {
+                let own = &at.of_outputs[output * nz..(output + 1) * nz];
+                (0..nv).map(|v| (0..nz).fold(Interval::ZERO, |sum, z| sum + own[z] * ways[z * nv + v])).collect()
+            })
+            .collect();
+        Some((ways, slopes))
+    }
+
+    /// d²y/dv² over a box, for each output.
+    fn hessians(
+        &mut self,
+        box_: &[Interval],
+        driven: &[f64],
+        v: &[Interval],
+        at: &Slopes<Interval>,
+        ways: &[Interval],
+        inverse: &[f64],
+    ) -> Option<Vec<Vec<Interval>>> {
+        let (n, nv, outputs) = (box_.len(), v.len(), self.readings.len());
+        let nz = n + nv;
+        // w for each output: (Y J)ᵀ u = dy/dq, w = Yᵀ u.
+        let matrix = preconditioned(inverse, &at.of_residuals, n, nz, 0..n);
+        let transposed: Vec<Interval> = (0..n * n).map(|k| matrix[(k % n) * n + k / n]).collect();
+        let right: Vec<Interval> = (0..n * outputs).map(|k| at.of_outputs[(k % outputs) * nz + k / outputs]).collect();
+        let solved = eliminate(transposed, n, right, outputs)?;
+        let weight = |output: usize, row: usize| {
+            (0..n).fold(Interval::ZERO, |sum, k| {
+                sum + Interval::from_f64(inverse[k * n + row]) * solved[k * outputs + output]
+            })
+        };
+        let weights: Vec<Vec<Interval>> =
+            (0..outputs).map(|output| (0..n).map(|row| weight(output, row)).collect()).collect();
+        // The second derivatives of y - Σ w Φ over (q, v).
+        let mut second = vec![vec![Interval::ZERO; nz * nz]; outputs];
+        let whole: Vec<Interval> = box_.iter().chain(v).copied().collect();
+        for i in 0..nz {
+            for j in i..nz {
+                let number = |k: usize| Dual {
+                    value: Dual { value: whole[k], derivative: Interval::from_f64(f64::from(u8::from(k == i))) },
+                    derivative: Dual::constant(Interval::from_f64(f64::from(u8::from(k == j)))),
+                };
+                let [q, v]: [Vec<_>; 2] = [(0..n).map(number).collect(), (n..nz).map(number).collect()];
+                self.moving.place(&mut self.second, &q, driven, &v);
+                let residuals: Vec<Interval> =
+                    self.second.residuals().map(|residual| residual.derivative.derivative).collect();
+                for (output, reading) in self.readings.iter().enumerate() {
+                    let own = self.second.value(*reading).derivative.derivative;
+                    let ways = weights[output].iter().zip(&residuals);
+                    let entry = ways.fold(own, |sum, (weight, residual)| sum - *weight * *residual);
+                    (second[output][i * nz + j], second[output][j * nz + i]) = (entry, entry);
+                }
+            }
+        }
+        let of_output = |second: &Vec<Interval>| {
+            let mut half = vec![Interval::ZERO; nz * nv];
+            for z in 0..nz {
+                for v in 0..nv {
+                    half[z * nv + v] =
+                        (0..nz).fold(Interval::ZERO, |sum, k| sum + second[z * nz + k] * ways[k * nv + v]);
+                }
+            }
+            let mut hessian = vec![Interval::ZERO; nv * nv];
+            for a in 0..nv {
+                for b in a..nv {
+                    let entry = (0..nz).fold(Interval::ZERO, |sum, z| sum + ways[z * nv + a] * half[z * nv + b]);
+                    (hessian[a * nv + b], hessian[b * nv + a]) = (entry, entry);
+                }
+            }
+            hessian
+        };
+        Some(second.iter().map(of_output).collect())
+    }
+}
+
+/// Residuals at a place.
+fn residuals(
+    moving: &Moving<'_>,
+    evaluator: &mut Evaluator<'_, Dual<Interval>>,
+    q: &[Interval],
+    driven: &[f64],
+    v: &[Interval],
+) -> Vec<Interval> {
+    let [q, v] = [q, v].map(|numbers| numbers.iter().map(|number| Dual::constant(*number)).collect::<Vec<_>>());
+    moving.place(evaluator, &q, driven, &v);
+    evaluator.residuals().map(|residual| residual.value).collect()
+}
+
+/// Residuals and outputs with their first derivatives.
+fn slopes<T: Real>(
+    moving: &Moving<'_>,
+    evaluator: &mut Evaluator<'_, Dual<T>>,
+    readings: &[Position],
+    q: &[T],
+    driven: &[f64],
+    v: &[T],
+) -> Slopes<T> {
+    let (n, nz) = (q.len(), q.len() + v.len());
+    let mut found = Slopes { of_residuals: vec![T::zero(); n * nz], of_outputs: vec![T::zero(); readings.len() * nz] };
+    for z in 0..nz {
+        let number =
+            |place: usize, value: &T| Dual { value: *value, derivative: if place == z { T::one() } else { T::zero() } };
+        let along_q: Vec<_> = q.iter().enumerate().map(|(k, value)| number(k, value)).collect();
+        let along_v: Vec<_> = v.iter().enumerate().map(|(k, value)| number(n + k, value)).collect();
+        moving.place(evaluator, &along_q, driven, &along_v);
+        for (row, residual) in evaluator.residuals().enumerate() {
+            found.of_residuals[row * nz + z] = residual.derivative;
+        }
+        for (output, reading) in readings.iter().enumerate() {
+            found.of_outputs[output * nz + z] = evaluator.value(*reading).derivative;
+        }
+    }
+    found
+}
+
+/// Y times some columns of a matrix with `n` rows.
+fn preconditioned(
+    inverse: &[f64],
+    matrix: &[Interval],
+    n: usize,
+    columns: usize,
+    of: std::ops::Range<usize>,
+) -> Vec<Interval> {
+    let mut product = Vec::with_capacity(n * of.len());
+    for row in 0..n {
+        for column in of.clone() {
+            let terms = (0..n).map(|k| Interval::from_f64(inverse[row * n + k]) * matrix[k * columns + column]);
+            product.push(terms.fold(Interval::ZERO, |sum, term| sum + term));
+        }
+    }
+    product
+}
+
+/// Solves a system near the identity with `m` right-hand sides, row by row; nothing where a pivot may be zero.
+fn eliminate(mut matrix: Vec<Interval>, n: usize, mut right: Vec<Interval>, m: usize) -> Option<Vec<Interval>> {
+    for j in 0..n {
+        if !(matrix[j * n + j].low() > 0.0) {
+            return None;
+        }
+        for i in j + 1..n {
+            let factor = matrix[i * n + j] / matrix[j * n + j];
+            for k in j + 1..n {
+                let product = factor * matrix[j * n + k];
+                matrix[i * n + k] -= product;
+            }
+            for k in 0..m {
+                let product = factor * right[j * m + k];
+                right[i * m + k] -= product;
+            }
+        }
+    }
+    for j in (0..n).rev() {
+        for k in 0..m {
+            let mut sum = right[j * m + k];
+            for i in j + 1..n {
+                sum -= matrix[j * n + i] * right[i * m + k];
+            }
+            right[j * m + k] = sum / matrix[j * n + j];
+        }
+    }
+    Some(right)
+}
+
+/// The inverse of the first `n` columns of a matrix with `n` rows; nothing where they are singular.
+fn inverse_of(matrix: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
+    let mut inverse = vec![0.0; n * n];
+    for column in 0..n {
+        let mut square: Vec<f64> = (0..n * n).map(|at| matrix[at / n * columns + at % n]).collect();
+        let mut unit = vec![0.0; n];
+        unit[column] = 1.0;
+        if !(solve_square(&mut square, n, &mut unit) > 0.0) {
+            return None;
+        }
+        (0..n).for_each(|row| inverse[row * n + column] = unit[row]);
+    }
+    Some(inverse)
+}
+
+/// The coordinate that is known least.
+fn widest(box_: &[Interval], q0: &[f64]) -> usize {
+    let away = |k: &usize| (box_[*k] - Interval::from_f64(q0[*k])).magnitude();
+    (0..q0.len()).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0)
+}

@@ -1,0 +1,24 @@
+//! The worst case of an output over the play.
+//!
+//! | what | where |
+//! |---|---|
+//! | the sum of first-order effects, for previews | `first_order.rs` |
+//! | the largest deviation that is found, with the displacements that make it | `search.rs` |
+//! | an end that no deviation passes | `upper_end.rs`: a quadratic function (`quadratic.rs`) that bounds it, from derivatives over all positions (`enclosure.rs`) |
+
+mod enclosure;
+mod evaluate;
+mod first_order;
+mod over_cycle;
+mod quadratic;
+mod search;
+mod upper_end;
+mod variables;
+
+pub(super) use enclosure::{Encloser, Moving};
+pub use first_order::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
+pub(super) use over_cycle::{CycleOfPositions, CycleWorstCase, WeightedOutput, worst_over_cycle};
+pub use search::{FoundWorstCase, WorstPosition, found_worst_case, starts_on_borders};
+pub(super) use search::{Objective, best_of};
+pub(super) use upper_end::{Ends, Reference};
+pub(super) use variables::Variables;

@@ -1,0 +1,106 @@
+//! Ends that no deviation passes: a Taylor polynomial of degree two with a remainder on intervals.
+//!
+//! D(e, τ) = y(e, τ) - y(0, τ) is the deviation of an output by the play e (and the dimensions) while the input is τ. Along the straight
+//! way from (0, 0) to (e, τ)
+//!
+//! ```text
+//! D = g·e + e·H̃ e/2 + τ h̃·e
+//! ```
+//!
+//! with the gradient g at the ideal position and with H̃ and h̃ in the intervals of d²y/de² and d²y/de dτ over all positions. So the input
+//! is one more number of the quadratic function, without first and second derivatives of its own. The same holds for dimensions that
+//! the position without play has too.
+
+use super::enclosure::Enclosed;
+use super::quadratic::Quadratic;
+use loosepin_math::{Interval, Real};
+use std::ops::Range;
+
+/// What deviations are counted from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Reference {
+    /// The position without play of the same parts, at the same input.
+    SameParts,
+    /// The ideal position of nominal parts, at the same input.
+    NominalParts,
+    /// The ideal position of nominal parts at the middle of the input.
+    ThisPosition,
+}
+
+/// The lowest and the highest deviation that one output can have, proven.
+pub(in super::super) struct Ends {
+    balls: Vec<Range<usize>>,
+    /// Whether the last number is the input.
+    has_input: bool,
+    /// From this number on they change the position that deviations are counted from as well: the input, and perhaps dimensions.
+    first_of_reference: usize,
+}
+
+impl Ends {
+    /// `balls` of the play, `dimensions` numbers and perhaps the input.
+    pub fn new(mut balls: Vec<Range<usize>>, dimensions: usize, has_input: bool, reference: Reference) -> Self {
+        let plays = balls.last().map_or(0, |ball| ball.end);
+        let first_of_reference = match reference {
+            Reference::SameParts => plays,
+            Reference::NominalParts => plays + dimensions,
+            Reference::ThisPosition => usize::MAX,
+        };
+        for _ in 0..dimensions + usize::from(has_input) {
+            let next = balls.last().map_or(0, |ball| ball.end);
+            balls.push(next..next + 1);
+        }
+        Self { balls, has_input, first_of_reference }
+    }
+
+    /// Of the output that counts positions by `weights`, `[lowest, highest]`; infinite where nothing is proven.
+    pub fn of(&self, enclosed: &Enclosed, weights: &[(usize, f64)]) -> [f64; 2] {
+        let n = self.balls.last().map_or(0, |ball| ball.end);
+        let sum = |parts: &[Vec<Interval>], at: usize, sign: f64| {
+            weights.iter().fold(Interval::ZERO, |sum, (place, weight)| {
+                sum + Interval::from_f64(sign * weight) * parts[*place][at]
+            })
+        };
+        let end = |sign: f64| {
+            let is_of_reference = |place: usize| place >= self.first_of_reference;
+            let gradient: Vec<Interval> = (0..n)
+                .map(|k| if is_of_reference(k) { Interval::ZERO } else { sum(&enclosed.gradients, k, sign) })
+                .collect();
+            let hessian: Vec<Interval> = (0..n * n)
+                .map(|at| {
+                    let is_of_both = is_of_reference(at / n) && is_of_reference(at % n);
+                    if is_of_both { Interval::ZERO } else { sum(&enclosed.hessians, at, sign) }
+                })
+                .collect();
+            Quadratic { balls: &self.balls, gradient: &gradient, hessian: &hessian }.upper_end()
+        };
+        if n == 0 {
+            return [0.0; 2];
+        }
+        [-end(-1.0), end(1.0)]
+    }
+
+    /// As [`Self::of`] for the error of a path at the places `coordinates`, of which `weights` gives x and y: they turn with the direction
+    /// of the path while the input moves.
+    pub fn of_path(&self, enclosed: &Enclosed, coordinates: [usize; 2], weights: [f64; 2]) -> [f64; 2] {
+        let [low, high] = self.of(enclosed, &[(coordinates[0], weights[0]), (coordinates[1], weights[1])]);
+        if !self.has_input {
+            return [low, high];
+        }
+        let slope = |place: usize| enclosed.slopes[place].last().copied().unwrap_or(Interval::WHOLE);
+        let [x, y] = coordinates.map(slope);
+        let speed = (x.squared() + y.squared()).sqrt();
+        let [along_x, along_y] = [x / speed, y / speed];
+        // The weights are (along_x, along_y) or (-along_y, along_x) of the middle, perhaps turned back.
+        let middle = [along_x.middle(), along_y.middle()];
+        let is_along = (weights[0] * middle[0] + weights[1] * middle[1]).abs() > 0.5;
+        let now = if is_along { [along_x, along_y] } else { [-along_y, along_x] };
+        let sign = if weights[0] * now[0].middle() + weights[1] * now[1].middle() < 0.0 { -1.0 } else { 1.0 };
+        let mut more = Interval::ZERO;
+        for k in 0..2 {
+            let [low, high] = self.of(enclosed, &[(coordinates[k], 1.0)]);
+            let reach = Interval::from_f64(f64::max(-low, high));
+            more += (now[k] * Interval::from_f64(sign) - Interval::from_f64(weights[k])).abs() * reach;
+        }
+        [(Interval::from_f64(low) - more).low(), (Interval::from_f64(high) + more).high()]
+    }
+}
