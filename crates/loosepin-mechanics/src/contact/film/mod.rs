@@ -5,12 +5,13 @@
 
 mod axial;
 mod finite_length;
+mod half_sommerfeld;
 mod motion;
 mod ocvirk;
 mod ocvirk_printed;
 mod pinkus_sternlicht;
 mod pressure;
-mod reynolds;
+mod quotient;
 #[cfg(test)]
 mod tests;
 

@@ -1,4 +1,4 @@
-//! The Reynolds equation of a film, solved.
+//! The Reynolds equation of a film that may pull, solved; where it pulls, its pressure is dropped.
 
 use super::axial::{AxialModes, MODES, STATIONS};
 use super::motion::FilmForce;
@@ -17,7 +17,7 @@ const PLACES: usize = 192;
 ///
 /// Along the bearing: modes ([`AxialModes`]). Around it: finite volumes over Sommerfeld's variable ψ, h = (1 - ε²)/(1 - ε cos ψ), in
 /// which the film is smooth however thin it is; the pressures of ε̇ and of wε are even and odd in ψ, which leaves half of the circle.
-pub(super) struct Reynolds {
+pub(super) struct HalfSommerfeld {
     modes: AxialModes,
     inverse_length_squared: f64,
 }
@@ -33,7 +33,7 @@ pub(super) struct Pressures {
     weights: [f64; STATIONS],
 }
 
-impl Reynolds {
+impl HalfSommerfeld {
     /// For the ratio Λ = L/D.
     pub fn new(length_ratio: f64) -> Self {
         Self { modes: AxialModes::new(), inverse_length_squared: 1.0 / (length_ratio * length_ratio) }
@@ -123,7 +123,7 @@ mod tests {
             [0.85, 0.4, 0.3, -1.2, -22.388_750_94, -4.612_737_11],
             [0.85, 2.5, 0.6, 0.5, -131.055_362_91, 9.393_179_30],
         ] {
-            let found = Reynolds::new(length_ratio).pressures(ratio).force(squeeze_1_s, wedge_1_s);
+            let found = HalfSommerfeld::new(length_ratio).pressures(ratio).force(squeeze_1_s, wedge_1_s);
             let error =
                 (found.radial_n - radial).hypot(found.tangential_n - tangential) / f64::hypot(radial, tangential);
             assert!(error < RELATIVE, "ε = {ratio}, L/D = {length_ratio}: {found:?}, off by {error}");
