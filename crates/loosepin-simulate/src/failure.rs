@@ -207,7 +207,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 31] = [
+const CODES: [&str; 32] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -239,6 +239,7 @@ const CODES: [&str; 31] = [
     "point_off_section",
     "implicit_without_nodes",
     "settled_open",
+    "length_outside_film",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -288,6 +289,7 @@ impl RunFailure {
             Self::Sample(SampleError::PointOffSection { .. }) => 28,
             Self::ImplicitWithoutNodes => 29,
             Self::SettledOpen { .. } => 30,
+            Self::Sample(SampleError::LengthOutsideFilm { .. }) => 31,
         }
     }
 

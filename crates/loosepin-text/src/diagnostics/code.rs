@@ -427,6 +427,11 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
 there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
 run outside of that fails by this reason."
 
+    LengthOutsideFilm "E0825" "a bearing that is too long for its film of oil"
+"The table of the film `reynolds` ends at bearings four times as long as their diameter. In longer ones the film would be whole all around \
+the pin, and what it carries would hang on where the oil comes in, which is not computed. The films `finite-length` and \
+`pinkus-sternlicht` have no such limit. In a study, a run outside of that fails by this reason."
+
     NothingIsFree "E0812" "a motion has no Lyapunov exponent"
 "A Lyapunov exponent measures the growth of a small difference of the motion. A mechanism with ideal joints follows its drives \
 exactly, so there can be no difference."

@@ -34,6 +34,8 @@ impl FiniteLengthFilm<f64> {
         "own solution of the Reynolds equation for any length: half-Sommerfeld, after Gümbel 1914";
     /// The thinnest film that it holds for, as a share of the clearance.
     pub const THINNEST_SHARE: f64 = THINNEST_SHARE;
+    /// The largest L/D that it holds for.
+    pub const LONGEST: f64 = f64::INFINITY;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {
