@@ -39,6 +39,10 @@ docs: site
 file-pages:
     LOOSEPIN_REWRITE_PAGES=1 cargo test --locked --package loosepin --test documents tables_of_the_pages
 
+# Solves the films that rupture and writes their table, in a few minutes; a test compares it with the solution at other places.
+film-table:
+    cargo test --release --locked --package loosepin-mechanics --lib -- --ignored --nocapture write_the_table
+
 # Builds the scripts of the report pages from TypeScript; the built files are checked in.
 page-scripts: (npm "crates/loosepin-report/scripts" "build")
 

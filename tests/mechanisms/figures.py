@@ -1,10 +1,16 @@
 """Figures of one run: how far it is from Newton and Euler, from its own power and energy, and from the laws with a memory."""
 
+import sys
+from pathlib import Path
+
 import numpy as np
 
 import generate
 import laws
 from balance import LENGTH, dot
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools" / "film"))
+import ruptured as relaxed  # noqa: E402
 
 # Rows in which LuGre's bristles move by less than this share of their settling length are resolved.
 RESOLVED = 0.1
@@ -129,16 +135,18 @@ def normal_of(joint, values):
 
 
 def film(run, rows=2):
-    """Finite-length films: the force that Newton and Euler need against a solution of the Reynolds equation, in a few rows."""
+    """Films of any length: the force that Newton and Euler need against a solution of the Reynolds equation, in a few rows."""
+    solutions = {"finite-length": reynolds, "reynolds": ruptured}
     worst = 0.0
     for play in run.plays:
-        if play.joint.play.film is None or play.joint.play.film.law != "finite-length":
+        if play.joint.play.film is None or play.joint.play.film.law not in solutions:
             continue
         data, found = play.joint.play, play.film
         is_known = np.all(run.is_known[:, found.columns], axis=1)
         thick = np.flatnonzero(is_known & found.thick & (found.ratio < 0.95) & (found.ratio > 0.01))
         for row in thick[:: max(len(thick) // rows, 1)][:rows]:
-            own = reynolds(data.length / (2 * data.radius), found.ratio[row], found.squeeze[row], found.wedge[row])
+            solution = solutions[data.film.law]
+            own = solution(data.length / (2 * data.radius), found.ratio[row], found.squeeze[row], found.wedge[row])
             own = own * 3 * data.film.viscosity * data.length * data.radius**3 / data.clearance**2
             needed = np.array([run.values[row, k] for k in found.columns])
             worst = max(worst, float(np.max(np.abs(own - needed)) / np.linalg.norm(own)))
@@ -163,6 +171,15 @@ def reynolds(length_ratio, ratio, squeeze, wedge, places=600, modes=15, stations
         pressure += np.outer(np.linalg.solve(system, right * 2 * (-1) ** m / k), np.cos(k * zeta))
     sums = 2 * np.maximum(pressure, 0).mean(axis=1) * step
     return np.array([np.sum(sums * np.cos(theta)), np.sum(sums * np.sin(theta))])
+
+
+def ruptured(length_ratio, ratio, squeeze, wedge, places=160, stations=16):
+    """∫∫ p (cos θ, sin θ) dθ dζ of a film that ruptures without a slope; two grids, tools/film/ruptured.py."""
+    scale = np.hypot(2 * squeeze, wedge)
+    coarse, fine = (
+        relaxed.force(ratio, length_ratio, squeeze / scale, wedge / scale, k * places, k * stations) for k in (1, 2)
+    )
+    return scale * (4 * fine - coarse) / 9
 
 
 def distances(first, second):

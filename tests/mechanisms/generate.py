@@ -217,7 +217,7 @@ def give_play(rng, joint):
     play.friction = random_friction(rng) if rng.random() < 0.7 else None
     play.film = None
     if joint.kind == "revolute" and not play.literal and rng.random() < 0.25:
-        play.film = Numbers(law=pick(rng, "ocvirk", "ocvirk-printed", "pinkus-sternlicht", "finite-length"),
+        play.film = Numbers(law=pick(rng, "ocvirk", "ocvirk-printed", "pinkus-sternlicht", "finite-length", "reynolds"),
                             viscosity=between(rng, 0.005, 0.2), roughness=play.clearance * rng.uniform(0.01, 0.2))
     play.contact = contact
     play.stiffness, play.stiffening = stiffness(joint.kind, play)

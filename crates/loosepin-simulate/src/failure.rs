@@ -214,7 +214,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 32] = [
+const CODES: [&str; 33] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -247,6 +247,7 @@ const CODES: [&str; 32] = [
     "implicit_without_nodes",
     "settled_open",
     "no_dynamics",
+    "length_outside_film",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -297,6 +298,7 @@ impl RunFailure {
             Self::ImplicitWithoutNodes => 29,
             Self::SettledOpen { .. } => 30,
             Self::NoDynamics { .. } => 31,
+            Self::Sample(SampleError::LengthOutsideFilm { .. }) => 32,
         }
     }
 

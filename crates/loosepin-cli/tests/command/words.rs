@@ -22,7 +22,7 @@ fn check_says_what_film_of_oil_is_in_a_joint() {
         .replace("bearing_radius", "bearing_length = \"20 mm\"\nbearing_radius");
     desk.write("oiled.toml", &text);
     let said = desk.succeed(&["check", "oiled.toml"]).output;
-    let line = "film of oil by finite-length: viscosity 0.04 Pa s, roughness 0.002 mm, 20 mm of bearing\n";
+    let line = "film of oil by reynolds: viscosity 0.04 Pa s, roughness 0.002 mm, 20 mm of bearing\n";
     assert!(said.contains(line), "{said}");
 }
 

@@ -41,7 +41,7 @@ mod worn_profile;
 pub use description::NormalDescription;
 pub use film::{
     FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure,
-    FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm,
+    FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm, ReynoldsFilm,
 };
 pub use foundation::{
     DeepestSector, Foundation, FoundationLoad, FoundationMotion, PressedSector, liu_foundation_pa_m,

@@ -78,6 +78,7 @@ impl SampleError {
             Self::ClearanceChangesTopology { joint, .. }
             | Self::ClearanceOutsideFit { joint, .. }
             | Self::RoughnessOutsideFilm { joint, .. } => format!("joint.{joint}.radial_clearance"),
+            Self::LengthOutsideFilm { joint, .. } => format!("joint.{joint}.bearing_length"),
             Self::BacklashChangesTopology { path, .. } => format!("{path}.backlash"),
             Self::PointOffSection { body, point, .. } => format!("body.{body}.points.{point}"),
             Self::CannotClose { open, .. } => open.path.clone(),

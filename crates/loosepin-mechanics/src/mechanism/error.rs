@@ -216,6 +216,18 @@ problems! {
                 )
             }),
             hint("the roughness is the thickness below which the film no longer stiffens");
+        LengthOutsideFilm {
+            joint: String,
+            law: &'static str,
+            length_ratio: f64,
+            /// The largest L/D of the law.
+            longest: f64,
+        } => Code::LengthOutsideFilm,
+            says(
+                "joint '{joint}' has a film by {law} with a bearing of {} times its diameter; at most {longest} times are possible",
+                (1000.0 * length_ratio).round() / 1000.0
+            ),
+            hint("take the film \"finite-length\" or \"pinkus-sternlicht\" for so long a bearing");
         CannotClose { open: Opening, time_s: f64 } => Code::CannotClose,
             says("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME)),
             hint("the lengths do not allow the whole turn; check them, or drive another joint");

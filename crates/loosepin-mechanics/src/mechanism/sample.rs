@@ -17,9 +17,9 @@ use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
 use crate::contact::{
-    Film, FilmBearing, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact, NormalDescription, NormalLaw,
-    PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution, largest_valid_impact_speed_m_s,
-    restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
+    Film, FilmBearing, FilmDescription, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact,
+    NormalDescription, NormalLaw, PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
+    largest_valid_impact_speed_m_s, restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
 use crate::model::{Clearance, Contact, JointId, JointKind, PlayId, QuantityId, SlidingVelocity, Stiffness, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
@@ -123,6 +123,7 @@ impl<T: Real> Sample<T> {
     /// [`SampleError::ClearanceChangesTopology`] where a clearance is zero in one of the two only,
     /// [`SampleError::ClearanceOutsideFit`] where a law was not fitted to a clearance,
     /// [`SampleError::RoughnessOutsideFilm`] where no film goes with a roughness,
+    /// [`SampleError::LengthOutsideFilm`] where a bearing is longer than its film allows,
     /// [`SampleError::PointOffSection`] where a point of a beam lies far from where it was when the mechanism was compiled,
     /// [`SampleError::Period`] where the points of a load do not fit its period.
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
@@ -140,7 +141,7 @@ impl<T: Real> Sample<T> {
                 }
                 let contact = &model.contacts[contact.0];
                 if clearance_m > 0.0 {
-                    refuse_roughness_outside_film(&joint.name, contact, clearance_m, values)?;
+                    refuse_film(&joint.name, &joint.kind, contact, values)?;
                 }
                 let law = contact.law;
                 if let NormalDescription::Line(law) = law
@@ -219,20 +220,20 @@ impl<T: Real> Sample<T> {
     }
 }
 
-/// A film needs a roughness that goes with the clearance.
-fn refuse_roughness_outside_film(
-    joint: &str,
-    contact: &Contact,
-    clearance_m: f64,
-    values: &Values,
-) -> Result<(), SampleError> {
-    let Some(film) = &contact.film else { return Ok(()) };
-    let (roughness_m, allowed_m) = (values[film.roughness_m], film.law.roughness_m(clearance_m));
-    if (allowed_m[0]..=allowed_m[1]).contains(&roughness_m) {
-        return Ok(());
+/// A film needs a roughness that goes with the clearance, and a bearing that is not too long for it.
+fn refuse_film(joint: &str, kind: &JointKind, contact: &Contact, values: &Values) -> Result<(), SampleError> {
+    let Some((description, bearing)) = film_bearing(kind, contact, values) else { return Ok(()) };
+    let FilmBearing { roughness_m, clearance_m, .. } = bearing;
+    let (joint, law) = (joint.to_owned(), description.name);
+    let allowed_m = description.roughness_m(clearance_m);
+    if !(allowed_m[0]..=allowed_m[1]).contains(&roughness_m) {
+        return Err(SampleError::RoughnessOutsideFilm { joint, law, roughness_m, clearance_m, allowed_m });
     }
-    let (joint, law) = (joint.to_owned(), film.law.name);
-    Err(SampleError::RoughnessOutsideFilm { joint, law, roughness_m, clearance_m, allowed_m })
+    let (length_ratio, longest) = (bearing.length_ratio(), description.longest);
+    if length_ratio > longest {
+        return Err(SampleError::LengthOutsideFilm { joint, law, length_ratio, longest });
+    }
+    Ok(())
 }
 
 fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<PlayGeometry<T>> {
@@ -292,12 +293,10 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         clearance_m: T::from_f64(clearance_m),
         normal: NormalLaw::broadcast(&normal),
         friction: FrictionLaw::broadcast(&friction),
-        film: match kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => film(contact, clearance, values),
-            _ => None,
-        }
-        .as_ref()
-        .map(Film::broadcast),
+        film: film_bearing(kind, contact, values)
+            .map(|(description, bearing)| Film::new(description, &bearing))
+            .as_ref()
+            .map(Film::broadcast),
         sliding_velocity: contact.friction.as_ref().map_or(SlidingVelocity::Material, |f| f.sliding_velocity),
         foundation: foundation(model, values, joint, &normal, &friction).map(Arc::new),
         wears: model.joints[joint.0].wear.is_some(),
@@ -339,8 +338,13 @@ fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Opti
     })
 }
 
-/// The film of oil with its numbers.
-fn film(contact: &Contact, clearance: &Clearance, values: &Values) -> Option<Film<f64>> {
+/// The film of oil in a joint, and the bearing that it is in.
+fn film_bearing(
+    kind: &JointKind,
+    contact: &Contact,
+    values: &Values,
+) -> Option<(&'static FilmDescription, FilmBearing)> {
+    let JointKind::Revolute { clearance: Some(clearance), .. } = kind else { return None };
     let (film, length) = contact.film.as_ref().zip(clearance.bearing_length_m)?;
     let bearing = FilmBearing {
         viscosity_pa_s: values[film.viscosity_pa_s],
@@ -349,7 +353,7 @@ fn film(contact: &Contact, clearance: &Clearance, values: &Values) -> Option<Fil
         clearance_m: values[clearance.radial_clearance_m],
         roughness_m: values[film.roughness_m],
     };
-    Some(Film::new(film.law, &bearing))
+    Some((film.law, bearing))
 }
 
 /// The normal force law with its numbers: stiffness as given, or from the compliances of both bodies, and energy loss.

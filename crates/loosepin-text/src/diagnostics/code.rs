@@ -434,8 +434,13 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
 
     RoughnessOutsideFilm "E0811" "a roughness that does not go with a film of oil"
 "The roughness of a film is the thickness below which it no longer stiffens. It must be less than half of the radial clearance, or \
-there is hardly a film at all; and the film of finite length is computed for films down to 0.002 of the clearance. In a study, a \
+there is hardly a film at all; and the films `reynolds` and `finite-length` are computed down to 0.002 of the clearance. In a study, a \
 run outside of that fails by this reason."
+
+    LengthOutsideFilm "E0825" "a bearing that is too long for its film of oil"
+"The table of the film `reynolds` ends at bearings four times as long as their diameter. In longer ones the film would be whole nearly \
+all around the pin, and its force would depend on where the oil comes in, which is not computed. The films `finite-length` and \
+`pinkus-sternlicht` have no such limit. In a study, a run outside of that fails by this reason."
 
     NothingIsFree "E0812" "a motion has no Lyapunov exponent"
 "A Lyapunov exponent measures the growth of a small difference of the motion. A mechanism with ideal joints follows its drives \

@@ -1,5 +1,5 @@
-//! The pages of docs/files, and that of contact laws: their tables of keys are those of the schemas, their units and laws those
-//! that are read, their examples are read. `just file-pages` rewrites tables, units and laws.
+//! The pages of docs/files, and those of contact laws and films: their tables of keys are those of the schemas, their units and laws
+//! those that are read, their examples are read. `just file-pages` rewrites tables, units and laws.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use loosepin::study::{Study, study_schema};
 use loosepin::units::UNITS;
 use serde_json::{Map, Value};
 
-use crate::key_tables;
+use crate::{film_tables, key_tables};
 
 /// Set by `just file-pages`.
 const REWRITE: &str = "LOOSEPIN_REWRITE_PAGES";
@@ -20,6 +20,8 @@ const UNITS_MARK: &str = "<!-- units -->";
 const END_OF_UNITS: &str = "<!-- end of units -->";
 const POINT_LAWS_MARK: &str = "<!-- point-contact laws -->";
 const END_OF_POINT_LAWS: &str = "<!-- end of point-contact laws -->";
+const FILMS: &str = "<!-- films: ";
+const END_OF_FILMS: &str = "<!-- end of films -->";
 
 /// Tables whose keys the row of their distribution or their example shows whole.
 const SHOWN_BY_THEIR_ROW: [&str; 2] = ["study random ", "study load "];
@@ -38,6 +40,7 @@ fn pages() -> Vec<PathBuf> {
     let paths = entries.map(|entry| entry.expect("a page").path());
     let mut pages: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
     pages.push(law_page());
+    pages.push(repository().join("docs/lubrication.md"));
     pages.sort();
     pages
 }
@@ -74,6 +77,8 @@ fn made_anew(page: &str) -> String {
             (units(), END_OF_UNITS)
         } else if line == POINT_LAWS_MARK {
             (point_laws(), END_OF_POINT_LAWS)
+        } else if let Some(name) = line.strip_prefix(FILMS).and_then(|rest| rest.strip_suffix(" -->")) {
+            (film_tables::markdown(name), END_OF_FILMS)
         } else {
             continue;
         };

@@ -5,6 +5,7 @@
 mod case_folders;
 mod cases;
 mod file_pages;
+mod film_tables;
 mod key_tables;
 mod limits;
 mod readme;

@@ -1,16 +1,24 @@
 //! Films of oil in a revolute joint with clearance.
 //!
-//! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `NAME`, `SOURCE` and `THINNEST_SHARE`, and one line
-//! in the list at the end of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
+//! One film a file: a struct over [`Real`] that implements [`FilmPressure`], its `NAME`, `SOURCE`, `THINNEST_SHARE` and
+//! `LONGEST`, and one line in the list at the end of this file. [`Film`] adds what all of them share: the moments, the cap of the eccentricity, and the fading in dry contact.
 
 mod axial;
+#[cfg(test)]
+mod butenschoen;
 mod finite_length;
+mod half_sommerfeld;
 mod motion;
 mod ocvirk;
 mod ocvirk_printed;
 mod pinkus_sternlicht;
 mod pressure;
+mod quotient;
 mod reynolds;
+#[rustfmt::skip]
+mod reynolds_table;
+#[cfg(test)]
+mod ruptured;
 #[cfg(test)]
 mod tests;
 
@@ -20,6 +28,7 @@ pub use ocvirk::OcvirkFilm;
 pub use ocvirk_printed::OcvirkPrintedFilm;
 pub use pinkus_sternlicht::PinkusSternlichtFilm;
 pub use pressure::{FilmBearing, FilmPressure};
+pub use reynolds::ReynoldsFilm;
 
 use loosepin_math::{Real, numbers};
 
@@ -32,6 +41,8 @@ pub struct FilmDescription {
     pub source: &'static str,
     /// The thinnest film that it holds for, as a share of the clearance.
     pub thinnest_share: f64,
+    /// The largest L/D that it holds for.
+    pub longest: f64,
     /// The film of a bearing.
     pub law: fn(&FilmBearing) -> FilmLaw<f64>,
 }
@@ -148,6 +159,7 @@ macro_rules! film_laws {
             name: $film::NAME,
             source: $film::SOURCE,
             thinnest_share: $film::THINNEST_SHARE,
+            longest: $film::LONGEST,
             law: |bearing| FilmLaw::$variant($film::new(bearing)),
         }),*];
 
@@ -169,4 +181,5 @@ film_laws! {
     OcvirkPrinted(OcvirkPrintedFilm),
     PinkusSternlicht(PinkusSternlichtFilm),
     FiniteLength(FiniteLengthFilm),
+    Reynolds(ReynoldsFilm),
 }

@@ -30,6 +30,8 @@ impl OcvirkFilm<f64> {
     pub const SOURCE: &'static str = "Ocvirk 1953, infinitely short, the positive half of the film from atan2(2ε̇, wε)";
     /// The thinnest film that it holds for, as a share of the clearance.
     pub const THINNEST_SHARE: f64 = 0.0;
+    /// The largest L/D that it holds for.
+    pub const LONGEST: f64 = f64::INFINITY;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

@@ -30,6 +30,8 @@ impl OcvirkPrintedFilm<f64> {
     pub const SOURCE: &'static str = "Ocvirk 1953, infinitely short, the half of the film that the rotation loads";
     /// The thinnest film that it holds for, as a share of the clearance.
     pub const THINNEST_SHARE: f64 = 0.0;
+    /// The largest L/D that it holds for.
+    pub const LONGEST: f64 = f64::INFINITY;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

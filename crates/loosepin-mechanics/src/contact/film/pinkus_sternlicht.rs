@@ -31,6 +31,8 @@ impl PinkusSternlichtFilm<f64> {
     pub const SOURCE: &'static str = "Pinkus and Sternlicht 1961, infinitely long with squeeze, half-Sommerfeld";
     /// The thinnest film that it holds for, as a share of the clearance.
     pub const THINNEST_SHARE: f64 = 0.0;
+    /// The largest L/D that it holds for.
+    pub const LONGEST: f64 = f64::INFINITY;
 
     /// The film of a bearing.
     pub fn new(bearing: &FilmBearing) -> Self {

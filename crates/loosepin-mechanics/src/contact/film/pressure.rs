@@ -25,6 +25,11 @@ pub struct FilmBearing {
 }
 
 impl FilmBearing {
+    /// Λ = L/D.
+    pub fn length_ratio(&self) -> f64 {
+        0.5 * self.length_m / self.radius_m
+    }
+
     /// M = μ R L³/c², N s: the factor of infinitely short films.
     pub fn short_factor_n_s(&self) -> f64 {
         self.viscosity_pa_s * self.radius_m * self.length_m.powi(3) / (self.clearance_m * self.clearance_m)

@@ -186,7 +186,8 @@ fn identity_a_film_never_creates_energy() {
         roughness_m,
         ..BEARING
     });
-    for (description, bearing) in FILM_LAWS.iter().flat_map(|law| bearings.iter().map(move |bearing| (law, bearing))) {
+    let cases = FILM_LAWS.iter().flat_map(|law| bearings.iter().map(move |bearing| (law, bearing)));
+    for (description, bearing) in cases.filter(|(law, bearing)| bearing.length_ratio() <= law.longest) {
         let film = Film::new(description, bearing);
         let mut largest_share: f64 = -1.0;
         for e in [0.0, 1e-12, 0.02, 0.2, 0.5, 0.8, 0.95, 0.98, 0.99, 1.0, 1.005, 1.2] {

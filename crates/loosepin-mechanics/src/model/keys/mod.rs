@@ -91,8 +91,8 @@ pub(in crate::model) static FILM_KEYS: Keys = Keys::new(
         optional(
             "law",
             Kind::ChoiceOf(film_law_names),
-            "\"finite-length\"",
-            "how the pressure follows from the motion; finite-length if left out",
+            "\"reynolds\"",
+            "how the pressure follows from the motion; reynolds if left out",
         ),
         required("viscosity", quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"", "dynamic viscosity of the oil"),
         required(

@@ -17,8 +17,8 @@ pub(super) const DEFAULT_LAW: &str = "lankarani-nikravesh";
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 /// The friction law where the file names none.
 const DEFAULT_FRICTION_LAW: &str = "ambrosio";
-/// The film where the file names none: the one for bearings of any length.
-const DEFAULT_FILM_LAW: &str = "finite-length";
+/// The film where the file names none: the one that measured and computed bearings come nearest to.
+const DEFAULT_FILM_LAW: &str = "reynolds";
 
 impl ModelReader {
     /// Reads the table of contacts.
