@@ -7,6 +7,7 @@ use super::answer::{turn_word, turns};
 use super::bending_words::bending_sentences;
 use super::chart::{Chart, Dots, Entry, Role};
 use super::figure::name_of;
+use super::force_words::{ForcesOf, run_sentences};
 use super::life_section::life_sentence;
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
@@ -167,6 +168,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
+    sentences.extend(run_sentences(record, writer));
     for control in &record.controls {
         sentences.extend(control_sentences(control, writer));
     }
@@ -466,9 +468,14 @@ fn control_chart(
     chart.figure()
 }
 
+/// The law with what it rests on; in records of older versions its name.
+fn law_words(joint: &JointSummary, writer: &NumberWriter) -> String {
+    ForcesOf::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone())
+}
+
 fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
     let mut rows = vec![
-        ("Contact law".to_owned(), html! { (joint.law) }),
+        ("Contact law".to_owned(), html! { (law_words(joint, writer)) }),
         (
             "Contacts".to_owned(),
             html! {

@@ -34,6 +34,7 @@ mod mobility;
 mod nodal_geometry;
 mod nodal_start;
 mod pieces;
+mod pin_pair;
 mod points;
 mod position;
 mod sample;
@@ -65,6 +66,7 @@ pub use kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by}
 pub use load::{CourseNumbers, LoadGeometry};
 pub use load_table::TableNumbers;
 pub use nodal_geometry::NodalGeometry;
+pub use pin_pair::{pin_clearance, pin_pair};
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};

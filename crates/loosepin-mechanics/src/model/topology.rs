@@ -313,6 +313,8 @@ pub struct Contact {
     pub name: String,
     /// Normal force law.
     pub law: NormalDescription,
+    /// Whether the file names it.
+    pub is_law_named: bool,
     /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
     /// linear law.
     pub damping: Option<&'static PointLaw>,

@@ -14,6 +14,7 @@ use loosepin::units::{Dimension, format_number, format_value, listed};
 
 use super::beams::push_beams;
 use super::elements::push_elements;
+use super::force_law::{joints_of_forces, push_force_laws};
 use super::law_words::law_words;
 use super::trial::Trial;
 use crate::console::counted;
@@ -36,6 +37,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     push_mobility(&mut text, mechanism);
     push_start(&mut text, mechanism, values, tried);
     push_cycle(&mut text, mechanism, tried);
+    push_force_laws(&mut text, model, values, joints_of_forces(model), &[]);
     text
 }
 
@@ -201,7 +203,8 @@ fn contact_lines(
     numbers: Option<&loosepin::mechanism::PlayGeometry<f64>>,
 ) -> Vec<String> {
     let mut lines = Vec::new();
-    let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
+    let default = if contact.is_law_named { "" } else { " by default" };
+    let mut law = format!("contact '{}': {}{default}", contact.name, contact.law.name());
     if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
         law.push_str(&format!(", energy loss of {}", damping.name));
     }

@@ -3,6 +3,7 @@
 mod beams;
 mod bending;
 mod elements;
+mod force_law;
 mod law_words;
 mod mechanism;
 mod study;
@@ -57,7 +58,7 @@ fn describe_input(file: InputFile) -> Result<String, Failure> {
             let model = &study.model;
             let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
             let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
-            study::words(&study, &tried)
+            study::words(&study, &values, &tried)
         }
     }
 }

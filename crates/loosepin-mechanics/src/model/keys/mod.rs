@@ -183,7 +183,8 @@ pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
             "law",
             Kind::ChoiceOf(law_names),
             "\"lankarani-nikravesh\"",
-            "the normal force law; lankarani-nikravesh if left out",
+            "the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from \
+             materials, else lankarani-nikravesh",
         ),
         optional(
             "restitution",
@@ -281,7 +282,8 @@ static REVOLUTE_KEYS: Keys = Keys::new(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws and films of oil",
+            "length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the \
+             result says what a line-contact law would give",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
         optional(

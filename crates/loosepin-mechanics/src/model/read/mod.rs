@@ -7,6 +7,7 @@ mod contact;
 mod control;
 mod coupling;
 mod cycle;
+mod default_law;
 mod drive;
 mod function;
 mod guide;
@@ -123,6 +124,7 @@ impl ModelReader {
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         let wear = self.read_life(root, &outputs);
+        self.take_laws_of_long_pins(wear.as_ref());
         self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
         match cycle {
