@@ -62,7 +62,7 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
 }
 
 /// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
-/// penetrations, and motions that differ from turn to turn.
+/// penetrations, contacts below the least impact speed, and motions that differ from turn to turn.
 fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
@@ -80,7 +80,11 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
             writer.percent(1.0 - share, Rounding::Up)
         )
     });
-    let soft = result.impacts.iter().filter_map(|joint| ForcesOf::study(joint).warning(writer));
+    let of_forces = |joint| {
+        let of = ForcesOf::study(joint);
+        [of.warning(writer), of.slow(writer)].into_iter().flatten()
+    };
+    let soft = result.impacts.iter().flat_map(of_forces);
     beyond.chain(soft).chain(settled).collect()
 }
 

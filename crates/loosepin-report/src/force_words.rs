@@ -10,6 +10,8 @@ use loosepin_text::units::SiUnit;
 /// Largest penetration over clearance up to which nothing is said. The patch of a point or line contact then reaches to a/R ≈ √(δ/c),
 /// 18° to each side, and all laws of contact suppose a patch that is small beside the pin.
 const DEEPEST_SHARE: f64 = 0.1;
+/// The least impact speed where a model gives none, m/s.
+const USUAL_FLOOR_M_S: f64 = 1e-3;
 /// Digits of a force that is estimated.
 const ESTIMATE_DIGITS: usize = 2;
 
@@ -24,6 +26,11 @@ pub(super) struct ForcesOf<'a> {
     share_outside_validity: Option<f64>,
     penetration_share: f64,
     long_pin: Option<&'a LongPinForce>,
+    /// Contacts that began, and whether none was an impact.
+    contacts: u64,
+    has_impacts: bool,
+    /// The fastest of them, where it is known, m/s.
+    fastest_m_s: Option<f64>,
 }
 
 impl<'a> ForcesOf<'a> {
@@ -37,6 +44,9 @@ impl<'a> ForcesOf<'a> {
             share_outside_validity: joint.share_outside_validity,
             penetration_share: joint.largest_penetration_m / joint.radial_clearance_m,
             long_pin: joint.long_pin.as_ref(),
+            contacts: joint.contacts,
+            has_impacts: joint.impacts > 0,
+            fastest_m_s: Some(joint.largest_speed_m_s),
         }
     }
 
@@ -49,6 +59,9 @@ impl<'a> ForcesOf<'a> {
             share_outside_validity: joint.share_outside_validity,
             penetration_share: joint.largest_penetration_share,
             long_pin: None,
+            contacts: joint.floored_contacts,
+            has_impacts: joint.impacts_per_turn[2] > 0.0,
+            fastest_m_s: None,
         }
     }
 
@@ -100,6 +113,24 @@ impl<'a> ForcesOf<'a> {
         });
         let limits: Vec<String> = [speed, depth].into_iter().flatten().collect();
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
+    }
+
+    /// Says where all contacts began below a least impact speed that the model has raised; nothing where it is the usual one.
+    pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
+        let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
+        let floor_m_s = floors.min_by(f64::total_cmp).filter(|floor_m_s| *floor_m_s > USUAL_FLOOR_M_S)?;
+        if self.has_impacts || self.contacts == 0 {
+            return None;
+        }
+        let fastest = self.fastest_m_s.map_or(String::new(), |speed_m_s| {
+            format!(" (the fastest at {})", writer.value(speed_m_s, &SiUnit::VELOCITY))
+        });
+        Some(format!(
+            "In {} no contact began faster than the least impact speed of {}{fastest}: all are computed as impacts at that speed, which lose \
+             less energy, and none is counted. Lower minimum_impact_speed.",
+            self.joint,
+            writer.value_shortest(floor_m_s, &SiUnit::VELOCITY)
+        ))
     }
 
     /// What a penetration beyond a tenth of the clearance means; nothing below.
@@ -154,7 +185,7 @@ fn long_pin_sentence(long_pin: &LongPinForce, writer: &NumberWriter) -> String {
 /// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
 pub(super) fn run_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(ForcesOf::run);
-    joints.flat_map(|of| [of.sentence(writer), of.warning(writer)]).flatten().collect()
+    joints.flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
 }
 
 /// The sentences on the joints whose contact force a study is asked about.

@@ -10,6 +10,9 @@ pub struct ContactBasis {
     pub shape: ContactShape,
     /// Whether the model file names the law; else it is the default.
     pub is_law_named: bool,
+    /// Impact speed as which slower ones are computed; absent in records of older versions.
+    #[serde(with = "extended", default)]
+    pub minimum_impact_speed_m_s: Option<f64>,
     /// Impact speed up to which the law is meant to hold; absent where none is known.
     #[serde(with = "extended")]
     pub largest_valid_speed_m_s: Option<f64>,

@@ -25,6 +25,7 @@ pub fn contact_basis(
     Some(ContactBasis {
         shape,
         is_law_named: contact.is_law_named,
+        minimum_impact_speed_m_s: Some(numbers.minimum_impact_speed_m_s),
         largest_valid_speed_m_s: largest_valid_m_s.is_finite().then_some(largest_valid_m_s),
         largest_valid_penetration_m: if shape == ContactShape::Foundation { None } else { numbers.normal.limit_m() },
     })

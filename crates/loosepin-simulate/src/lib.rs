@@ -46,6 +46,7 @@ pub use loosepin_result::simulation as record;
 mod reference;
 mod report;
 mod resolution;
+mod resting;
 mod resume;
 mod search;
 mod sections;

@@ -504,11 +504,24 @@ pub(in crate::model) static INITIAL_JOINT_KEYS: Keys = Keys::new(
         optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
         optional("position", quantity(D::LENGTH, Rule::Finite), "\"5 mm\"", "position of the slider along the guide"),
         optional("velocity", quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"", "rate of that"),
+        optional(
+            "offset",
+            Kind::Vector,
+            "[\"0 mm\", \"-0.5 mm\"]",
+            "of a joint with play: centre of the journal from that of the bearing, along the axes of the ground; none if left out",
+        ),
+        optional("offset_velocity", Kind::Vector, "[\"0 m/s\", \"0.1 m/s\"]", "rate of the offset; none if left out"),
+        optional(
+            "start",
+            Kind::Choice(&["resting"]),
+            "\"resting\"",
+            "in place of an offset: the journal rests on the side on which the forces at the start press it",
+        ),
     ],
 );
 
 pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
-    "the state at time zero of a mechanism that its drives do not move alone",
+    "the state at time zero: of a mechanism that its drives do not move alone, and of journals in their bearings",
     &[
         optional(
             "body",

@@ -37,3 +37,44 @@ impl ModelReader {
         has_any && is_long && !is_of_coupling
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::model::Model;
+
+    /// The slider-crank template.
+    const SLIDER_CRANK: &str = include_str!("../../../../loosepin-import/templates/slider-crank/model.toml");
+    const LENGTH: &str = "contact = \"steel_pin\"\nbearing_length = \"20 mm\"\n";
+
+    /// Its law, whether the file names it, and the law of its energy loss.
+    fn law(change: impl Fn(&str) -> String) -> (&'static str, bool, &'static str) {
+        let text = change(SLIDER_CRANK);
+        let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
+        let contact = &model.contacts[0];
+        (contact.law.name(), contact.is_law_named, contact.damping.map_or("", |law| law.name))
+    }
+
+    #[test]
+    fn a_pin_with_a_length_has_a_line_contact_where_no_law_is_named() {
+        let long = |text: &str| text.replace("contact = \"steel_pin\"\n", LENGTH);
+        let unnamed = |text: &str| text.replace("law = \"lankarani-nikravesh\"\n", "");
+        assert_eq!(law(|text| unnamed(&long(text))), ("johnson", false, "lankarani-nikravesh"));
+        assert_eq!(law(unnamed), ("lankarani-nikravesh", false, "lankarani-nikravesh"));
+        assert_eq!(law(long), ("lankarani-nikravesh", true, "lankarani-nikravesh"));
+        // A stiffness that is given has no line contact, and neither has a contact that another joint without a length shares.
+        let given = |text: &str| {
+            let materials = "youngs_modulus = \"207 GPa\"\npoisson_ratio = 0.3\ndensity = \"7800 kg/m^3\"";
+            let (before, after) = text.split_once(materials).unwrap();
+            format!("{before}stiffness = \"6.6e10 N/m^1.5\"\nexponent = 1.5\n#{after}")
+        };
+        assert_eq!(law(|text| given(&unnamed(&long(text)))).0, "lankarani-nikravesh");
+        let shared = |text: &str| {
+            text.replace(
+                "journal = \"rod.big_end\"\n",
+                "journal = \"rod.big_end\"\nbearing_radius = \"11 mm\"\n\
+                radial_clearance = \"0.1 mm\"\ncontact = \"steel_pin\"\n",
+            )
+        };
+        assert_eq!(law(|text| shared(&unnamed(&long(text)))).0, "lankarani-nikravesh");
+    }
+}

@@ -116,10 +116,11 @@ impl ModelReader {
             }
         }
         let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
-        let initial = match root.get("initial") {
-            Some(entry) => self.read_initial(&entry),
-            None => self.initial_of_controls(),
-        };
+        let (mut initial, initial_offsets) =
+            root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
+        if root.get("initial").is_none() || (initial.is_empty() && !initial_offsets.is_empty()) {
+            initial = self.initial_of_controls();
+        }
         self.refuse_beside_beams();
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
@@ -142,6 +143,7 @@ impl ModelReader {
                 controls: self.controls,
                 guesses,
                 initial,
+                initial_offsets,
                 cycle,
                 wear,
                 outputs,
