@@ -67,7 +67,7 @@ problems! {
             hint("{}", if guesses.is_empty() {
                 "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the true one"
             } else {
-                "check the lengths and the start angle; if the loop does close, one of the guesses leads away from it: leave it out"
+                "check the lengths and the start angle; if the loop does close, a guess may lead away from it: correct it, or leave it out"
             });
         /// A line that closes only the other way round.
         ClosesTurned { path: String, bodies: [String; 2] } => Code::CannotClose,

@@ -30,11 +30,11 @@ pub fn push_force_laws(
         let (name, law) = (&model.joints[joint.0].name, contact.law.name());
         let length = match clearance.bearing_length_m {
             Some(id) => {
-                format!("the bearing's length of {} does not enter", format_value(values[id], Dimension::LENGTH))
+                format!("its bearing length of {} does not enter", format_value(values[id], Dimension::LENGTH))
             }
-            None => "no length of the bearing enters".to_owned(),
+            None => "no bearing length enters".to_owned(),
         };
-        let _ = writeln!(text, "\nThe force in {name} is that of {law}, a point contact: {length}.");
+        let _ = writeln!(text, "\nThe force in {name} is by {law}, a point contact: {length}.");
         let _ = writeln!(
             text,
             "A long pin is a line contact, whose peak force may be twice as large. To have both in a study:"

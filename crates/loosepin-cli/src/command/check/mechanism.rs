@@ -5,8 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, JointWear, Model,
-    OutputKind, PlayId, PointId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, Joint, JointId, JointKind,
+    JointWear, Model, OffsetPlace, OutputKind, PlayId, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -372,12 +372,28 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     }
 }
 
+/// Which journals a run starts elsewhere, behind the words for centred ones.
+fn offset_words(model: &Model, values: &Values) -> String {
+    let words = |own: &InitialOffset| {
+        let name = &model.joints[own.joint.0].name;
+        match own.place {
+            OffsetPlace::Resting => format!("'{name}', which a run starts resting"),
+            OffsetPlace::Given { offset_m, .. } => {
+                let [x, y] = offset_m.map_or([0.0; 2], |ids| ids.map(|id| values[id]));
+                format!("'{name}', which a run starts {} off", format_value(x.hypot(y), Dimension::LENGTH))
+            }
+        }
+    };
+    let all: Vec<String> = model.initial_offsets.iter().map(words).collect();
+    if all.is_empty() { String::new() } else { format!(", also {}", listed(&all, "and")) }
+}
+
 fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: &Trial) {
     let model = &mechanism.model;
     let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
     let given = (!mechanism.is_driven()).then(|| "as given under [initial]".to_owned());
     let starts: Vec<String> = drives.chain(given).collect();
-    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&starts, "and"));
+    let _ = writeln!(text, "\nStart, {}, journals centred{}", listed(&starts, "and"), offset_words(model, values));
     let width = model.bodies[1..].iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
     for (body, start) in model.bodies.iter().zip(&tried.start).skip(1) {
         let points: Vec<String> = body
