@@ -142,8 +142,12 @@ impl<'a> ForcesOf<'a> {
             writer.percent(share, Rounding::Up)
         );
         // A contact so soft that the parts pass through each other is none that its law describes.
-        Some(if share > 1.0 {
-            format!("{reached}: the contact law does not hold. Check Young's modulus and the masses.")
+        if share > 1.0 {
+            return Some(format!("{reached}: the contact law does not hold. Check Young's modulus and the masses."));
+        }
+        let is_given = self.laws.iter().all(|(_, basis)| basis.shape == ContactShape::Given) && !self.laws.is_empty();
+        Some(if is_given {
+            format!("{reached}, more than a tenth: force and deviation depend on the stiffness that is given.")
         } else {
             format!(
                 "{reached}, more than a tenth. Contact laws suppose a patch that is small beside the pin, so force and deviation depend \

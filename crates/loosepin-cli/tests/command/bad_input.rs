@@ -287,8 +287,11 @@ fn a_singular_position_on_the_way() {
     assert_eq!((said.status, said.output.as_str()), (2, ""));
     let (first, hint) = said.messages.trim_end().split_once('\n').expect("two lines");
     assert!(first.starts_with("model.toml:59:8: error[E0705]: singular position at 0.33333"), "{first}");
-    assert!(first.ends_with(" ms: the drives no longer determine the motion"), "{first}");
-    assert_eq!(hint, "hint: drive another joint, or stay away from this position");
+    assert!(first.ends_with(" ms, drive 'crank' at 90 deg: the drives no longer determine the motion"), "{first}");
+    assert_eq!(
+        hint,
+        "hint: two ways of assembling the links meet there: change a length, keep the drive away from this position, or drive another joint"
+    );
     assert!(desk.succeed(&["motion", "model.toml"]).output.contains("\nSingular at 90° of crank: "));
 }
 

@@ -2,6 +2,7 @@
 
 use super::{build, crank, file, report};
 use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_simulate::{Settings, Window, run};
 
 /// Residual of the energy account over the largest energy exchanged.
 const ACCOUNT: f64 = 1e-7;
