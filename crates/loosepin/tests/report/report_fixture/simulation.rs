@@ -78,7 +78,7 @@ pub fn worn_pin() -> SimulationRecord {
                 shape: ContactShape::Point { unused_length_m: None },
                 is_law_named: true,
                 minimum_impact_speed_m_s: Some(1e-3),
-                largest_valid_speed_m_s: Some(0.0515),
+                largest_valid_speed_m_s: Some(0.05152),
                 largest_valid_penetration_m: None,
             }),
             long_pin: Some(LongPinForce {
