@@ -12,10 +12,9 @@
 //! speed below an impact's. Friction in its contact does not hold it anywhere else.
 
 use super::failure::RunFailure;
-use super::reference::IdealReference;
-use super::settings::Settings;
+use super::motion::Motion;
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{Mechanism, Sample, StartOffset};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, StartOffset};
 use loosepin_mechanics::model::PlayId;
 
 /// Steps of the iteration.
@@ -38,19 +37,23 @@ pub fn start(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<(Vec<f64>, V
 
 /// The offsets of a sample with those of resting journals found.
 fn resting_offsets(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<Vec<StartOffset>, RunFailure> {
-    let (ideal, settings) = (mechanism.without_play(), Settings::for_simulation());
+    let ideal = mechanism.without_play();
     let name = |own: &StartOffset| mechanism.model.play_name(mechanism.plays[own.play]).to_owned();
     let mut offsets = sample.offsets.clone();
     for _ in 0..STEPS {
         let geometry = mechanism.displaced(&sample.ideal, &offsets);
         let mut closed = sample.clone().without_play();
         (closed.ideal, closed.real) = (geometry.clone(), geometry);
-        let mut reference = IdealReference::new(&ideal, &closed, 0.0, &settings)?;
-        let dynamics = reference.at(0.0, true)?;
+        let solved = IdealMotion::new(&ideal, &closed.ideal, &closed.drives)?;
+        let (coordinates, rates) = solved.real_state();
+        let mut motion = Motion::new(&ideal, &closed);
+        let n = motion.freedoms();
+        motion.dynamics.sample_mut().take_pieces_at(0.0);
+        motion.dynamics.evaluate(0.0, &coordinates[..n], &rates[..n], &motion.states);
         let mut change = 0.0_f64;
         for own in offsets.iter_mut().filter(|own| own.is_resting) {
             let PlayId::Joint(joint) = mechanism.plays[own.play] else { continue };
-            let force_n = dynamics.joint_force_n(joint);
+            let force_n = motion.dynamics.joint_force_n(joint);
             let size_n = force_n.length();
             if !(size_n > 0.0) {
                 return Err(RunFailure::NothingPresses { joint: name(own) });

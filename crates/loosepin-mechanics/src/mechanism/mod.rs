@@ -35,6 +35,7 @@ mod mobility;
 mod nodal_geometry;
 mod nodal_start;
 mod offset;
+mod offset_start;
 mod pieces;
 mod pin_pair;
 mod points;

@@ -188,7 +188,7 @@ impl<T: Real> Sample<T> {
             controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
             references: Drives::broadcast(&Drives::of_controls(model, values)),
             initial: initial_numbers(model, values),
-            offsets: start_offsets(mechanism, values)?,
+            offsets: start_offsets(model, &mechanism.plays, values)?,
             sections: mechanism.stressed.iter().map(|stressed| SectionNumbers::new(model, stressed, values)).collect(),
         })
     }

@@ -24,7 +24,8 @@ pub fn force_of_same_energy_n(law: &NormalLaw<f64>, penetration_m: f64, other: &
 #[cfg(test)]
 mod tests {
     use super::force_of_same_energy_n;
-    use crate::contact::{LONG_PIN_LAW, LinePair, NormalContact, NormalLaw, PlayState, PointContact};
+    use crate::contact::line::johnson::JOHNSON;
+    use crate::contact::{LinePair, NormalContact, NormalLaw, PlayState, PointContact};
 
     /// A steel pin of 19.9 mm in a hole of 20 mm, 40 mm long.
     fn laws() -> [NormalLaw<f64>; 2] {
@@ -34,7 +35,7 @@ mod tests {
         // K of eq. (9) by hand: 4/3 E* √(R_i R_j/c).
         let stiffness_n_m_n = 4.0 / 3.0 * pair.equivalent_modulus_pa() * (0.020_f64 * 0.0199 / 1e-4).sqrt();
         let point = NormalLaw::Point(PointContact { stiffness_n_m_n, exponent: 1.5, damping_factor: 0.0 });
-        [point, (LONG_PIN_LAW.contact)(&pair, 0.0)]
+        [point, (JOHNSON.contact)(&pair, 0.0)]
     }
 
     /// The largest force of a mass that hits without loss, by small steps of the midpoint rule.
