@@ -1,5 +1,6 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
+use super::force_words::{ForcesOf, study_sentences};
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::told::{SENTENCE_DIGITS, Told, between, largest, smallest, told};
 use super::wording::{
@@ -53,14 +54,15 @@ pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     // Without a verdict they concern the numbers of the answer.
     let (caveats, mut details) = if verdict.is_some() { (caveats, Vec::new()) } else { (Vec::new(), caveats) };
     details.extend(curve.and_then(|curve| scatter_sentence(result, curve, !further.is_empty(), writer)));
+    details.extend(study_sentences(result, writer));
     details.push(error_sentence(result, &answers, writer));
     details.push(runs_sentence(result, writer));
     let requirements = requirement_sentences(result, writer);
     Answer { requirements, caveats, headline, further, details, verdict }
 }
 
-/// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, and motions that
-/// differ from turn to turn.
+/// What the numbers of the study take for granted and its runs contradict: impacts beyond the validity of the contact law, deep
+/// penetrations, contacts below the least impact speed, and motions that differ from turn to turn.
 fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     let beyond = result.impacts.iter().filter_map(|joint| {
         let share = joint.share_outside_validity.filter(|share| *share > 0.0)?;
@@ -78,15 +80,11 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
             writer.percent(1.0 - share, Rounding::Up)
         )
     });
-    // A contact so soft that the parts pass through each other is none that its law describes.
-    let soft = result.impacts.iter().filter(|joint| joint.largest_penetration_share > 1.0).map(|joint| {
-        format!(
-            "In {} the parts penetrate each other by up to {} of the clearance: the contact law does not hold. Check Young's modulus and the \
-             masses.",
-            joint.joint,
-            writer.percent(joint.largest_penetration_share, Rounding::Up)
-        )
-    });
+    let of_forces = |joint| {
+        let of = ForcesOf::study(joint);
+        [of.warning(writer), of.slow(writer)].into_iter().flatten()
+    };
+    let soft = result.impacts.iter().flat_map(of_forces);
     beyond.chain(soft).chain(settled).collect()
 }
 

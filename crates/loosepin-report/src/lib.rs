@@ -17,6 +17,7 @@
 //! | percentiles of statistics | `percentile_words.rs` |
 //! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
+//! | the law behind contact forces, and deep penetrations | `force_words.rs` |
 //! | the wear of joints | `wear_words.rs` |
 //! | how flexible bodies bend | `bending_words.rs` |
 //! | the terms of a page | `glossary.rs` |
@@ -40,6 +41,7 @@ mod contributors_text;
 mod draft_band;
 mod draft_text;
 mod figure;
+mod force_words;
 mod glossary;
 mod history_words;
 mod identification_figures;

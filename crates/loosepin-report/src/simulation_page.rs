@@ -7,6 +7,7 @@ use super::answer::{turn_word, turns};
 use super::bending_words::bending_sentences;
 use super::chart::{Chart, Dots, Entry, Role};
 use super::figure::name_of;
+use super::force_words::{ForcesOf, run_sentences};
 use super::life_section::life_sentence;
 use super::measured_figures::measured_figures;
 use super::mechanism_figure::mechanism_figure;
@@ -17,7 +18,7 @@ use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
 use super::wear_section::wear_section;
-use super::wording::{count, counted, listed, named_words, without_round_off};
+use super::wording::{capitalised, count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
@@ -167,6 +168,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
+    sentences.extend(run_sentences(record, writer));
     for control in &record.controls {
         sentences.extend(control_sentences(control, writer));
     }
@@ -181,25 +183,37 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         check.is_exceeded || without_round_off(record, check.deviation_si, &check.unit) != 0.0
     };
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
-    sentences.extend(quasi_static_sentence(&checks, writer));
+    sentences.extend(quasi_static_sentence(record, &checks, writer));
     sentences
 }
 
 /// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.
-fn quasi_static_sentence(checks: &[&QuasiStaticShare], writer: &NumberWriter) -> Option<String> {
+fn quasi_static_sentence(
+    record: &SimulationRecord,
+    checks: &[&QuasiStaticShare],
+    writer: &NumberWriter,
+) -> Option<String> {
+    let place_of = |check: &QuasiStaticShare| place_words(record, check.time_s, writer);
     let worst = checks.iter().max_by(|a, b| {
         (a.is_exceeded, a.largest_share)
             .partial_cmp(&(b.is_exceeded, b.largest_share))
             .unwrap_or(std::cmp::Ordering::Equal)
     })?;
     let skipped: usize = checks.iter().map(|check| check.samples_without_worst_case).sum();
-    let mut sentence = if worst.is_exceeded {
+    let deviates = || {
+        let (output, place) = (&worst.output, place_of(worst));
+        let [found, allowed] = [worst.deviation_si, worst.worst_case_si].map(|si| writer.value(si, &worst.unit));
+        format!("the {output} deviates by {found}{place}, but clearances and penetrations allow only {allowed}")
+    };
+    let mut sentence = if worst.is_exceeded && skipped > 0 {
+        // A dead point within the clearances lets the links pass to their other way of assembly, and no worst case is of both.
         format!(
-            "This run is wrong: the {} deviates by {}, but clearances and penetrations allow only {}.",
-            worst.output,
-            writer.value(worst.deviation_si, &worst.unit),
-            writer.value(worst.worst_case_si, &worst.unit)
+            "{} as the links are assembled. A dead point lies within the clearances, where they can pass to the other way of \
+             assembling, or this run is wrong: avoid the dead point to tell.",
+            capitalised(&deviates())
         )
+    } else if worst.is_exceeded {
+        format!("This run is wrong: {}.", deviates())
     } else {
         format!(
             "No output deviates more than clearances and penetrations allow. The {} comes nearest, with {} of the allowed deviation.",
@@ -214,6 +228,18 @@ fn quasi_static_sentence(checks: &[&QuasiStaticShare], writer: &NumberWriter) ->
         ));
     }
     Some(sentence)
+}
+
+/// ", crank at 104.2°" at an instant among the samples; the time where no drive turns at a constant speed.
+fn place_words(record: &SimulationRecord, time_s: Option<f64>, writer: &NumberWriter) -> String {
+    let Some(time_s) = time_s else { return String::new() };
+    let row = record.time_s.partition_point(|sample_s| *sample_s < time_s);
+    match record.drive_angle_rad.get(row).filter(|_| record.settings.drive_speed_rad_s.is_some()) {
+        Some(angle_rad) => {
+            format!(" with {} at {}", record.settings.drive, writer.angle_in_turn(*angle_rad, PLAIN_DIGITS))
+        }
+        None => format!(" at {}", writer.value(time_s, &SiUnit::TIME)),
+    }
 }
 
 /// Largest error and effort of a control, and its oscillation where the reference rests.
@@ -466,9 +492,14 @@ fn control_chart(
     chart.figure()
 }
 
+/// The law with what it rests on; in records of older versions its name.
+fn law_words(joint: &JointSummary, writer: &NumberWriter) -> String {
+    ForcesOf::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone())
+}
+
 fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
     let mut rows = vec![
-        ("Contact law".to_owned(), html! { (joint.law) }),
+        ("Contact law".to_owned(), html! { (law_words(joint, writer)) }),
         (
             "Contacts".to_owned(),
             html! {

@@ -2,6 +2,7 @@
 //! computed here that needs a mechanism or a sample.
 
 pub mod cases;
+mod contact_basis;
 pub mod identification;
 mod identification_gain;
 pub mod json;
@@ -12,3 +13,5 @@ pub mod repeat;
 pub mod simulation;
 pub mod study;
 pub mod sweep;
+
+pub use contact_basis::{ContactBasis, ContactShape, LongPinForce};

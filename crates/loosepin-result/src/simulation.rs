@@ -8,6 +8,7 @@ mod motion_kind;
 mod spectrum;
 mod wear;
 
+use crate::contact_basis::{ContactBasis, LongPinForce};
 use crate::repeat::Repeat;
 use crate::study::accuracy::is_zero_count;
 pub use control::{ControlHistory, Swing, SwingCourse};
@@ -317,6 +318,12 @@ pub struct JointSummary {
     pub radial_clearance_m: f64,
     /// Name of the contact law.
     pub law: String,
+    /// What its force rests on; absent in records of older versions.
+    #[serde(default)]
+    pub basis: Option<ContactBasis>,
+    /// The largest force as a line-contact law would have it; absent beside other than point-contact laws of pins.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub long_pin: Option<LongPinForce>,
     /// Located onsets of contact, floored ones included.
     pub contacts: u64,
     /// Onsets above the least impact speed.

@@ -217,8 +217,7 @@ fn run_kinematics(
             Some(account) => {
                 account.close_step(&mut motion, &mut ideal, start_s, end_s)?;
                 if !account.total().supplied_j.is_finite() {
-                    let element = motion.dynamics.element_without_value();
-                    return Err(RunFailure::NotFinite { time_s: end_s, element });
+                    return Err(RunFailure::without_value(end_s, motion.dynamics.element_without_value()));
                 }
                 let mut jams = None;
                 motion.dynamics.joint_friction_residuals(|index, residual| {

@@ -1,6 +1,7 @@
 //! Why a run ends without a result.
 
 use super::settings::LARGEST_ENERGY_RESIDUAL;
+use loosepin_mechanics::dynamics::WithoutValue;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::Model;
 use loosepin_text::diagnostics::{Code, Complaint, problems};
@@ -21,7 +22,12 @@ problems! {
         /// The step became too small.
         StepTooSmall { time_s: f64, step_s: f64, smallest_s: f64 } => Code::StepTooSmall,
             says("at {} the step fell to {step_s:.1e} s, below the smallest of {smallest_s:.1e} s", time(*time_s)),
-            hint("look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off");
+            hint("{}", if *smallest_s > COARSE_S {
+                "the drive is so slow that contacts, which take microseconds, are below 1e-14 of a turn: run it faster, or ask \
+                 `loosepin motion`, which needs no dynamics"
+            } else {
+                "look for a stiffness, mass or inertia far from those of a real part, or a tolerance below round-off"
+            });
         /// A position, a velocity or what a person has written as an expression is not a number.
         NotFinite {
             time_s: f64,
@@ -194,6 +200,19 @@ problems! {
                 describe_path(path)
             ),
             hint("nothing else gives way in that loop: leave start out, or give one of its joints play");
+        /// Nothing presses a journal that is to rest at the start.
+        NothingPresses { joint: String } => Code::StartNotPossible,
+            says("joint '{joint}' carries no force at the start: its journal rests nowhere"),
+            hint("give it an offset, or none: it is centred then");
+        /// The side on which a journal is to rest is not found.
+        NotResting { joint: String } => Code::StartNotPossible,
+            says("joint '{joint}': the side on which its journal rests at the start is not found"),
+            hint("the clearance is large beside the links there: give an offset");
+        /// A spring along a line whose ends meet.
+        SpringWithoutDirection { spring: String, time_s: f64 } => Code::RunNotFinite,
+            says("at {} spring '{spring}' is pressed to length zero: its force has no direction there", time(*time_s)),
+            hint("no spring is shorter than its wire: give it a stop, more stiffness at the end of a table of its force, or points that \
+                  stay apart");
         /// Implicit steps are for flexible bodies in absolute nodal coordinates alone.
         ImplicitWithoutNodes => Code::BeamNotPossible,
             says("implicit steps are for mechanisms with a flexible body in absolute nodal coordinates, and this one has none"),
@@ -205,6 +224,9 @@ problems! {
     }
 }
 
+/// A smallest step beyond which contacts of real parts cannot be followed, s: they last some 1e-5 s, and their ends are located to 1e-4 of that.
+const COARSE_S: f64 = 1e-9;
+
 fn time(time_s: f64) -> String {
     format_value(time_s, Dimension::TIME)
 }
@@ -214,7 +236,7 @@ fn length(length_m: f64) -> String {
 }
 
 /// Short names of all reasons, in the order of [`RunFailure::number`].
-const CODES: [&str; 33] = [
+const CODES: [&str; 36] = [
     "impossible_value",
     "clearance_changes_topology",
     "cannot_close",
@@ -248,6 +270,9 @@ const CODES: [&str; 33] = [
     "settled_open",
     "no_dynamics",
     "length_outside_film",
+    "nothing_presses",
+    "not_resting",
+    "spring_without_direction",
 ];
 
 /// Path of the body where a path is that of its beam.
@@ -256,6 +281,15 @@ fn of_beam(path: &str) -> Option<&str> {
 }
 
 impl RunFailure {
+    /// Of a run in which `lost` has no value, or the state itself is none.
+    pub(crate) fn without_value(time_s: f64, lost: Option<WithoutValue>) -> Self {
+        match lost {
+            Some(WithoutValue::Spring(spring)) => Self::SpringWithoutDirection { spring, time_s },
+            Some(WithoutValue::Element(path)) => Self::NotFinite { time_s, element: Some(path) },
+            None => Self::NotFinite { time_s, element: None },
+        }
+    }
+
     /// A short name for tables.
     pub fn code(&self) -> &'static str {
         Self::code_of(self.number())
@@ -278,7 +312,7 @@ impl RunFailure {
             Self::LeavesBearing { .. } => 9,
             Self::BeyondLaw { .. } => 10,
             Self::Sample(SampleError::ClearanceOutsideFit { .. }) => 11,
-            Self::Sample(SampleError::StartContradicts { .. }) => 12,
+            Self::Sample(SampleError::StartContradicts { .. } | SampleError::OffsetBeyondPlay { .. }) => 12,
             Self::Sample(SampleError::RoughnessOutsideFilm { .. }) => 13,
             Self::NothingIsFree => 14,
             Self::Jams { .. } => 15,
@@ -299,6 +333,9 @@ impl RunFailure {
             Self::SettledOpen { .. } => 30,
             Self::NoDynamics { .. } => 31,
             Self::Sample(SampleError::LengthOutsideFilm { .. }) => 32,
+            Self::NothingPresses { .. } => 33,
+            Self::NotResting { .. } => 34,
+            Self::SpringWithoutDirection { .. } => 35,
         }
     }
 
@@ -338,6 +375,12 @@ impl RunFailure {
             }
             Self::TooManyRows { .. } | Self::TooManyNumbers { .. } | Self::TooManyTurns { .. } => {
                 Complaint::error(self, model.place("cycle"))
+            }
+            Self::NothingPresses { joint } | Self::NotResting { joint } => {
+                Complaint::error(self, model.place(&format!("initial.joint.{joint}")))
+            }
+            Self::SpringWithoutDirection { spring, .. } => {
+                Complaint::error(self, model.place(&format!("spring.{spring}")))
             }
             Self::SettledOpen { path } => Complaint::error(self, model.place(path)),
             Self::TooManyJumps { .. } | Self::JumpsTooShort { .. } => Complaint::error(self, model.place("wear")),

@@ -2,6 +2,7 @@
 
 use super::bending::BendingRecorder;
 use super::column::{Arms, Column, columns};
+use super::contact_basis::{contact_basis, long_pin_force};
 use super::control_history::ControlRecorder;
 use super::drawing::{add_bending, add_pose, skeleton};
 use super::engine::{least_evaluations, run};
@@ -588,6 +589,8 @@ impl<'a> Recorder<'a> {
                     joint: model.play_name(play).to_owned(),
                     radial_clearance_m: numbers.clearance_m,
                     law: contact.law.name().to_owned(),
+                    basis: contact_basis(self.mechanism, play, numbers, self.values),
+                    long_pin: long_pin_force(self.mechanism, play, numbers, self.values, summary.largest_penetration_m),
                     contacts: summary.contacts,
                     impacts,
                     impacts_per_turn: Some(impacts as f64 / turns),

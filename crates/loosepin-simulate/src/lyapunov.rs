@@ -6,6 +6,7 @@ use super::failure::RunFailure;
 use super::motion::{Motion, tolerances};
 use super::observer::{Observer, Step};
 use super::pace::{fastest_drive_rad_s, pace_of_start_rad_s};
+use super::resting;
 use super::resume::MotionState;
 use super::settings::{STEP_SHARE, Settings, Window};
 use loosepin_mechanics::contact::PlayState;
@@ -138,7 +139,7 @@ impl<'a> Pair<'a> {
         end_s: f64,
     ) -> Result<Self, RunFailure> {
         let mut motion = Motion::new(mechanism, sample);
-        let (coordinates, rates) = mechanism.start(sample)?;
+        let (coordinates, rates) = resting::start(mechanism, sample)?;
         let n = motion.freedoms();
         let mut rate_1_s = fastest_drive_rad_s(mechanism, sample, end_s).max(std::f64::consts::TAU / plan.turn_s);
         let mut first = vec![0.0; motion.layout.length()];

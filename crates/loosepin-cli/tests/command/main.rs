@@ -8,6 +8,7 @@ mod cluster_page;
 mod command_line;
 mod failed_runs;
 mod figures;
+mod forces;
 mod identify;
 mod import;
 mod motion_verdicts;

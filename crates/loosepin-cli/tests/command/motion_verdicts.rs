@@ -44,7 +44,10 @@ fn a_limit_that_the_proven_ends_keep_is_met() {
     // All lengths at three standard deviations, the pin drawn along the rod.
     let ends: Vec<f64> = [0, 1].map(|side| requirement["found_si"][side].as_f64().expect("a number")).into();
     let proven: Vec<f64> = [0, 1].map(|side| requirement["proven_si"][side].as_f64().expect("a number")).into();
-    assert!(proven[0] <= ends[0] && ends[1] <= proven[1] && proven[1] < 6.9e-4 && ends[1] > 6.0e-4, "{ends:?} {proven:?}");
+    assert!(
+        proven[0] <= ends[0] && ends[1] <= proven[1] && proven[1] < 6.9e-4 && ends[1] > 6.0e-4,
+        "{ends:?} {proven:?}"
+    );
 }
 
 #[test]
@@ -72,12 +75,16 @@ fn a_speed_is_not_judged() {
     let (said, _) = judged(limit, "");
     let output = one_line(&said.output);
     assert_eq!(said.status, 1, "{output}");
-    assert!(output.contains("Not judged without dynamics: value of slider_velocity below 40 m/s over the whole cycle"), "{output}");
+    assert!(
+        output.contains("Not judged without dynamics: value of slider_velocity below 40 m/s over the whole cycle"),
+        "{output}"
+    );
 }
 
 #[test]
 fn analytic_how_far_play_may_be_loosened() {
-    let (said, record) = judged(&total("0.9 mm", "0.95"), "[allow]\n\"joint.gudgeon.radial_clearance\" = { up_to = \"2 mm\" }\n");
+    let (said, record) =
+        judged(&total("0.9 mm", "0.95"), "[allow]\n\"joint.gudgeon.radial_clearance\" = { up_to = \"2 mm\" }\n");
     assert_eq!(said.status, 0, "{}", said.output);
     let loosest = record["allowances"][0]["loosest_si"].as_f64().expect("a number");
     // Crank and rod at three standard deviations take 0.06 and 0.09 mm, by slopes up to 1.1 each; the play has a slope of up to 1.1.

@@ -51,7 +51,7 @@ pub use friction::{
     BristledForce, FRICTION_LAWS, Friction, FrictionDescription, FrictionLaw, FrictionNumber, KinkSpeeds, friction_law,
 };
 pub use hertz_line::{LinePatch, share_below};
-pub use line::{LINE_LAWS, LineLaw, LinePair};
+pub use line::{LINE_LAWS, LONG_PIN_LAW, LineLaw, LinePair, force_of_same_energy_n};
 pub use linear::{LINEAR_LAWS, LinearLaw};
 pub use normal::{
     LinearContact, LogarithmicContact, NormalContact, NormalForce, NormalLaw, PointContact,

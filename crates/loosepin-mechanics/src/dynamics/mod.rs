@@ -40,3 +40,4 @@ pub use equations::{Dynamics, Powers};
 pub use foundation_contact::foundation_motion;
 pub use play::PlayMotion;
 pub use stress::SectionForce;
+pub use without_value::WithoutValue;

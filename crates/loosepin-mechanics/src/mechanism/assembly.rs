@@ -2,6 +2,7 @@
 
 use super::constraints::Opening;
 use super::drive::Drives;
+use super::drive_place::drive_place;
 use super::error::MechanismError;
 use super::geometry::{CutGeometry, Geometry};
 use super::initial::StartEquations;
@@ -50,12 +51,13 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
     let mut kinematics = Kinematics::new(tree);
     let mut found: Vec<Configuration> = Vec::new();
     let mut best_open: Option<(f64, Vec<f64>)> = None;
-    let mut work = 0;
+    let (mut work, mut starts) = (0, 0);
     for start in 0..STARTS {
         let is_enough = if found.is_empty() { start >= LEAST_STARTS } else { start > 0 };
         if is_enough && work >= MOST_WORK {
             break;
         }
+        starts += 1;
         let mut z = starting_point(equations, &drives, &hint_of_slot, size_m, start);
         let (worst, steps) = close(equations, &mut kinematics, &mut z, size_m);
         work += steps * tree.free * tree.free;
@@ -98,10 +100,22 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
                 return Err(error);
             }
             let open = Opening::worst(model, tree, &residuals[..tree.constraint_rows()]);
-            Err(if model.initial.is_empty() {
-                MechanismError::CannotClose { open }
-            } else {
-                MechanismError::CannotCloseAsGiven { open }
+            if !model.initial.is_empty() {
+                return Err(MechanismError::CannotCloseAsGiven { open });
+            }
+            let is_closed = residuals.iter().all(|residual| residual.abs() <= CLOSED * size_m);
+            if let Some(cut) = turned_cut(tree, geometry, &kinematics).filter(|_| is_closed) {
+                let joint = &model.joints[cut.joint.0];
+                let bodies = joint.kind.bodies().map(|body| model.bodies[body.0].name.clone());
+                return Err(MechanismError::ClosesTurned { path: format!("joint.{}", joint.name), bodies });
+            }
+            let guesses =
+                model.guesses.iter().map(|guess| (model.bodies[guess.body.0].name.clone(), values[guess.angle_rad]));
+            Err(MechanismError::CannotClose {
+                open,
+                at: drive_place(model, tree, &z),
+                starts,
+                guesses: guesses.collect(),
             })
         }
     }
@@ -296,7 +310,13 @@ fn is_turns_on(model: &Model, tree: &Tree, z: &[f64]) -> bool {
 
 /// The sine of an angle that should be zero is zero at a half turn as well: that is no assembly.
 fn all_face_the_right_way(tree: &Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> bool {
-    tree.cuts.iter().zip(&geometry.cuts).all(|(cut, numbers)| {
-        matches!(cut.kind, CutKind::Revolute) || cut_turn_rad(cut, numbers, kinematics).cos() > 0.0
-    })
+    turned_cut(tree, geometry, kinematics).is_none()
+}
+
+/// The first cut whose bodies are turned by a half turn against each other.
+fn turned_cut<'t>(tree: &'t Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> Option<&'t Cut> {
+    let is_turned = |(cut, numbers): &(&Cut, &CutGeometry<f64>)| {
+        !matches!(cut.kind, CutKind::Revolute) && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
+    };
+    tree.cuts.iter().zip(&geometry.cuts).find(is_turned).map(|(cut, _)| cut)
 }

@@ -9,6 +9,7 @@ use super::initial::{StartEquations, initial_numbers};
 use super::kinematics::Kinematics;
 use super::mobility::{self, Mobility};
 use super::nodal_start::set_undeformed;
+use super::offset::demand_drives;
 use super::stressed::StressedBody;
 use super::tooth_force::demand_fit;
 use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
@@ -90,6 +91,9 @@ impl Mechanism {
             ideal,
             real,
         };
+        if !mechanism.is_driven() {
+            demand_drives(model)?;
+        }
         let mut kinematics = Kinematics::new(&mechanism.ideal);
         kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
         demand_fit(model, values, &mechanism.ideal, &kinematics)?;

@@ -27,9 +27,9 @@ impl MechanismError {
                 "this is not determined either",
             ),
             Self::StartNotNeeded | Self::CannotCloseAsGiven { .. } => Complaint::error(self, model.place("initial")),
-            Self::StartContradicts { path, .. } | Self::PitchCirclesApart { path, .. } => {
-                Complaint::error(self, model.place(path))
-            }
+            Self::StartContradicts { path, .. }
+            | Self::PitchCirclesApart { path, .. }
+            | Self::OffsetOfFreeMotion { path } => Complaint::error(self, model.place(path)),
             Self::NothingToControl { control } | Self::NoInverseDynamics { control, .. } => {
                 Complaint::error(self, model.place(&format!("control.{control}")))
             }
@@ -45,7 +45,8 @@ impl MechanismError {
             Self::BeyondBeam { body, point } => {
                 Complaint::error(self, model.place(&format!("body.{body}.points.{point}")))
             }
-            Self::CannotClose { open } => Complaint::error(self, model.place(&open.path)),
+            Self::CannotClose { open, .. } => Complaint::error(self, model.place(&open.path)),
+            Self::ClosesTurned { path, .. } => Complaint::error(self, model.place(path)),
         }
     }
 }
@@ -82,7 +83,7 @@ impl SampleError {
             Self::BacklashChangesTopology { path, .. } => format!("{path}.backlash"),
             Self::PointOffSection { body, point, .. } => format!("body.{body}.points.{point}"),
             Self::CannotClose { open, .. } => open.path.clone(),
-            Self::StartContradicts { path, .. } => path.clone(),
+            Self::StartContradicts { path, .. } | Self::OffsetBeyondPlay { path, .. } => path.clone(),
             Self::Period(problem) => format!("load.{}", problem.load()),
             Self::DriveWithoutValue { drive, .. } => format!("drive.{drive}"),
             Self::Singular { .. } => match model.cycle.span {

@@ -3,7 +3,7 @@
 use super::constraints::Opening;
 use crate::model::{PeriodProblem, QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
-use loosepin_text::units::{Dimension, counted, format_apart, format_value, quoted};
+use loosepin_text::units::{Dimension, counted, format_apart, format_value, listed, quoted};
 
 problems! {
     /// Why a model cannot be compiled.
@@ -50,10 +50,34 @@ problems! {
             says("joint '{joint}' has friction, and what it carries is not determined: constraints of ideal joints \
                   repeat each other"),
             hint("remove what holds the mechanism twice, or the friction");
-        CannotClose { open: Opening } => Code::CannotClose,
-            says("the links cannot close at the start: {open} at best"),
-            hint("check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near \
-                  the true one");
+        CannotClose {
+            open: Opening,
+            at: Option<DrivePlace>,
+            /// Starting positions from which the loops were to be closed.
+            starts: usize,
+            /// Bodies with the angles, rad, at which each of them began, by [assembly] guess.
+            guesses: Vec<(String, f64)>,
+        } => Code::CannotClose,
+            says(
+                "the links cannot close at the start{}: {open} at best, from {} tried{}",
+                at_words(at.as_ref()),
+                counted(*starts, "position"),
+                guess_words(guesses)
+            ),
+            hint("{}", if guesses.is_empty() {
+                "check the lengths and the start angle; if the loop does close, give [assembly] guess an angle near the true one"
+            } else {
+                "check the lengths and the start angle; if the loop does close, a guess may lead away from it: correct it, or leave it out"
+            });
+        /// A line that closes only the other way round.
+        ClosesTurned { path: String, bodies: [String; 2] } => Code::CannotClose,
+            says(
+                "the links close at the start only with '{}' and '{}' turned by 180 deg against each other in {}",
+                bodies[0],
+                bodies[1],
+                describe_path(path)
+            ),
+            hint("its line points the other way: change the angle of its guide or slider by 180 deg");
         CannotCloseAsGiven { open: Opening } => Code::StartNotPossible,
             says("the links cannot close at the start that [initial] gives: {open} at best"),
             hint("leave out what follows from the other values under [initial]");
@@ -74,6 +98,10 @@ problems! {
         StartNotNeeded => Code::StartNotPossible,
             says("the drives determine the motion; the initial state under [initial] has nothing to say"),
             hint("remove [initial], or a drive");
+        /// A velocity or rest in the bearing where forces move the mechanism.
+        OffsetOfFreeMotion { path: String } => Code::StartNotPossible,
+            says("{} can be given only where the drives determine the motion", describe_path(path)),
+            hint("give the offset alone, or add a drive");
         PitchCirclesApart {
             path: String,
             /// Between the centres.
@@ -138,6 +166,35 @@ fn undetermined_words(bodies: &[String]) -> String {
         [one] => format!("the motion of '{one}' is"),
         many => format!("the motions of {} are", quoted(many)),
     }
+}
+
+/// Where a drive is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrivePlace {
+    /// Name of the drive.
+    pub drive: String,
+    /// Its position, m, or angle, rad.
+    pub position_si: f64,
+    /// The dimension of that.
+    pub dimension: Dimension,
+}
+
+/// The guessed angles, behind the positions that were tried.
+fn guess_words(guesses: &[(String, f64)]) -> String {
+    let words =
+        |(body, angle_rad): &(String, f64)| format!("'{body}' at {}", format_value(*angle_rad, Dimension::ANGLE));
+    match guesses {
+        [] => String::new(),
+        _ => format!(", all with {} as guessed", listed(&guesses.iter().map(words).collect::<Vec<_>>(), "and")),
+    }
+}
+
+/// Where the drive is, behind an instant; nothing where that is not known.
+fn at_words(at: Option<&DrivePlace>) -> String {
+    let Some(DrivePlace { drive, position_si, dimension }) = at else { return String::new() };
+    let in_turn =
+        if *dimension == Dimension::ANGLE { position_si.rem_euclid(std::f64::consts::TAU) } else { *position_si };
+    format!(", drive '{drive}' at {}", format_value(in_turn, *dimension))
 }
 
 problems! {
@@ -228,8 +285,8 @@ problems! {
                 (1000.0 * length_ratio).round() / 1000.0
             ),
             hint("take the film \"finite-length\" or \"pinkus-sternlicht\" for so long a bearing");
-        CannotClose { open: Opening, time_s: f64 } => Code::CannotClose,
-            says("the links cannot close at {}: {open}", format_value(*time_s, Dimension::TIME)),
+        CannotClose { open: Opening, time_s: f64, at: Option<DrivePlace> } => Code::CannotClose,
+            says("the links cannot close at {}{}: {open}", format_value(*time_s, Dimension::TIME), at_words(at.as_ref())),
             hint("the lengths do not allow the whole turn; check them, or drive another joint");
         StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,
             says("{}", {
@@ -237,17 +294,25 @@ problems! {
                 format!("{} is {given}; the links and what else is given make it {found}", describe_path(path))
             }),
             hint("leave it out: it follows from the others; or change those");
+        /// A journal that starts outside of its play.
+        OffsetBeyondPlay { path: String, offset_m: f64, clearance_m: f64 } => Code::StartNotPossible,
+            says("{}", {
+                let [offset, clearance] = format_apart([*offset_m, *clearance_m], Dimension::LENGTH);
+                format!("{} is {offset} long; must be at most the radial clearance of {clearance}", describe_path(path))
+            }),
+            hint("a journal that touches its bearing has an offset as long as the clearance; start = \"resting\" puts it there");
         DriveWithoutValue { drive: String, time_s: f64 } => Code::RunNotFinite,
             says(
                 "at {} the motion of drive '{drive}' is not a finite number, or its speed or acceleration is not",
                 format_value(*time_s, Dimension::TIME)
             ),
             hint("its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside");
-        Singular { time_s: f64 } => Code::SingularPosition,
+        Singular { time_s: f64, at: Option<DrivePlace> } => Code::SingularPosition,
             says(
-                "singular position at {}: the drives no longer determine the motion",
-                format_value(*time_s, Dimension::TIME)
+                "singular position at {}{}: the drives no longer determine the motion",
+                format_value(*time_s, Dimension::TIME),
+                at_words(at.as_ref())
             ),
-            hint("drive another joint, or stay away from this position");
+            hint("two ways of assembling the links meet there: change a length, keep the drive away from this position, or drive another joint");
     }
 }

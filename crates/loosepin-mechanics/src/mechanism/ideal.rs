@@ -3,7 +3,8 @@
 use super::compile::Mechanism;
 use super::constraints::{self, Opening};
 use super::drive::{Drives, TimeDual, room};
-use super::error::SampleError;
+use super::drive_place::drive_place;
+use super::error::{DrivePlace, SampleError};
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
@@ -252,7 +253,7 @@ impl<'a> IdealMotion<'a> {
             if n < tree.constraint_rows() {
                 self.rows = independent_rows(tree, &self.jacobian, n, self.mechanism.size_m);
                 if self.rows.len() < n {
-                    return Err(SampleError::Singular { time_s });
+                    return Err(SampleError::Singular { time_s, at: self.drive_place() });
                 }
             }
             let worst = self.residuals.iter().fold(0.0_f64, |w, r| w.max(r.abs()));
@@ -282,7 +283,7 @@ impl<'a> IdealMotion<'a> {
         // Pivots of lengths and of angles differ by the size of the mechanism too: without dimension they tell.
         let is_singular = || eliminate_free(tree, &self.jacobian, self.mechanism.size_m).rank() < n;
         if !(self.pivot_ratio > SINGULAR_PIVOT_RATIO) && is_singular() {
-            return Err(SampleError::Singular { time_s: self.time_s });
+            return Err(SampleError::Singular { time_s: self.time_s, at: self.drive_place() });
         }
         Ok(())
     }
@@ -325,7 +326,11 @@ impl<'a> IdealMotion<'a> {
 
     fn cannot_close(&self) -> SampleError {
         let open = Opening::worst(&self.mechanism.model, &self.mechanism.ideal, &self.residuals);
-        SampleError::CannotClose { open, time_s: self.time_s }
+        SampleError::CannotClose { open, time_s: self.time_s, at: self.drive_place() }
+    }
+
+    fn drive_place(&self) -> Option<DrivePlace> {
+        drive_place(&self.mechanism.model, &self.mechanism.ideal, &self.coordinates)
     }
 }
 

@@ -19,6 +19,7 @@ impl<T: Real> Numbers<T> for Sample<T> {
             controls: Numbers::<T>::broadcast(&plain.controls),
             references: Numbers::<T>::broadcast(&plain.references),
             initial: plain.initial.clone(),
+            offsets: plain.offsets.clone(),
             sections: plain.sections.clone(),
         }
     }

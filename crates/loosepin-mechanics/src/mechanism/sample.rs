@@ -13,6 +13,7 @@ use super::geometry::Geometry;
 use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
+use super::offset::{StartOffset, start_offsets};
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
@@ -112,6 +113,8 @@ pub struct Sample<T> {
     pub references: Drives<T>,
     /// The given numbers of the initial state, in the order of the model.
     pub initial: Vec<f64>,
+    /// Places of journals in their bearings at the start, in the order of the model.
+    pub offsets: Vec<StartOffset>,
     /// Links whose stress is an output, in the order of [`Mechanism::stressed`].
     pub sections: Vec<SectionNumbers>,
 }
@@ -186,6 +189,7 @@ impl<T: Real> Sample<T> {
             controls: model.controls.iter().map(|control| ControlGeometry::new(model, control, values)).collect(),
             references: Drives::broadcast(&Drives::of_controls(model, values)),
             initial: initial_numbers(model, values),
+            offsets: start_offsets(model, &mechanism.plays, values)?,
             sections: mechanism.stressed.iter().map(|stressed| SectionNumbers::new(model, stressed, values)).collect(),
         })
     }
@@ -210,7 +214,7 @@ impl Sample<f64> {
 impl<T: Real> Sample<T> {
     /// The sample for [`Mechanism::without_play`].
     pub fn without_play(self) -> Self {
-        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), ..self }
+        Self { real: self.ideal.clone(), plays: Vec::new(), contacts: Vec::new(), offsets: Vec::new(), ..self }
     }
 
     /// The numbers of the joint that the contact `contact` belongs to.

@@ -14,9 +14,14 @@ pub struct SpringGeometry<T> {
     pub elastic: ElasticNumbers<T>,
     /// Damping d, N s/m or N m s/rad.
     pub damping: T,
+    /// Length below which it has no direction although it pushes, m; zero for one that pulls with nothing at length zero.
+    pub shortest_m: T,
 }
 
-numbers!(struct SpringGeometry { arms_m, elastic, damping });
+numbers!(struct SpringGeometry { arms_m, elastic, damping, shortest_m });
+
+/// Share of the length over which the force changes by itself below which a spring counts as pressed to length zero.
+const SHORTEST_SHARE: f64 = 1e-6;
 
 /// Numbers of the elastic pull.
 #[derive(Debug, Clone)]
@@ -78,6 +83,22 @@ fn pieces(points: &[[f64; 2]], curve: TableCurve) -> Pieces<f64, 6> {
     Pieces::new(points.iter().map(|point| point[0]).collect(), numbers)
 }
 
+/// Length below which a spring along a line has no direction, m: a share of its free length, or of the longest one of its table. Zero where it
+/// pulls with nothing at length zero: then its force goes through zero smoothly.
+fn shortest_m(elasticity: &Elasticity, values: &Values) -> f64 {
+    let pulls = SpringGeometry::<f64> {
+        arms_m: [Vec2::zero(); 2],
+        elastic: ElasticNumbers::new(elasticity, values),
+        damping: 0.0,
+        shortest_m: 0.0,
+    };
+    let scale_m = match elasticity {
+        Elasticity::Linear { free, .. } => values[*free],
+        Elasticity::Table { points, .. } => points.iter().map(|point| values[point[0]].abs()).fold(0.0, f64::max),
+    };
+    if pulls.pull(0.0, 0.0) == 0.0 { 0.0 } else { SHORTEST_SHARE * scale_m }
+}
+
 impl<T: Real> SpringGeometry<T> {
     /// Lays out `values` for a spring of `model`.
     pub fn new(model: &Model, spring: &Spring, values: &Values) -> Self {
@@ -88,6 +109,10 @@ impl<T: Real> SpringGeometry<T> {
             },
             elastic: ElasticNumbers::new(&spring.elasticity, values),
             damping: spring.damping.map_or(T::zero(), |id| T::from_f64(values[id])),
+            shortest_m: T::from_f64(match spring.kind {
+                SpringKind::Linear { .. } => shortest_m(&spring.elasticity, values),
+                SpringKind::Torsional { .. } => 0.0,
+            }),
         }
     }
 

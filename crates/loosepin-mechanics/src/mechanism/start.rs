@@ -4,7 +4,6 @@ use super::compile::Mechanism;
 use super::constraints::Opening;
 use super::drive::Drives;
 use super::error::SampleError;
-use super::ideal::IdealMotion;
 use super::initial::{StartEquations, conditions};
 use super::kinematics::Kinematics;
 use super::mobility::RANK_TOLERANCE;
@@ -21,14 +20,14 @@ const NEARLY_CLOSED: f64 = 1e-9;
 const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 
 impl Mechanism {
-    /// Coordinates and rates of the real tree at time zero: ideal positions and velocities of the sample, journals centred.
+    /// Coordinates and rates of the real tree at time zero: ideal positions and velocities of the sample, journals centred or at their
+    /// offsets. Journals that are to rest are centred.
     ///
     /// # Errors
     /// The sample cannot close, or does not fit the initial state.
     pub fn start(&self, sample: &Sample<f64>) -> Result<(Vec<f64>, Vec<f64>), SampleError> {
         if self.is_driven() {
-            let ideal = IdealMotion::new(self, &sample.ideal, &sample.drives)?;
-            return Ok(self.real_coordinates(ideal.kinematics(), &sample.real));
+            return self.start_at(sample, &sample.offsets);
         }
         Ok(self.real_coordinates(&initial_kinematics(self, sample)?, &sample.real))
     }
@@ -44,7 +43,8 @@ impl Mechanism {
 fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<Kinematics<f64>, SampleError> {
     let (model, tree) = (&mechanism.model, &mechanism.ideal);
     let (n, columns, loops) = (tree.free, tree.coordinates(), tree.constraint_rows());
-    let equations = StartEquations::new(model, tree, &sample.ideal, &sample.initial);
+    let geometry = &mechanism.displaced(&sample.ideal, &sample.offsets);
+    let equations = StartEquations::new(model, tree, geometry, &sample.initial);
     let mut kinematics = Kinematics::new(tree);
     let mut coordinates = mechanism.ideal_start.clone();
     let mut rates = vec![0.0; columns];
@@ -55,7 +55,7 @@ fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<Kin
     let tolerance = NEARLY_CLOSED * mechanism.size_m;
     let (mut polished, mut steps) = (false, 0);
     loop {
-        kinematics.set_positions(tree, &sample.ideal, &coordinates);
+        kinematics.set_positions(tree, geometry, &coordinates);
         equations.residuals(&kinematics, &mut residuals);
         equations.jacobian(&kinematics, &mut jacobian);
         let worst = residuals.iter().fold(0.0_f64, |worst, residual| worst.max(residual.abs()));
@@ -64,7 +64,7 @@ fn initial_kinematics(mechanism: &Mechanism, sample: &Sample<f64>) -> Result<Kin
                 break;
             }
             let open = Opening::worst(model, tree, &residuals[..loops]);
-            return Err(SampleError::CannotClose { open, time_s: 0.0 });
+            return Err(SampleError::CannotClose { open, time_s: 0.0, at: None });
         }
         polished = worst <= tolerance;
         steps += 1;
@@ -116,12 +116,12 @@ fn solved(gradients: &[f64], columns: usize, n: usize, right: impl Fn(usize) -> 
     let dependent = Elimination::new(&free, count, n, RANK_TOLERANCE).dependent_rows();
     let rows: Vec<usize> = (0..count).filter(|row| !dependent.contains(row)).collect();
     if rows.len() != n {
-        return Err(SampleError::Singular { time_s: 0.0 });
+        return Err(SampleError::Singular { time_s: 0.0, at: None });
     }
     let mut matrix: Vec<f64> = rows.iter().flat_map(|row| free[row * n..(row + 1) * n].iter().copied()).collect();
     let mut solution: Vec<f64> = rows.iter().map(|row| right(*row)).collect();
     if n > 0 && !(solve_square(&mut matrix, n, &mut solution) > SINGULAR_PIVOT_RATIO) {
-        return Err(SampleError::Singular { time_s: 0.0 });
+        return Err(SampleError::Singular { time_s: 0.0, at: None });
     }
     Ok(solution)
 }

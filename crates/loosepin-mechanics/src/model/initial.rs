@@ -17,6 +17,31 @@ pub struct InitialValue {
     pub number: InitialNumber,
 }
 
+/// Where the journal of a joint with play is in its bearing at time zero; centred where nothing is given.
+#[derive(Debug, Clone)]
+pub struct InitialOffset {
+    /// Path of its table.
+    pub path: String,
+    /// The joint.
+    pub joint: JointId,
+    /// Where.
+    pub place: OffsetPlace,
+}
+
+/// What is said of the place of a journal in its bearing.
+#[derive(Debug, Clone, Copy)]
+pub enum OffsetPlace {
+    /// Its centre from that of the bearing, along the axes of the ground, m, and the rate of that, m/s; zero where left out.
+    Given {
+        /// Components of the offset.
+        offset_m: Option<[QuantityId; 2]>,
+        /// Components of its rate.
+        velocity_m_s: Option<[QuantityId; 2]>,
+    },
+    /// Against the side on which the forces at the start press it.
+    Resting,
+}
+
 /// Where a number of the initial state comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InitialNumber {

@@ -84,6 +84,7 @@ impl Model {
         let mut model = self.clone();
         let changed = &mut model.contacts[contact.0];
         (changed.law, changed.damping, changed.stiffness) = (law, damping, stiffness);
+        changed.is_law_named = true;
         Ok(model)
     }
 }

@@ -41,7 +41,7 @@ pub use cycle_input::CycleInput;
 pub use drive::{Drive, DriveLaw};
 pub use function::Function;
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
-pub use initial::{InitialNumber, InitialOf, InitialValue};
+pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
 pub use load::{Course, Load, LoadKind};

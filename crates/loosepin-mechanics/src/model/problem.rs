@@ -282,6 +282,9 @@ problems! {
         WrongCoordinate { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: '{key}' does not fit this kind of joint"),
             hint("a revolute joint has angle and angular_velocity, a prismatic one position and velocity");
+        OffsetWithoutPlay { entry: String, key: &'static str, joint: String } => Code::ConflictingKeys,
+            says("{entry}: '{key}' is of a journal in its bearing; joint '{joint}' is no revolute joint with a clearance"),
+            hint("give it a radial_clearance, or remove the key");
         GuessOfGround => Code::UnknownReference,
             says("assembly: the ground does not move; its angle cannot be guessed");
         WrongUnit { entry: String, unit: String, due: Dimension } => Code::WrongDimension,

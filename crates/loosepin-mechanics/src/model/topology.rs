@@ -6,7 +6,7 @@ use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
 use super::ids::{BodyId, ContactId, PointId};
-use super::initial::InitialValue;
+use super::initial::{InitialOffset, InitialValue};
 use super::load::Load;
 use super::output::Output;
 use super::quantity::{QuantityId, QuantityTable};
@@ -59,6 +59,8 @@ pub struct Model {
     pub guesses: Vec<Guess>,
     /// The initial state of what the drives do not move alone.
     pub initial: Vec<InitialValue>,
+    /// Places of journals in their bearings at time zero, in file order.
+    pub initial_offsets: Vec<InitialOffset>,
     /// The part of the motion that is run and recorded.
     pub cycle: Cycle,
     /// For how long wear is stated; none where no joint wears.
@@ -327,6 +329,8 @@ pub struct Contact {
     pub name: String,
     /// Normal force law.
     pub law: NormalDescription,
+    /// Whether the file names it.
+    pub is_law_named: bool,
     /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
     /// linear law.
     pub damping: Option<&'static PointLaw>,

@@ -1,8 +1,9 @@
 //! What makes the numbers of two studies less comparable.
 
 use super::sides::in_both;
+use crate::force_words::ForcesOf;
 use crate::number::NumberWriter;
-use loosepin_result::study::StudyResult;
+use loosepin_result::study::{JointImpacts, StudyResult};
 use loosepin_text::units::SiUnit;
 
 /// The warnings, in sentences.
@@ -26,6 +27,9 @@ pub fn warnings(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<String> {
     differ("Other cycle, turns of start-up", cycles.map(|cycle| turns(cycle.transient_turns)));
     differ("Other cycle, recorded turns", cycles.map(|cycle| turns(cycle.recorded_turns)));
     let tolerance = |tolerance_m: f64| writer.value_shortest(tolerance_m, &SiUnit::LENGTH);
+    for (joint, laws) in laws_of_both(pair, writer) {
+        differ(&format!("Other contact law in {joint}"), laws);
+    }
     differ("Other tolerance of the integration", cycles.map(|cycle| tolerance(cycle.tolerance_m)));
     differ("Other integration method", cycles.map(|cycle| cycle.method.clone()));
     let sampling = |result: &StudyResult| format!("{} × {} runs", result.counts.outer, result.counts.inner);
@@ -36,4 +40,16 @@ pub fn warnings(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<String> {
         found.insert(0, "Both studies have the same inputs.".to_owned());
     }
     found
+}
+
+/// The laws of every joint with play that both have, in words.
+fn laws_of_both(pair: [&StudyResult; 2], writer: &NumberWriter) -> Vec<(String, [String; 2])> {
+    let words = |joint: &JointImpacts| ForcesOf::study(joint).laws(writer).join(", ");
+    let of_both = pair[0].impacts.iter().filter_map(|joint| {
+        let other = pair[1].impacts.iter().find(|other| other.joint == joint.joint)?;
+        let laws = [words(joint), words(other)];
+        // Records of older versions do not name them.
+        laws.iter().all(|laws| !laws.is_empty()).then(|| (joint.joint.clone(), laws))
+    });
+    of_both.collect()
 }

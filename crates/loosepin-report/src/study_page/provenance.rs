@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use crate::answer::{turn_word, turns};
+use crate::force_words::ForcesOf;
 use crate::glossary::glossary;
 use crate::number::{NumberWriter, Rounding};
 use crate::page::{cards, facts};
@@ -59,6 +60,10 @@ fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
     )];
     let share = writer.percent(joint.largest_penetration_share, Rounding::Up);
     rows.push(("Largest penetration".to_owned(), html! { (share) " of the clearance of its run" }));
+    let laws = ForcesOf::study(joint).laws(writer);
+    if !laws.is_empty() {
+        rows.push(("Contact law".to_owned(), html! { (listed(&laws)) }));
+    }
     rows.push(("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }));
     if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
         rows.push((

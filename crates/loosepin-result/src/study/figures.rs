@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bound::{NumericalError, ResponsePoint, Witness};
 use super::deviation::Deviation;
+use crate::contact_basis::ContactBasis;
 use loosepin_terms::Treatment;
 use loosepin_text::units::{SiUnit, extended};
 
@@ -262,11 +263,23 @@ pub struct HistogramBin {
     pub count: u64,
 }
 
+/// A contact law of the runs of a study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudiedLaw {
+    /// Its name.
+    pub law: String,
+    /// What its force rests on, at the nominal values.
+    pub basis: ContactBasis,
+}
+
 /// Impacts in one clearance joint over all runs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointImpacts {
     /// Name of the joint.
     pub joint: String,
+    /// The contact laws of the runs, one where the study has no list of them; none in records of older versions.
+    #[serde(default)]
+    pub laws: Vec<StudiedLaw>,
     /// Impacts per turn: smallest, median and largest over the runs.
     #[serde(with = "extended")]
     pub impacts_per_turn: [f64; 3],

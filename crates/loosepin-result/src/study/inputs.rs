@@ -134,6 +134,9 @@ pub struct OutputDescription {
     /// Which part of the error of which point it is; nothing where it is a number that can be read off the mechanism.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub path: Option<PathOutput>,
+    /// The joint with play whose force it is; absent, and not written, for any other output.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_force_in: Option<String>,
 }
 
 /// A part of the error of a point from its ideal path.

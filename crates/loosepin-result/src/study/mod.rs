@@ -30,7 +30,7 @@ pub use deviation::Deviation;
 pub use draft::{Draft, DraftCurve};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
-    SimultaneousCurve, TreatmentBand, TreatmentComparison, TreatmentEnd, ValueBand,
+    SimultaneousCurve, StudiedLaw, TreatmentBand, TreatmentComparison, TreatmentEnd, ValueBand,
 };
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,

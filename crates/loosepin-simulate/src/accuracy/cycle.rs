@@ -112,7 +112,7 @@ impl Walk<'_> {
     fn last_reachable<'a>(&self, mut reached: IdealMotion<'a>, beyond_s: f64) -> (IdealMotion<'a>, SampleError) {
         let mut beyond_s = beyond_s;
         let side = is_positive(self.mechanism, &reached);
-        let mut error = SampleError::Singular { time_s: beyond_s };
+        let mut error = SampleError::Singular { time_s: beyond_s, at: None };
         while (beyond_s - reached.time_s()).abs() > LOCATED_TURNS * self.input.turn_s() {
             let middle_s = 0.5 * (reached.time_s() + beyond_s);
             if middle_s == reached.time_s() || middle_s == beyond_s {

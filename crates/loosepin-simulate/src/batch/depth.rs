@@ -7,12 +7,13 @@ use crate::lane::LaneRun;
 use crate::memory::LaneLayout;
 use crate::pass::{LARGEST_RESIDUAL, step_in_time};
 use crate::reads::ReadLayout;
+use loosepin_mechanics::dynamics::WithoutValue;
 use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape, is_front_corner};
 
 impl Batch<'_> {
-    /// The drive, load or control whose expression has no value where the step at hand of a lane begins, or where it would end if all
+    /// The drive, spring, load or control that has no value where the step at hand of a lane begins, or where it would end if all
     /// bodies went straight on.
-    pub(super) fn element_without_value(&mut self, lane: usize) -> Option<String> {
+    pub(super) fn element_without_value(&mut self, lane: usize) -> Option<WithoutValue> {
         let run = self.runs[lane].as_ref()?;
         self.viewed = run.number;
         self.view.dynamics.sample_mut().clone_from(&run.sample);
@@ -28,8 +29,8 @@ impl Batch<'_> {
                 self.view_state[k] += ahead_s * self.view_state[n + k];
             }
             self.view.evaluate(time_s + ahead_s, &self.view_state);
-            if let Some(path) = self.view.dynamics.element_without_value() {
-                return Some(path);
+            if let Some(lost) = self.view.dynamics.element_without_value() {
+                return Some(lost);
             }
         }
         None

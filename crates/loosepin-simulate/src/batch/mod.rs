@@ -30,6 +30,7 @@ use crate::pass::{shrinkage, smallest_step_s, step_in_time};
 use crate::projection::Projection;
 use crate::reads::ReadLayout;
 use crate::report::{Counters, FrictionPath, PlaySummary, RunReport, smallest_exchange_j};
+use crate::resting;
 use crate::settings::{Settings, Window};
 use crate::settle::settle;
 use loosepin_mechanics::dynamics::PlayState;
@@ -247,7 +248,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or where it goes on.
+    /// Starts `run` in `lane`, at its ideal position and velocities with journals centred or at their offsets, or where it goes on.
     fn start(&mut self, lane: usize, run: Run<Seat>, queue: &mut dyn Seated) {
         let Run { mut sample, arms, window, observer, followed, resume } = run;
         let n = self.mechanism.real.free;
@@ -260,9 +261,9 @@ impl<'a> Batch<'a> {
                 state.copy_from_slice(&resume.state);
             }
             None => {
-                let (coordinates, rates) = match self.mechanism.start(&sample) {
+                let (coordinates, rates) = match resting::start(self.mechanism, &sample) {
                     Ok(start) => start,
-                    Err(error) => return queue.finished(observer, Err(error.into())),
+                    Err(failure) => return queue.finished(observer, Err(failure)),
                 };
                 state.fill(0.0);
                 state[..n].copy_from_slice(&coordinates[..n]);
@@ -508,9 +509,9 @@ impl<'a> Batch<'a> {
         {
             jams
         } else if next_s < smallest_s
-            && let Some(path) = self.element_without_value(lane)
+            && let Some(lost) = self.element_without_value(lane)
         {
-            RunFailure::NotFinite { time_s, element: Some(path) }
+            RunFailure::without_value(time_s, Some(lost))
         } else if next_s < smallest_s && error.is_finite() {
             RunFailure::StepTooSmall { time_s, step_s: next_s, smallest_s }
         } else if next_s < smallest_s {

@@ -4,11 +4,12 @@ use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
 use crate::outputs::Seen;
-use loosepin_mechanics::model::{QuantityId, QuantityTable};
+use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription, PathOutput,
 };
+use loosepin_simulate::Reading;
 use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, SiUnit, format_number};
 use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
@@ -144,6 +145,13 @@ pub fn cycle(material: &Material<'_>) -> CycleDescription {
     }
 }
 
+/// Name of a joint whose force is that of a contact.
+fn contact_of(material: &Material<'_>, joint: JointId) -> Option<String> {
+    let mechanism = material.response.mechanism();
+    let has_play = mechanism.plays.contains(&PlayId::Joint(joint));
+    has_play.then(|| mechanism.model.joints[joint.0].name.clone())
+}
+
 /// The outputs that were asked about.
 pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
     let shared = &material.response.shared;
@@ -163,6 +171,10 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
                     Some(PathOutput { point: point.to_owned(), part })
                 }
                 Seen::Reading(_) | Seen::Wear(..) => None,
+            },
+            contact_force_in: match output.seen {
+                Seen::Reading(Reading::Force(joint, _)) => contact_of(material, joint),
+                Seen::Reading(_) | Seen::Path(..) | Seen::Wear(..) => None,
             },
         })
         .collect()

@@ -30,6 +30,7 @@ mod resolution;
 mod specimen;
 mod specimen_problem;
 mod surrogate;
+mod tails;
 mod target;
 mod tolerance;
 mod words;
@@ -258,6 +259,11 @@ fn read(
     if !file.reader.complaints.has_errors() {
         file.check_tolerance(&root, sampling.tolerance_m);
         file.check_scatter(&root);
+        file.warn_of_tails(&root);
+        // Where samples grow, or a surrogate takes their place, `inner` does not say how many there will be.
+        if accuracy.is_empty() && surrogate.is_none() {
+            file.warn_of_quantiles(&root, &asks, &sampling);
+        }
     }
     if file.reader.complaints.has_errors() {
         return Err(file.reader.complaints);

@@ -4,7 +4,7 @@ use super::keys::MOST_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};
-use loosepin_text::units::{Dimension, format_value};
+use loosepin_text::units::{Dimension, format_number, format_value};
 use loosepin_uncertainty::DistributionError;
 
 problems! {
@@ -143,6 +143,18 @@ problems! {
             says("'{path}' is impossible with a probability of {share_percent} %; at most {most_percent} % are \
                   accepted: {error}"),
             hint("choose a distribution that stays in the range: truncated_normal, lognormal or beta");
+        /// A distribution a little of which is impossible.
+        ImpossibleTail { path: String, probability: f64, error: QuantityError } => Code::ImpossibleShare,
+            says("'{path}' is impossible with a probability of {:.1e}, and such runs fail: {error}", probability),
+            hint("choose a distribution that stays in the range: truncated_normal, lognormal or beta");
+        /// A quantile that the samples do not reach.
+        QuantileBeyondSamples { percent: f64, inner: usize, needed: u64 } => Code::AskNotPossible,
+            says(
+                "the {} % quantile is asked for, and of inner = {inner} samples {} lie beyond it on average: its bound will be too narrow",
+                format_number(*percent),
+                format_number((*inner as f64 * percent.min(100.0 - percent)).round() / 100.0)
+            ),
+            hint("inner = {needed} bounds it from both sides; a probability_above of a limit that matters needs fewer");
         /// An output that the model does not have.
         UnknownOutput { entry: String, name: String, nearest: Option<String>, known: Vec<String> } =>
             Code::UnknownReference,

@@ -296,6 +296,13 @@ impl StudyReader {
             let [lower, upper] = format_apart([lower, upper], dimension);
             return self.refused(&RandomProblem::NoRoom { entry: entry.path.describe(), lower, upper }, entry.span);
         }
+        for limit_si in [lower, upper] {
+            // Limits are what parts may be: no probability excuses an impossible one.
+            if let Err(error) = self.model.quantities.evaluate(&[(quantity, limit_si)]) {
+                let (path, end) = (self.model.quantities[quantity].path.clone(), format_value(limit_si, dimension));
+                return self.refused(&StudyProblem::ImpossibleEnd { path, end, error }, entry.span);
+            }
+        }
         let [cp_value, cpk_value] = [&cp, &cpk].map(|read| read.as_ref().and_then(|(value, _)| *value));
         let (capability, words) = match (cp, cpk) {
             (None, None) => (1.0, "limits taken as 3 standard deviations from a centred mean".to_owned()),

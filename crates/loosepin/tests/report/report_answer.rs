@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use loosepin::accuracy::record::GuideOverhang;
 use loosepin::report::{motion_page, motion_text, simulation_text, study_page, study_text};
+use loosepin::result::ContactShape;
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
     AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, Guarantee, InputDescription, InputKind,
@@ -212,11 +213,55 @@ fn analytic_a_quantile_that_is_not_known_names_the_number_of_mechanisms_that_it_
 #[test]
 fn parts_that_pass_through_each_other_are_told() {
     let mut result = worn_pin();
+    result.impacts[0].largest_penetration_share = 0.1;
     assert!(!study_text(&result).contains("penetrate"));
+    result.impacts[0].largest_penetration_share = 0.143;
+    assert_says(
+        &result,
+        "In gudgeon the parts penetrate each other by up to 14.3 % of the clearance, more than a tenth. Contact laws suppose a patch \
+         that is small beside the pin, so force and deviation depend on the law: compare another one.",
+    );
+    result.impacts[0].laws[0].basis.shape = ContactShape::Given;
+    assert_says(&result, "more than a tenth: force and deviation depend on the stiffness that is given.");
     result.impacts[0].largest_penetration_share = 1.3;
     assert_says(
         &result,
         "In gudgeon the parts penetrate each other by up to 130 % of the clearance: the contact law does not hold.",
+    );
+}
+
+/// The law stands beside a force that is asked about, and contacts below the least impact speed are told.
+#[test]
+fn the_law_of_a_force_stands_beside_it() {
+    let mut result = worn_pin();
+    let law = "Contact forces in gudgeon are those of lankarani-nikravesh (point contact, no length of the bearing enters). The stated \
+               restitution of 0.7 to 0.9 acts as 0.796 to 0.9132 in a free impact; valid for impacts up to 0.052 m/s (98.1 % are faster).";
+    assert!(!one_line(&study_text(&result)).contains(law));
+    result.outputs[0].contact_force_in = Some("gudgeon".to_owned());
+    assert_says(&result, law);
+    result.impacts[0].laws[0].basis.is_law_named = false;
+    assert_says(&result, "those of lankarani-nikravesh by default (point contact");
+    let mut other = result.impacts[0].laws[0].clone();
+    (other.law, other.basis.shape) = ("johnson".to_owned(), ContactShape::Line { length_m: 0.02 });
+    other.basis.largest_valid_penetration_m = Some(2.7066e-4);
+    result.impacts[0].laws.push(other);
+    assert_says(&result, "no length of the bearing enters) and johnson by default (line contact over 20 mm).");
+    assert_says(&result, "(98.1 % are faster) and penetrations up to 0.27 mm.");
+    // Records of older versions name no law.
+    result.impacts[0].laws.clear();
+    assert!(!one_line(&study_text(&result)).contains("Contact forces in"));
+}
+
+#[test]
+fn contacts_below_a_raised_least_impact_speed_are_told() {
+    let mut result = worn_pin();
+    result.impacts[0].impacts_per_turn = [0.0; 3];
+    assert!(!one_line(&study_text(&result)).contains("least impact speed"));
+    result.impacts[0].laws[0].basis.minimum_impact_speed_m_s = Some(10.0);
+    assert_says(
+        &result,
+        "In gudgeon no contact began faster than the least impact speed of 10 m/s: all are computed as impacts at that speed, which lose \
+         less energy, and none is counted. Lower minimum_impact_speed.",
     );
 }
 

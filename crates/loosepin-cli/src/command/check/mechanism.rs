@@ -5,8 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, Joint, JointId, JointKind, JointWear, Model,
-    Origin, OutputKind, PlayId, PointId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, Joint, JointId, JointKind,
+    JointWear, Model, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -14,6 +14,7 @@ use loosepin::units::{Dimension, format_number, format_value, listed};
 
 use super::beams::push_beams;
 use super::elements::push_elements;
+use super::force_law::{joints_of_forces, push_force_laws};
 use super::law_words::law_words;
 use super::trial::Trial;
 use crate::console::counted;
@@ -36,6 +37,7 @@ pub fn words(mechanism: &Mechanism, values: &Values, tried: &Trial) -> String {
     push_mobility(&mut text, mechanism);
     push_start(&mut text, mechanism, values, tried);
     push_cycle(&mut text, mechanism, tried);
+    push_force_laws(&mut text, model, values, joints_of_forces(model), &[]);
     text
 }
 
@@ -220,7 +222,8 @@ fn contact_lines(
         return vec!["no contact is named".to_owned()];
     }
     let mut lines = Vec::new();
-    let mut law = format!("contact '{}': {}", contact.name, contact.law.name());
+    let default = if contact.is_law_named { "" } else { " by default" };
+    let mut law = format!("contact '{}': {}{default}", contact.name, contact.law.name());
     if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
         law.push_str(&format!(", energy loss of {}", damping.name));
     }
@@ -388,12 +391,28 @@ fn push_mobility(text: &mut String, mechanism: &Mechanism) {
     }
 }
 
+/// Which journals a run starts elsewhere, behind the words for centred ones.
+fn offset_words(model: &Model, values: &Values) -> String {
+    let words = |own: &InitialOffset| {
+        let name = &model.joints[own.joint.0].name;
+        match own.place {
+            OffsetPlace::Resting => format!("'{name}', which a run starts resting"),
+            OffsetPlace::Given { offset_m, .. } => {
+                let [x, y] = offset_m.map_or([0.0; 2], |ids| ids.map(|id| values[id]));
+                format!("'{name}', which a run starts {} off", format_value(x.hypot(y), Dimension::LENGTH))
+            }
+        }
+    };
+    let all: Vec<String> = model.initial_offsets.iter().map(words).collect();
+    if all.is_empty() { String::new() } else { format!(", also {}", listed(&all, "and")) }
+}
+
 fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: &Trial) {
     let model = &mechanism.model;
     let drives = (0..model.drives.len()).map(|index| start_of_drive(mechanism, DriveId(index), values));
     let given = (!mechanism.is_driven()).then(|| "as given under [initial]".to_owned());
     let starts: Vec<String> = drives.chain(given).collect();
-    let _ = writeln!(text, "\nStart, {}, journals centred", listed(&starts, "and"));
+    let _ = writeln!(text, "\nStart, {}, journals centred{}", listed(&starts, "and"), offset_words(model, values));
     let width = model.bodies[1..].iter().map(|body| body.name.chars().count()).max().unwrap_or(0);
     for (body, start) in model.bodies.iter().zip(&tried.start).skip(1) {
         let points: Vec<String> = body

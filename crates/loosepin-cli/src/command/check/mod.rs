@@ -3,6 +3,7 @@
 mod beams;
 mod bending;
 mod elements;
+mod force_law;
 mod law_words;
 mod mechanism;
 mod study;
@@ -69,7 +70,7 @@ fn describe_input(file: InputFile, seen: &mut HashSet<String>) -> Result<String,
                 model.demand_dynamics()?;
             }
             let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
-            study::words(&study, &tried)
+            study::words(&study, &values, &tried)
         }
     }
 }

@@ -2,14 +2,16 @@
 
 use std::fmt::Write;
 
-use loosepin::model::{QuantityError, QuantityId, Values};
+use loosepin::model::{ContactId, JointId, QuantityError, QuantityId, Values};
+use loosepin::simulate::Reading;
 use loosepin::study::{
-    Budget, CorrelationMeasure, Foreseen, ForeseenPromise, Study, StudyError, default_threads, distribution_words,
-    foresee,
+    Budget, CorrelationMeasure, EpistemicSubject, Foreseen, ForeseenPromise, Seen, Study, StudyError, default_threads,
+    distribution_words, foresee,
 };
 use loosepin::uncertainty::EpistemicVariable;
 use loosepin::units::{Dimension, format_number, format_value};
 
+use super::force_law::push_force_laws;
 use super::mechanism::missing_words;
 use super::trial::Trial;
 use crate::console::{counted, duration};
@@ -32,7 +34,7 @@ pub fn middle_values(study: &Study) -> Result<Values, Failure> {
 ///
 /// # Errors
 /// The study cannot be planned, or its nominal run fails.
-pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
+pub fn words(study: &Study, values: &Values, tried: &Trial) -> Result<String, Failure> {
     let mut text = format!("{}\n\nof {}: {}\n", study.name, study.model_path.display(), study.model.name);
     push_inputs(&mut text, study);
     let _ = writeln!(
@@ -50,6 +52,7 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         let _ = writeln!(text, "{readings} for identify; loosepin study needs a question");
         return Ok(text);
     }
+    push_force_laws(&mut text, &study.model, values, joints_of_forces(study), &listed_laws(study));
     let Foreseen { most_runs, run_s, promise } = foresee(study).map_err(|error| match error {
         StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
         error => error.complaint(study),
@@ -81,6 +84,25 @@ pub fn words(study: &Study, tried: &Trial) -> Result<String, Failure> {
         None => writeln!(text, "At most {runs}{before}; a short trial does not tell how long they take"),
     };
     Ok(text)
+}
+
+/// The joints whose force is asked about or limited.
+fn joints_of_forces(study: &Study) -> impl Iterator<Item = JointId> {
+    let asked = study.asks.iter().map(|ask| ask.output);
+    let required = study.requirements.iter().map(|requirement| requirement.output);
+    asked.chain(required).filter_map(|output| match study.outputs[output].seen {
+        Seen::Reading(Reading::Force(joint, _)) => Some(joint),
+        _ => None,
+    })
+}
+
+/// The contacts whose law comes from a list.
+fn listed_laws(study: &Study) -> Vec<ContactId> {
+    let contact = |subject: &EpistemicSubject| match subject {
+        EpistemicSubject::Law { contact, .. } => Some(*contact),
+        _ => None,
+    };
+    study.epistemic.iter().filter_map(|input| contact(&input.subject)).collect()
 }
 
 /// What is promised, and what it costs.

@@ -187,7 +187,8 @@ pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
             "law",
             Kind::ChoiceOf(law_names),
             "\"lankarani-nikravesh\"",
-            "the normal force law; lankarani-nikravesh if left out",
+            "the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from \
+             materials, else lankarani-nikravesh",
         ),
         optional(
             "restitution",
@@ -285,7 +286,8 @@ static REVOLUTE_KEYS: Keys = Keys::new(
             "bearing_length",
             quantity(D::LENGTH, Rule::Positive),
             "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws and films of oil",
+            "length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the \
+             result says what a line-contact law would give",
         ),
         optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
         optional(
@@ -506,11 +508,24 @@ pub(in crate::model) static INITIAL_JOINT_KEYS: Keys = Keys::new(
         optional("angular_velocity", quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"", "rate of that"),
         optional("position", quantity(D::LENGTH, Rule::Finite), "\"5 mm\"", "position of the slider along the guide"),
         optional("velocity", quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"", "rate of that"),
+        optional(
+            "offset",
+            Kind::Vector,
+            "[\"0 mm\", \"-0.5 mm\"]",
+            "of a joint with play: centre of the journal from that of the bearing, along the axes of the ground; none if left out",
+        ),
+        optional("offset_velocity", Kind::Vector, "[\"0 m/s\", \"0.1 m/s\"]", "rate of the offset; none if left out"),
+        optional(
+            "start",
+            Kind::Choice(&["resting"]),
+            "\"resting\"",
+            "in place of an offset: the journal rests on the side on which the forces at the start press it",
+        ),
     ],
 );
 
 pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
-    "the state at time zero of a mechanism that its drives do not move alone",
+    "the state at time zero: of a mechanism that its drives do not move alone, and of journals in their bearings",
     &[
         optional(
             "body",

@@ -11,7 +11,7 @@ use crate::model::topology::{Contact, Friction, Lubrication, SlidingVelocity, St
 use loosepin_text::document::{Entry, Keys, Table};
 use loosepin_text::units::{Dimension, Rule};
 
-/// The law where the file names none: that of the source paper.
+/// The law where the file names none: that of the source paper. Long pins have another one (`default_law.rs`).
 pub(super) const DEFAULT_LAW: &str = "lankarani-nikravesh";
 /// v_min where the file gives none (our choice), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
@@ -64,6 +64,7 @@ impl ModelReader {
         Some(Contact {
             name: name.to_owned(),
             law: law?,
+            is_law_named: table.has("law"),
             damping: damping?,
             line_damping,
             restitution,

@@ -1,10 +1,12 @@
 //! Reading the initial state.
 
 use super::reader::ModelReader;
-use crate::model::ids::{Axis, BodyId};
-use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
+use crate::model::ids::{Axis, BodyId, JointId};
+use crate::model::initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 use crate::model::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
 use crate::model::problem::ModelProblem;
+use crate::model::quantity::QuantityId;
+use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -16,12 +18,15 @@ const COORDINATES: [(&str, bool, Dimension); 4] = [
     ("velocity", true, Dimension::VELOCITY),
 ];
 
+/// Keys of the place of a journal in its bearing.
+const OFFSET_KEYS: [&str; 3] = ["offset", "offset_velocity", "start"];
+
 impl ModelReader {
-    /// Reads the initial state.
-    pub fn read_initial(&mut self, entry: &Entry<'_>) -> Vec<InitialValue> {
-        let Some(table) = self.reader.table(entry, &INITIAL_KEYS) else { return Vec::new() };
+    /// Reads the initial state, and where journals are in their bearings.
+    pub fn read_initial(&mut self, entry: &Entry<'_>) -> (Vec<InitialValue>, Vec<InitialOffset>) {
+        let Some(table) = self.reader.table(entry, &INITIAL_KEYS) else { return Default::default() };
         self.remember(entry);
-        let mut values = Vec::new();
+        let (mut values, mut offsets) = (Vec::new(), Vec::new());
         if let Some(bodies) = table.get("body") {
             for entry in self.reader.any_keys(&bodies) {
                 self.initial_body(&entry, &mut values);
@@ -29,10 +34,10 @@ impl ModelReader {
         }
         if let Some(joints) = table.get("joint") {
             for entry in self.reader.any_keys(&joints) {
-                self.initial_joint(&entry, &mut values);
+                self.initial_joint(&entry, &mut values, &mut offsets);
             }
         }
-        values
+        (values, offsets)
     }
 
     fn initial_body(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
@@ -57,11 +62,12 @@ impl ModelReader {
         }
     }
 
-    fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
+    fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>, offsets: &mut Vec<InitialOffset>) {
         self.remember(entry);
         let table = self.reader.table(entry, &INITIAL_JOINT_KEYS);
         let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
         let (Some(table), Some(joint)) = (table, joint) else { return };
+        offsets.extend(self.initial_offset(&table, joint));
         let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
             let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
             self.reader.complain(&problem, entry.key_span);
@@ -76,6 +82,37 @@ impl ModelReader {
                 None => {}
             }
         }
+    }
+
+    /// Where the journal of `joint` is in its bearing; nothing where that is not said.
+    fn initial_offset(&mut self, table: &Table<'_>, joint: JointId) -> Option<InitialOffset> {
+        let key = OFFSET_KEYS.into_iter().find(|key| table.has(key))?;
+        let (entry, name) = (table.path.describe(), self.joints[joint.0].name.clone());
+        let span = table.get(key).map_or(table.span, |entry| entry.key_span);
+        if !matches!(self.joints[joint.0].kind, JointKind::Revolute { clearance: Some(_), .. }) {
+            return self.reader.refuse(&ModelProblem::OffsetWithoutPlay { entry, key, joint: name }, span);
+        }
+        let mut vector = |key: &str, dimension: Dimension| {
+            let written = table.get(key)?;
+            let pair = self.reader.pair(&written)?;
+            let parts = pair.into_iter().zip(["x", "y"]).map(|(mut element, axis)| {
+                element.path = written.path.join(axis);
+                self.quantity_of(&element, dimension, Rule::Finite)
+            });
+            let parts = parts.collect::<Option<Vec<QuantityId>>>()?;
+            <[QuantityId; 2]>::try_from(parts).ok()
+        };
+        let offset_m = vector("offset", Dimension::LENGTH);
+        let velocity_m_s = vector("offset_velocity", Dimension::VELOCITY);
+        let place = if table.has("start") {
+            for key in ["offset", "offset_velocity"] {
+                self.refuse_beside(table, key, "start");
+            }
+            self.choice_or(table, "start", &[("resting", OffsetPlace::Resting)], OffsetPlace::Resting)?
+        } else {
+            OffsetPlace::Given { offset_m, velocity_m_s }
+        };
+        Some(InitialOffset { path: table.path.dotted(), joint, place })
     }
 
     fn refuse_coordinate(&mut self, table: &Table<'_>, entry: &Entry<'_>, key: &'static str) {

@@ -58,6 +58,7 @@ impl ModelReader {
             friction: None,
             film: None,
             is_missing: true,
+            is_law_named: true,
         });
         Some(ContactId(self.contacts.len() - 1))
     }

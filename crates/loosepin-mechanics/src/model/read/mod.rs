@@ -7,6 +7,7 @@ mod contact;
 mod control;
 mod coupling;
 mod cycle;
+mod default_law;
 mod drive;
 mod function;
 mod guide;
@@ -119,14 +120,16 @@ impl ModelReader {
             }
         }
         let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
-        let initial = match root.get("initial") {
-            Some(entry) => self.read_initial(&entry),
-            None => self.initial_of_controls(),
-        };
+        let (mut initial, initial_offsets) =
+            root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
+        if root.get("initial").is_none() || (initial.is_empty() && !initial_offsets.is_empty()) {
+            initial = self.initial_of_controls();
+        }
         self.refuse_beside_beams();
         let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
         let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
         let wear = self.read_life(root, &outputs);
+        self.take_laws_of_long_pins(wear.as_ref());
         self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
         match cycle {
@@ -144,6 +147,7 @@ impl ModelReader {
                 controls: self.controls,
                 guesses,
                 initial,
+                initial_offsets,
                 cycle,
                 wear,
                 outputs,

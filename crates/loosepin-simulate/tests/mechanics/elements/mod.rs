@@ -13,6 +13,7 @@ mod lift_off;
 mod load_tables;
 mod loads;
 mod neighbours;
+mod offsets;
 mod power_balance;
 mod springs;
 mod tooth_forces;

@@ -2,6 +2,7 @@
 
 use super::{build, crank, file, report};
 use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_simulate::{Settings, Window, run};
 
 /// Residual of the energy account over the largest energy exchanged.
 const ACCOUNT: f64 = 1e-7;
@@ -203,4 +204,54 @@ fn identity_springs_by_tables() {
         let account = super::initial::simulated(&bent).report.energy.expect("it is integrated");
         assert!(account.relative_residual() < ACCOUNT && account.supplied_j == 0.0, "{curve}: {account:?}");
     }
+}
+
+/// A slider that runs against a compression spring which its own anchor lies behind: pressed to length zero it would push nowhere, and
+/// turn over beyond. A run ends there in words; a spring without a force at length zero goes through.
+#[test]
+fn a_spring_that_is_pressed_to_length_zero_ends_the_run_in_words() {
+    let sliding = |spring: &str| {
+        build(&format!(
+            r#"
+name = "slider against a spring"
+gravity = "0 m/s^2"
+[body.ground]
+points = {{ o = ["0 mm", "0 mm"], anchor = ["-30 mm", "0 mm"] }}
+[body.slider]
+mass = "0.7 kg"
+inertia = "1e-4 kg m^2"
+centre_of_mass = ["0 mm", "0 mm"]
+points = {{ pin = ["0 mm", "0 mm"] }}
+[joint.rail]
+kind = "prismatic"
+guide = {{ point = "ground.o", angle = "0 deg" }}
+slider = "slider.pin"
+[spring.coil]
+kind = "linear"
+first = "ground.anchor"
+second = "slider.pin"
+{spring}
+[initial.joint.rail]
+position = "0 mm"
+velocity = "-2 m/s"
+[cycle]
+duration = "40 ms"
+samples_per_turn = 40
+[output.slider]
+position_of = "slider.pin"
+along = "x"
+"#
+        ))
+    };
+    let outcome = |spring: &str| {
+        let built = sliding(spring);
+        let window = Window { start_s: 0.0, end_s: 0.04 };
+        run(&built.mechanism, &built.sample(), &window, &Settings::for_simulation(), &mut super::Nobody)
+    };
+    // ½ k L0² = 0.12 J of the 1.4 J that the slider has.
+    let failure = outcome("stiffness = \"150 N/m\"\nfree_length = \"40 mm\"").expect_err("it has no direction");
+    let text = failure.to_string();
+    assert!(text.ends_with("spring 'coil' is pressed to length zero: its force has no direction there"), "{text}");
+    assert_eq!(failure.code(), "spring_without_direction");
+    outcome("stiffness = \"150 N/m\"\nfree_length = \"0 mm\"").unwrap_or_else(|failure| panic!("{failure}"));
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use loosepin::result::{ContactBasis, ContactShape, LongPinForce};
 use loosepin::simulate::record::*;
 use loosepin::units::{DisplayUnits, SiUnit};
 
@@ -73,6 +74,19 @@ pub fn worn_pin() -> SimulationRecord {
             joint: "gudgeon".to_owned(),
             radial_clearance_m: CLEARANCE_M,
             law: "lankarani-nikravesh".to_owned(),
+            basis: Some(ContactBasis {
+                shape: ContactShape::Point { unused_length_m: None },
+                is_law_named: true,
+                minimum_impact_speed_m_s: Some(1e-3),
+                largest_valid_speed_m_s: Some(0.05152),
+                largest_valid_penetration_m: None,
+            }),
+            long_pin: Some(LongPinForce {
+                law: "johnson".to_owned(),
+                length_m: 0.02,
+                is_length_given: false,
+                force_n: Some(91_870.0),
+            }),
             contacts: impacts.len() as u64 + 3,
             impacts: impacts.len() as u64,
             impacts_per_turn: Some(impacts.len() as f64 / TURNS),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use loosepin::result::repeat::{InputRole, InputText, Repeat};
+use loosepin::result::{ContactBasis, ContactShape};
 use loosepin::study::result::*;
 use loosepin::study::runs::{RunColumn, RunData, RunsTable};
 use loosepin::units::{DisplayUnits, SiUnit};
@@ -129,6 +130,7 @@ pub fn worn_pin() -> StudyResult {
             words: "x of slider.pin".to_owned(),
             unit: SiUnit::LENGTH,
             path: None,
+            contact_force_in: None,
         }],
         counts: RunCounts {
             runs: 17_536,
@@ -183,6 +185,16 @@ pub fn worn_pin() -> StudyResult {
         witness_commands: Vec::new(),
         impacts: vec![JointImpacts {
             joint: "gudgeon".to_owned(),
+            laws: vec![StudiedLaw {
+                law: "lankarani-nikravesh".to_owned(),
+                basis: ContactBasis {
+                    shape: ContactShape::Point { unused_length_m: None },
+                    is_law_named: true,
+                    minimum_impact_speed_m_s: Some(1e-3),
+                    largest_valid_speed_m_s: Some(0.05152),
+                    largest_valid_penetration_m: None,
+                },
+            }],
             impacts_per_turn: [9.0, 13.0, 21.0],
             nominal_restitution: Some(RESTITUTION_RANGE),
             delivered_restitution: Some([0.7960, 0.9132]),

@@ -1,0 +1,76 @@
+//! Warns of what a distribution reaches with a small probability, and of quantiles that the samples do not reach.
+
+use super::description::{Ask, RandomInput, Sampling};
+use super::problem::StudyProblem;
+use super::reader::StudyReader;
+use loosepin_bounds::Statistic;
+use loosepin_mechanics::model::QuantityError;
+use loosepin_text::diagnostics::{Complaint, Place};
+use loosepin_text::document::Table;
+use loosepin_uncertainty::RandomVariable;
+
+/// Probability of impossible values below which nothing is said: a thousandth of a run among a thousand.
+const LEAST_TOLD: f64 = 1e-6;
+/// Bisections of the logarithm of a probability: to 1e-6 of it.
+const BISECTIONS: usize = 24;
+/// Confidence that is left of each end of a bound: n samples hold a quantile at p with pⁿ at most this.
+const BEYOND: f64 = 0.005;
+
+impl StudyReader {
+    /// Warns, at the input, of values that break a rule of the model although too seldom to be refused.
+    pub(super) fn warn_of_tails(&mut self, root: &Table<'_>) {
+        // Rows of a specimen were looked at whole.
+        if root.get("specimen").is_some() {
+            return;
+        }
+        let found: Vec<(String, StudyProblem)> =
+            self.random.iter().filter_map(|input| Some((input.path.clone(), self.impossible_tail(input)?))).collect();
+        for (path, problem) in found {
+            let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
+            let place = Place::new(&self.reader.source, span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+    }
+
+    /// The probability that the lower or upper tail of an input is impossible, all other values being those of the file.
+    fn impossible_tail(&self, input: &RandomInput) -> Option<StudyProblem> {
+        let quantities = &self.model.quantities;
+        let mut values = quantities.nominal();
+        let mut wrong = |value_si: f64| quantities.evaluate_into(&[(input.quantity, value_si)], &mut values).err();
+        let tails: [fn(&RandomVariable, f64) -> f64; 2] =
+            [|variable, p| variable.quantile(p), |variable, p| variable.quantile(1.0 - p)];
+        let mut probability = 0.0;
+        let mut first: Option<QuantityError> = None;
+        for at in tails {
+            let Some(error) = wrong(at(&input.variable, LEAST_TOLD)) else { continue };
+            // What is impossible at half of all values was refused.
+            let (mut inside, mut outside) = (LEAST_TOLD.ln(), 0.5_f64.ln());
+            for _ in 0..BISECTIONS {
+                let middle = 0.5 * (inside + outside);
+                if wrong(at(&input.variable, middle.exp())).is_some() { inside = middle } else { outside = middle }
+            }
+            probability += inside.exp();
+            first.get_or_insert(error);
+        }
+        first.map(|error| StudyProblem::ImpossibleTail { path: input.path.clone(), probability, error })
+    }
+
+    /// Warns of quantiles beyond which fewer than one sample lies on average.
+    pub(super) fn warn_of_quantiles(&mut self, root: &Table<'_>, asks: &[Ask], sampling: &Sampling) {
+        let Some(written) = root.get("ask") else { return };
+        let far = |ask: &Ask| {
+            let beyond = |statistic: &Statistic| match statistic {
+                Statistic::Quantile(p) if sampling.inner as f64 * p.min(1.0 - p) < 1.0 => Some(*p),
+                _ => None,
+            };
+            ask.statistics.iter().find_map(beyond)
+        };
+        for p in asks.iter().filter_map(far) {
+            let inside = p.max(1.0 - p);
+            let needed = ((BEYOND.ln() / inside.ln()).ceil() as u64).next_power_of_two();
+            let problem = StudyProblem::QuantileBeyondSamples { percent: 100.0 * p, inner: sampling.inner, needed };
+            let place = Place::new(&self.reader.source, written.key_span);
+            self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
+        }
+    }
+}
