@@ -73,9 +73,9 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     });
     let settled = result.settled_share.filter(|share| *share < 1.0).map(|share| {
         format!(
-            "In {} of the runs the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
+            "In {} the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
              Record more turns (recorded_turns) to see how much.",
-            writer.percent(1.0 - share, Rounding::Up)
+            share_of_runs(1.0 - share, result.counts.runs - result.counts.failed, writer)
         )
     });
     // A contact so soft that the parts pass through each other is none that its law describes.
@@ -88,6 +88,19 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
         )
     });
     beyond.chain(soft).chain(settled).collect()
+}
+
+/// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.
+pub(super) fn share_of_runs(share: f64, runs: u64, writer: &NumberWriter) -> String {
+    const NEAR_AN_END: f64 = 0.01;
+    let counted_runs = (share * runs as f64).round() as u64;
+    if counted_runs == runs {
+        return "all runs".to_owned();
+    }
+    if share < NEAR_AN_END || 1.0 - share < NEAR_AN_END {
+        return format!("{} of the {}", super::wording::count(counted_runs, writer), counted(runs, "run", writer));
+    }
+    format!("{} of the runs", writer.percent(share, Rounding::Nearest))
 }
 
 /// The verdict over all requirements as a headline.
@@ -285,13 +298,20 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
-    let error_text = headline.and_then(|told| told.error_si()).map(|(error_si, unit)| writer.error(error_si, unit));
+    let error_text = headline.and_then(|told| {
+        let (error_si, unit) = told.error_si()?;
+        Some(format!(
+            "Numerical error of {}: at most {}, included in it.",
+            told.limit_words(),
+            writer.error(error_si, unit)
+        ))
+    });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
-        Some(error) if answers.len() > 1 => format!(
-            "Numerical error: at most {error} in the first sentence, included in it. The table shows the others, which are included as well."
-        ),
-        Some(error) => format!("Numerical error: at most {error}, included in the answer."),
+        Some(error) if answers.len() > 1 => {
+            format!("{error} The table shows those of the other answers, which are included as well.")
+        }
+        Some(error) => error,
         None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
@@ -303,14 +323,14 @@ fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWri
             (false, all) => format!("{inner} of {all} bounds"),
         };
         let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
+        let them = if inner == 1 { "it" } else { "them" };
         let reason = match needed.filter(|needed| *needed > result.counts.inner) {
-            _ if is_by_surrogate(result) => "direct runs do not confirm it".to_owned(),
+            _ if is_by_surrogate(result) => format!("direct runs do not confirm {them}"),
             Some(needed) => {
                 format!("increase 'inner' to {} or more", super::wording::count(needed.next_power_of_two(), writer))
             }
             None => "increase 'inner'".to_owned(),
         };
-        let reason = if inner == 1 { reason } else { reason.replace(" it", " them") };
         sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
     }
     sentence
@@ -379,9 +399,10 @@ fn share_sentence(band: &TreatmentBand, promised: f64, writer: &NumberWriter) ->
     let promise = writer.percent(promised, Rounding::Nearest);
     let least = writer.percent(band.coverage_minimum, Rounding::Down);
     if band.is_promise_unknown(promised) {
-        let (of_what, least_share) = match band.ends {
-            Some(_) => ("surrogate", band.least_share()),
-            None => ("runs", (band.coverage_minimum - band.coverage_error).max(0.0)),
+        let (of_what, least_share) = if band.is_by_surrogate {
+            ("surrogate", band.least_share())
+        } else {
+            ("runs", (band.coverage_minimum - band.coverage_error).max(0.0))
         };
         return format!(
             "At the worst unknown values, {} of mechanisms lie inside the band. The {of_what} cannot show whether the promised \

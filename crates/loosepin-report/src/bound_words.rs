@@ -12,6 +12,17 @@ pub(super) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Roundin
     }
 }
 
+/// The value that was found at an end, with its numerical error.
+pub(super) fn found_value(end: &BoundEnd, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error_si = end.error.total_si();
+    let value = if bound.statistic.is_probability() {
+        writer.percent(end.value_si, Rounding::Nearest)
+    } else {
+        writer.down_to_error(end.value_si, error_si, &bound.unit, Rounding::Nearest)
+    };
+    if error_si == 0.0 { value } else { format!("{value} ± {}", part(error_si, bound, writer)) }
+}
+
 /// The larger error of both ends.
 pub(super) fn bound_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
     part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, writer)

@@ -17,11 +17,12 @@ use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
 use super::wear_section::wear_section;
-use super::wording::{count, counted, listed, named_words, without_round_off};
+use super::wording::{count, counted, deviation_words, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    ControlHistory, DrawnJointKind, Extreme, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
 };
+use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
 
 /// Rows of the table of impacts; the others stand in `impacts.csv`.
@@ -111,7 +112,7 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 /// The answer of a run in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences = Vec::new();
-    let deviation = record.extremes.iter().find(|extreme| extreme.name.ends_with("deviation"));
+    let deviation = record.extremes.iter().find(|extreme| extreme.of != Deviation::Value);
     let play: Vec<String> = record
         .joints
         .iter()
@@ -139,7 +140,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
         sentences.push(format!(
             "{with}, the {} deviates from its ideal motion by {} to {}.",
-            extreme.name.trim_end_matches(", deviation"),
+            extreme.name,
             shown(&extreme.minimum, &extreme.unit),
             shown(&extreme.maximum, &extreme.unit),
         ));
@@ -153,10 +154,10 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     for joint in &record.joints {
         let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
         let contact = if joint.impacts == 0 {
-            format!("no impact, contact force up to {force}")
+            format!("no impact, normal contact force up to {force}")
         } else {
             format!(
-                "{}, approach speed up to {}, contact force up to {force}",
+                "{}, approach speed up to {}, normal contact force up to {force}",
                 counted(joint.impacts, "impact", writer),
                 writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
             )
@@ -333,6 +334,14 @@ fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, writer: &N
     chart
 }
 
+/// What an extreme is of: `slider`, or `slider, deviation`.
+pub(super) fn extreme_words(extreme: &Extreme) -> String {
+    match extreme.of {
+        Deviation::Value => extreme.name.clone(),
+        of => format!("{}, {}", extreme.name, deviation_words(of)),
+    }
+}
+
 fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let point = |point: &ExtremePoint, unit: &SiUnit| {
         html! {
@@ -347,9 +356,14 @@ fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         }
     };
     html! {
-        p { "Extremes of the continuous motion, also between the samples." }
+        p {
+            "Extremes of the continuous motion, also between the samples."
+            @if record.joints.iter().any(|joint| joint.impacts + joint.contacts > 0) {
+                " A force in a joint is the whole force, with friction and damping; the contact forces of the joints are normal to the surfaces."
+            }
+        }
         (cards(["Quantity", "#Smallest", "#Largest"], record.extremes.iter().map(|extreme| [
-            html! { (extreme.name) },
+            html! { (extreme_words(extreme)) },
             point(&extreme.minimum, &extreme.unit),
             point(&extreme.maximum, &extreme.unit),
         ])))
@@ -495,7 +509,7 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
                 }
             },
         ),
-        ("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }),
+        ("Largest normal contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }),
         ("Largest approach speed".to_owned(), html! { (writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY)) }),
     ];
     if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
@@ -536,17 +550,17 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     chart.y_label = "energy".to_owned();
     chart.y_symbol = writer.symbol(&unit);
     let histories = [
-        ("kinetic", Role::First, &account.kinetic_j),
-        ("potential", Role::Third, &account.potential_j),
-        ("stored in contacts and springs", Role::Fourth, &account.stored_j),
-        ("lost in contacts", Role::Second, &account.contact_loss_j),
-        ("lost in friction", Role::Limit, &account.friction_loss_j),
-        ("lost in dampers", Role::Mixed, &account.damping_loss_j),
-        ("supplied", Role::Worst, &account.supplied_j),
+        ("kinetic", Role::First, false, &account.kinetic_j),
+        ("potential", Role::Third, false, &account.potential_j),
+        ("stored in contacts and springs", Role::Fourth, false, &account.stored_j),
+        ("lost in contacts", Role::Second, false, &account.contact_loss_j),
+        ("lost in friction", Role::Limit, false, &account.friction_loss_j),
+        ("lost in dampers", Role::Mixed, false, &account.damping_loss_j),
+        ("supplied", Role::Worst, true, &account.supplied_j),
     ];
-    for (label, role, values_j) in histories {
+    for (label, role, is_dashed, values_j) in histories {
         if values_j.iter().any(|value| *value != 0.0) {
-            chart.entries.push(Entry::line(label, role, label == "supplied", values_j, &unit, writer));
+            chart.entries.push(Entry::line(label, role, is_dashed, values_j, &unit, writer));
         }
     }
     chart.caption = html! {

@@ -17,9 +17,9 @@ use super::surrogate_text::{band_words, surrogate_text};
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
-    output_unit, place_words, promise_word, reading_beside, response_words, share_words, statistic_words,
-    treatment_words, unknown_words, without_round_off,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_error, count, counted, deviation_words, has_errors, has_lists, has_unknown,
+    named_words, only_curves, output_unit, place_words, promise_word, reading_beside, response_words, share_words,
+    statistic_words, treatment_words, unknown_words, without_round_off,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
@@ -146,7 +146,7 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
         extremes.add_row([
-            extreme.name.clone(),
+            simulation_page::extreme_words(extreme),
             value(&extreme.minimum, &extreme.unit),
             at(&extreme.minimum),
             value(&extreme.maximum, &extreme.unit),
@@ -435,21 +435,22 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
 }
 
 fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, writer: &NumberWriter) -> String {
-    // A band by a surrogate has one number more: the error of the surrogate at its ends.
+    // Records of older versions do not hold the errors of bands of direct runs.
+    let has_errors = has_errors(comparison);
     let mut head = vec!["treatment", "band", "width", "share inside", "promise"];
-    if comparison.bands.iter().any(|band| band.ends.is_some()) {
-        head.insert(2, "± surrogate");
+    if has_errors {
+        head.insert(2, "± error");
     }
-    let mut treatments = table(&head, if head.len() > 5 { &[2, 3] } else { &[2] });
+    let mut treatments = table(&head, if has_errors { &[2, 3] } else { &[2] });
     for band in &comparison.bands {
-        let surrogate = band.surrogate_error_si().map(|error| writer.error(error, &comparison.unit));
+        let error = has_errors.then(|| band_error(band, comparison, writer));
         let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
         let further = [
             writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
             share_words(band, writer),
             promise_word(band, comparison.promised_coverage).to_owned(),
         ];
-        treatments.add_row(cells.into_iter().chain(surrogate).chain(further));
+        treatments.add_row(cells.into_iter().chain(error).chain(further));
     }
     trimmed(&treatments)
 }

@@ -9,12 +9,19 @@ use loosepin_result::study::{
 };
 use loosepin_text::units::SiUnit;
 
-pub(super) fn deviation_words(of: Deviation) -> &'static str {
+pub(super) fn deviation_words(of: Deviation) -> String {
     match of {
-        Deviation::Value => "value",
-        Deviation::Total => "deviation",
-        Deviation::Dimensional => "deviation due to part scatter",
-        Deviation::Clearance => "deviation due to play",
+        Deviation::Value => "value".to_owned(),
+        of => format!("deviation{}", due_to_words(of)),
+    }
+}
+
+/// The cause of a deviation, behind the word for it; empty where all of it is meant.
+fn due_to_words(of: Deviation) -> &'static str {
+    match of {
+        Deviation::Value | Deviation::Total => "",
+        Deviation::Dimensional => " due to part scatter",
+        Deviation::Clearance => " due to play",
     }
 }
 
@@ -82,6 +89,16 @@ pub(super) fn treatment_words(treatment: Treatment) -> &'static str {
 /// "93 % to 100 %": the share inside a band, over the epistemic inputs.
 pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
     writer.percent_range(band.least_share(), band.coverage_maximum)
+}
+
+/// Whether the errors of the ends of bands are known.
+pub(super) fn has_errors(comparison: &TreatmentComparison) -> bool {
+    comparison.bands.iter().any(|band| band.ends.is_some())
+}
+
+/// The larger numerical error of the ends of a band.
+pub(super) fn band_error(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    band.error_si().map_or_else(String::new, |error| writer.error(error, &comparison.unit))
 }
 
 /// Whether a band holds what it promises, in a word.
@@ -181,7 +198,7 @@ pub(super) fn path_part<'o>(name: &str, outputs: &'o [OutputDescription]) -> Opt
 /// `deviation of slider`; of a path `error of tool (coupler.tool) across its path`.
 pub(super) fn deviation_of(name: &str, of: Deviation, outputs: &[OutputDescription]) -> String {
     let Some((point, part)) = path_part(name, outputs) else { return format!("{} of {name}", deviation_words(of)) };
-    let due_to = deviation_words(of).trim_start_matches("deviation");
+    let due_to = due_to_words(of);
     let error = match part {
         PathError::Along => format!("error of {point} along its path"),
         PathError::Normal => format!("error of {point} across its path"),

@@ -8,6 +8,7 @@ use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::figure::name_of;
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::script_data::round_to_digits;
+use crate::told::main_bound;
 use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
@@ -143,7 +144,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         height: 380,
         is_periodic: is_periodic(result, curve),
         caption: html! {
-            strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
+            strong { (capitalised(&deviation_words(curve.of))) " of " (subject) ". " }
             "At each angle, " (share) " of mechanisms lie inside the orange band for all unknown values"
             @if has_random {
                 ", and inside the blue band for "
@@ -155,8 +156,14 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
             } @else if has_evidence(result) {
                 ". Evidence gives mechanisms to several intervals, so there is no band for a single value of the unknown inputs"
             }
-            ". The orange band " (worst_words) ". It includes its numerical error of up to "
+            ". The orange band " (worst_words) ". It includes its numerical error, which differs from angle to angle: up to "
             (writer.error(curve.numerical_error_si, &curve.unit)) "."
+            @if let Some((bound, _)) = main_bound(&result.bounds).filter(|(bound, _)| bound.output == curve.output && bound.of == curve.of) {
+                " The limit over the whole cycle has its own, " (writer.error(bound.upper.error.total_si(), &bound.unit)) "."
+            }
+            @if let Some(confidence) = curve.confidence {
+                " Sampling errors hold with " (writer.percent(confidence, Rounding::Down)) " confidence at each angle by itself."
+            }
             @for each in &curve.simultaneous {
                 " " (simultaneous_words(each, writer))
             }
@@ -323,12 +330,12 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
     let read_off =
         || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), ", sampling error not included");
     let ([least, most], error) = bounded.unwrap_or_else(read_off);
-    format!(
-        "Below {}: between {} and {} of mechanisms{error}.",
-        writer.value_trimmed(limit_si, &pbox.unit),
-        writer.percent(least, Rounding::Down),
-        writer.percent(most, Rounding::Up)
-    )
+    let limit = writer.value_trimmed(limit_si, &pbox.unit);
+    let [least, most] = [writer.percent(least, Rounding::Down), writer.percent(most, Rounding::Up)];
+    if least == most {
+        return format!("Below {limit}: {least} of mechanisms{error}.");
+    }
+    format!("Below {limit}: between {least} and {most} of mechanisms{error}.")
 }
 
 /// Least and largest share below the limit, where a probability of the same was asked for.

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::answer::{turn_word, turns};
+use crate::answer::{share_of_runs, turn_word, turns};
 use crate::glossary::glossary;
 use crate::number::{NumberWriter, Rounding};
 use crate::page::{cards, facts};
@@ -32,7 +32,7 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 " (" (writer.percent(share, Rounding::Up)) "). Probabilities allow for both outcomes of a failed run. "
             }
             @if let Some(settled) = result.settled_share {
-                "In " (writer.percent(settled, Rounding::Down)) " of the runs the motion is periodic; the other runs count as well. "
+                "In " (share_of_runs(settled, result.counts.runs - result.counts.failed, writer)) " the motion is periodic; the other runs count as well. "
                 @if settled < 0.5 {
                     "Most motions do not repeat from turn to turn: record more turns."
                 }
@@ -59,7 +59,10 @@ fn impacts(joint: &JointImpacts, turn: &str, writer: &NumberWriter) -> Markup {
     )];
     let share = writer.percent(joint.largest_penetration_share, Rounding::Up);
     rows.push(("Largest penetration".to_owned(), html! { (share) " of the clearance of its run" }));
-    rows.push(("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }));
+    rows.push((
+        "Largest normal contact force".to_owned(),
+        html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) },
+    ));
     if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
         rows.push((
             "Restitution".to_owned(),

@@ -6,8 +6,8 @@ use crate::answer::treatment_sentences;
 use crate::number::{NumberWriter, Rounding};
 use crate::still_figures::percent_of;
 use crate::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
-    unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, band_error, has_errors, has_lists, promise_word, response_words,
+    share_words, treatment_words, unknown_words,
 };
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 
@@ -31,7 +31,7 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
 
 /// Whether the bands are those of a surrogate that stands alone.
 fn is_learned(result: &StudyResult) -> bool {
-    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.ends.is_some())
+    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.is_by_surrogate)
 }
 
 fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
@@ -51,7 +51,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                     tr {
                         th scope="col" { "Treatment" }
                         th scope="col" { "Band for " (promise) " of mechanisms" }
-                        @if is_learned(result) { th.number scope="col" { "± surrogate" } }
+                        @if has_errors(comparison) { th.number scope="col" { "± error" } }
                         th.number scope="col" { "Width" }
                         th scope="col" { "Share inside" }
                         th scope="col" { "Promise" }
@@ -62,8 +62,8 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                         tr {
                             th scope="row" { (treatment_words(band.treatment)) }
                             td data-label="Band" { (band_bar(band, comparison, from, to, writer)) }
-                            @if let Some(error) = band.surrogate_error_si() {
-                                td.number data-label="± surrogate" { (writer.error(error, &comparison.unit)) }
+                            @if has_errors(comparison) {
+                                td.number data-label="± error" { (band_error(band, comparison, writer)) }
                             }
                             td.number data-label="Width" {
                                 (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))

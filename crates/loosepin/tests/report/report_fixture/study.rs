@@ -355,6 +355,7 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         probabilities: [0.025, 0.975],
         centre: centre.at.clone(),
         numerical_error_si: 4.2e-6,
+        confidence: None,
         pose_rad: poses.to_vec(),
         ideal_si: poses.iter().map(|angle| nominal.ideal_slider(*angle).0).collect(),
         nominal_si: poses.iter().map(|angle| nominal.slider(*angle).0 - nominal.ideal_slider(*angle).0).collect(),
@@ -415,6 +416,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
             coverage_error: 0.003,
             coverage_at,
             ends: None,
+            is_by_surrogate: false,
         }
     };
     TreatmentComparison {
