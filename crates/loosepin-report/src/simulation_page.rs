@@ -16,6 +16,7 @@ use super::page::{Page, Section, cards, facts, sentences};
 use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
+use super::tag::Tag;
 use super::wear_section::wear_section;
 use super::wording::{count, counted, deviation_words, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
@@ -85,7 +86,7 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
             @if let Some(speed) = record.settings.drive_speed_rad_s {
                 (record.settings.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
-            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s))
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, &writer))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
@@ -147,7 +148,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     } else {
         sentences.push(format!(
             "{with}, {} were recorded.",
-            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
+            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer)
         ));
     }
     sentences.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)));
@@ -521,23 +522,24 @@ fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(
             },
         ));
     }
-    rows.extend(speed_facts(joint.share_outside_validity, joint.floored_contacts, writer));
+    rows.extend(speed_facts(&joint.joint, joint.share_outside_validity, joint.floored_contacts, writer));
     rows
 }
 
 /// Impacts faster than the contact law is valid for, and contacts slower than it can be computed with.
 pub(super) fn speed_facts(
+    joint: &str,
     share_outside_validity: Option<f64>,
     floored_contacts: u64,
     writer: &NumberWriter,
 ) -> impl Iterator<Item = (String, Markup)> {
     let outside = share_outside_validity.map(|share| {
-        let share = writer.percent(share, Rounding::Up);
+        let share = writer.about(&Tag::joint(joint, "impacts", "outside validity")).percent(share, Rounding::Up);
         let words = html! { (share) " of the impacts are faster than the contact law is valid for" };
         ("Outside the law's validity".to_owned(), words)
     });
     let slow = (floored_contacts > 0).then(|| {
-        let words = html! { (count(floored_contacts, writer)) " computed with the smallest impact speed of the law" };
+        let words = html! { (count(floored_contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")))) " computed with the smallest impact speed of the law" };
         ("Very slow contacts".to_owned(), words)
     });
     outside.into_iter().chain(slow)
@@ -592,8 +594,8 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Turns".to_owned(),
             html! {
-                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " of start-up, then "
-                (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
+                (turns(settings.transient_turns, settings.drive_speed_rad_s, writer)) " of start-up, then "
+                (turns(settings.recorded_turns, settings.drive_speed_rad_s, writer)) " recorded, "
                 (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
             },
         ),

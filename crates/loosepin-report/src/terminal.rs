@@ -14,6 +14,7 @@ use super::percentile_words::percentile_sentences;
 use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
+use super::tag::Tag;
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
@@ -24,7 +25,7 @@ use super::wording::{
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason, WearLifeRecord};
-use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{BoundRecord, FailureGroup, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
@@ -78,7 +79,11 @@ pub fn study_text(result: &StudyResult) -> String {
             ));
         }
         if shown.len() > MOST_ROWS {
-            text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
+            let more = count(
+                (shown.len() - MOST_ROWS) as u64,
+                &writer.about(&Tag::Count("bounds that the terminal leaves out")),
+            );
+            text.push_str(&format!("\n{more} more in bounds.csv\n"));
         }
     } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
         text.push_str(&format!("\n{}\n", wrapped(&words, "")));
@@ -116,7 +121,7 @@ pub fn study_text(result: &StudyResult) -> String {
     for failure in &result.failures {
         text.push_str(&format!(
             "\n{}\n  again: {}\n",
-            wrapped(&format!("{} failed: {}", counted(failure.count, "run", &writer), failure.words), ""),
+            wrapped(&failed_words(failure, &writer), ""),
             failure.example.command
         ));
     }
@@ -419,6 +424,11 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
     scatter
 }
 
+fn failed_words(failure: &FailureGroup, writer: &NumberWriter) -> String {
+    let tag = Tag::whole("failed runs", &failure.code);
+    format!("{} failed: {}", counted(failure.count, "run", &writer.about(&tag)), failure.words)
+}
+
 fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
     let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
     for bound in group {
@@ -428,7 +438,7 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
             bound_value(&bound.lower, bound, Rounding::Down, writer),
             bound_value(&bound.upper, bound, Rounding::Up, writer),
             bound_error(bound, writer),
-            writer.witness(&bound.upper.witness, &result.inputs),
+            writer.about(&Tag::bound(bound, "upper witness")).witness(&bound.upper.witness, &result.inputs),
         ]);
     }
     trimmed(&bounds)
@@ -446,8 +456,13 @@ fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, wr
         let error = has_errors.then(|| band_error(band, comparison, writer));
         let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
         let further = [
-            writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
-            share_words(band, writer),
+            writer.about(&Tag::band(comparison, band, "width")).rounded(
+                band.width_si(),
+                &comparison.unit,
+                WIDTH_DIGITS,
+                Rounding::Nearest,
+            ),
+            share_words(band, comparison, writer),
             promise_word(band, comparison.promised_coverage).to_owned(),
         ];
         treatments.add_row(cells.into_iter().chain(error).chain(further));

@@ -2,6 +2,7 @@
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
+use super::tag::{Tag, read_the_same};
 use super::wording::{deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words};
 use loosepin_result::study::{
     BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, Statistic, StudyResult,
@@ -130,6 +131,14 @@ impl<'r> Told<'r> {
         }
     }
 
+    /// What its numerical error is.
+    pub fn error_tag(self) -> Tag {
+        match self {
+            Self::Largest(bound, _) | Self::Bound(bound) => Tag::bound(bound, "upper error"),
+            Self::Curve(curve) => Tag::curve(curve, "error"),
+        }
+    }
+
     /// What the error is of, in words.
     pub fn limit_words(self) -> &'static str {
         match self {
@@ -189,8 +198,13 @@ fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64,
     format!(
         "The {name} stays within {}{} {from} over the whole cycle in at least {} of mechanisms.",
         if is_distance { "" } else { "±" },
-        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
-        writer.percent(probability, Rounding::Down)
+        writer.about(&Tag::bound(bound, "upper")).for_sentence(
+            bound.upper.widened_si,
+            bound.upper.error.total_si(),
+            &bound.unit,
+            Rounding::Up
+        ),
+        writer.about(&Tag::Given("probability")).percent(probability, Rounding::Down)
     )
 }
 
@@ -213,13 +227,17 @@ fn statistic_sentence(result: &StudyResult, first: &BoundRecord, writer: &Number
 fn ends_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
     let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
     let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
-    if lower == upper { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
+    if read_the_same(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
 }
 
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> String {
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
-    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let share = writer
+        .about(&Tag::Given("probability"))
+        .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let mixed = Tag::curve(curve, "mixed");
+    let reach = mixed.part("reach");
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
@@ -228,11 +246,11 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
     let range = if is_distance {
-        format!("within {}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within {}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else if is_even && curve.of != Deviation::Value {
-        format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within ±{}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else {
-        between(lowest, highest, &curve.unit, writer)
+        between(lowest, highest, &curve.unit, &writer.about(&mixed))
     };
     let stays = match curve.of {
         Deviation::Value => format!("lies {range}"),
@@ -245,10 +263,11 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
 pub(super) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
     let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
+    let [lowest, highest] = ["lowest", "highest"].map(|part| writer.tag().map(|tag| tag.part(part)));
     format!(
         "between {} and {}",
-        writer.rounded(lowest_si, unit, digits, Rounding::Down),
-        writer.rounded(highest_si, unit, digits, Rounding::Up)
+        writer.about_maybe(lowest.as_ref()).rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.about_maybe(highest.as_ref()).rounded(highest_si, unit, digits, Rounding::Up)
     )
 }
 

@@ -20,8 +20,10 @@ pub(super) fn cut_to_range([lower, upper]: &mut Ends, [least, most]: [f64; 2]) {
     for end in [lower, upper] {
         // What is not a number stays none: `clamp` keeps it.
         end.value_si = end.value_si.clamp(least, most);
-        if !(least..=most).contains(&end.widened_si) {
-            set_widened(end, end.widened_si.clamp(least, most));
+        // An end of the range is reached at most: what the error has beyond is none.
+        let widened_si = end.widened_si.clamp(least, most);
+        if widened_si.is_finite() && (widened_si == least || widened_si == most) {
+            set_widened(end, widened_si);
         }
     }
 }
@@ -70,6 +72,10 @@ pub(super) fn narrow(end: &mut BoundEnd, limit_si: f64) -> bool {
 fn set_widened(end: &mut BoundEnd, limit_si: f64) {
     let room = (limit_si - end.value_si).abs();
     end.widened_si = limit_si;
+    // What was not found has no room beside the limit, and stays unknown.
+    if room.is_nan() {
+        return;
+    }
     end.error.sampling_si = end.error.sampling_si.min(room);
     end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
     end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;

@@ -235,9 +235,12 @@ fn inputs() -> Vec<InputDescription> {
 }
 
 fn end(value_si: f64, error_si: f64, outwards: f64, [least, most]: [f64; 2], at: &Witness) -> BoundEnd {
+    let widened_si = (value_si + outwards * error_si).clamp(least, most);
+    // Beyond its range a number has no error.
+    let error_si = (widened_si - value_si).abs();
     BoundEnd {
         value_si,
-        widened_si: (value_si + outwards * error_si).clamp(least, most),
+        widened_si,
         witness: at.clone(),
         error: NumericalError { sampling_si: 0.8 * error_si, optimisation_si: 0.2 * error_si, surrogate_si: 0.0 },
     }

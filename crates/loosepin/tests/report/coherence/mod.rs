@@ -1,0 +1,149 @@
+//! No two numbers contradict each other: every number of a result that page, terminal, `summary.json` and `bounds.csv` show is read back with what
+//! it is, and what is the same must have the same value to the digits that are shown.
+
+mod planted;
+mod shown;
+mod stored;
+
+use loosepin::report::{TaggedText, simulation_text, study_page, study_text, tagged};
+use loosepin::result::json::Stored;
+use loosepin::study::files::bounds_csv;
+use loosepin::study::result::StudyResult;
+
+use super::report_fixture::{motion, simulation, study};
+use shown::{Names, Shown, page_numbers, terminal_numbers};
+
+/// Sections of a study's page whose numbers are not all tagged yet. The list can only shrink: a section that is here has such numbers.
+const SECTIONS_LEFT: [&str; 3] = ["allowed", "orbits", "paths"];
+/// Parts of a study's text for a terminal, by their first line, whose numbers are not all tagged yet.
+const TITLES_LEFT: [&str; 1] = ["Loosest values that meet the requirements"];
+
+/// What writes a text of a study.
+#[derive(Debug, Clone, Copy)]
+enum Writer {
+    Page,
+    Terminal,
+    Summary,
+    Table,
+}
+
+/// The four texts of a study.
+#[derive(Clone)]
+struct Texts {
+    page: TaggedText,
+    terminal: TaggedText,
+    summary: String,
+    table: String,
+}
+
+impl Texts {
+    fn of(result: &StudyResult) -> Self {
+        Self {
+            page: tagged(|| study_page(result)),
+            terminal: tagged(|| study_text(result)),
+            summary: result.to_json().unwrap(),
+            table: String::from_utf8(bounds_csv(result).unwrap()).unwrap(),
+        }
+    }
+
+    /// Writes one of them from another record, and gives back what they were.
+    fn replace(&mut self, writer: Writer, result: &StudyResult) -> Self {
+        let kept = self.clone();
+        match writer {
+            Writer::Page => self.page = tagged(|| study_page(result)),
+            Writer::Terminal => self.terminal = tagged(|| study_text(result)),
+            Writer::Summary => self.summary = result.to_json().unwrap(),
+            Writer::Table => self.table = String::from_utf8(bounds_csv(result).unwrap()).unwrap(),
+        }
+        kept
+    }
+
+    /// What is wrong with them, in words.
+    fn faults(&self) -> Vec<String> {
+        let result = StudyResult::from_json(&self.summary).unwrap();
+        let names = Names::of(&self.summary);
+        let (mut shown, mut faults) = (Vec::new(), Vec::new());
+        for (numbers, untagged) in
+            [page_numbers(&self.page, &names, &SECTIONS_LEFT), terminal_numbers(&self.terminal, &names, &TITLES_LEFT)]
+        {
+            shown.extend(numbers);
+            faults.extend(untagged);
+        }
+        shown.extend(stored::summary_numbers(&result));
+        faults.extend(stored::unknown_keys(&self.summary));
+        let (numbers, unknown) = stored::table_numbers(&self.table, &result);
+        shown.extend(numbers);
+        faults.extend(unknown);
+        faults.extend(contradictions(&shown));
+        faults
+    }
+}
+
+/// Numbers of one tag that have no common value.
+fn contradictions(shown: &[Shown]) -> Vec<String> {
+    const ROUND_OFF: f64 = 1e-9;
+    let mut ordered: Vec<&Shown> = shown.iter().collect();
+    ordered.sort_by(|a, b| a.tag.cmp(&b.tag));
+    let mut faults = Vec::new();
+    for same in ordered.chunk_by(|a, b| a.tag == b.tag) {
+        let low = same.iter().max_by(|a, b| a.low.total_cmp(&b.low)).unwrap();
+        let high = same.iter().min_by(|a, b| a.high.total_cmp(&b.high)).unwrap();
+        if low.low > high.high + ROUND_OFF * high.high.abs().max(low.low.abs()) {
+            faults.push(format!("{:?}: {} and {}", low.tag, low.words(), high.words()));
+        }
+    }
+    faults
+}
+
+fn fixtures() -> Vec<StudyResult> {
+    vec![study::worn_pin(), study::with_list()]
+}
+
+#[test]
+fn identity_every_number_of_a_study_has_one_value_in_all_its_texts() {
+    for result in fixtures() {
+        let texts = Texts::of(&result);
+        let faults = texts.faults();
+        assert!(faults.is_empty(), "{}: {} faults\n{}", result.name, faults.len(), faults.join("\n"));
+        let (shown, _) = page_numbers(&texts.page, &Names::of(&texts.summary), &SECTIONS_LEFT);
+        assert!(shown.len() > 100, "the page has {} tagged numbers", shown.len());
+    }
+}
+
+#[test]
+fn texts_have_no_marks_but_for_this_test() {
+    let result = study::worn_pin();
+    let is_mark = |c: char| matches!(c, '\u{e000}'..='\u{f8ff}' | '\u{f0000}'..='\u{10ffff}');
+    let marked = tagged(|| study_text(&result)).text;
+    assert!(marked.contains(is_mark));
+    for text in [study_page(&result), study_text(&result)] {
+        assert!(!text.contains(is_mark));
+    }
+}
+
+#[test]
+fn what_is_left_to_tag_has_untagged_numbers() {
+    let result = study::worn_pin();
+    let texts = Texts::of(&result);
+    let names = Names::of(&texts.summary);
+    for section in SECTIONS_LEFT.into_iter().filter(|section| *section != "paths") {
+        let others: Vec<&str> = SECTIONS_LEFT.into_iter().filter(|other| *other != section).collect();
+        let (_, untagged) = page_numbers(&texts.page, &names, &others);
+        assert!(!untagged.is_empty(), "take '{section}' out of the list: all its numbers are tagged");
+    }
+    for title in TITLES_LEFT {
+        let others: Vec<&str> = TITLES_LEFT.into_iter().filter(|other| *other != title).collect();
+        let (_, untagged) = terminal_numbers(&texts.terminal, &names, &others);
+        assert!(!untagged.is_empty(), "take '{title}' out of the list: all its numbers are tagged");
+    }
+    // Whole documents: single runs and the ideal motion.
+    let run = simulation::worn_pin();
+    let text = tagged(|| simulation_text(&run));
+    assert!(text.numbers.iter().any(|number| number.tag.is_none()), "texts of single runs are tagged: hold them too");
+    let motion = motion::worn_pin();
+    let text = tagged(|| loosepin::report::motion_text(&motion));
+    assert!(
+        text.numbers.iter().any(|number| number.tag.is_none()),
+        "texts of the ideal motion are tagged: hold them too"
+    );
+}
