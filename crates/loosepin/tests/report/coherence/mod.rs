@@ -1,6 +1,7 @@
 //! No two numbers contradict each other: every number of a result that page, terminal, `summary.json` and `bounds.csv` show is read back with what
 //! it is, and what is the same must have the same value to the digits that are shown.
 
+mod held;
 mod planted;
 mod shown;
 mod stored;
@@ -11,24 +12,10 @@ use loosepin::study::files::bounds_csv;
 use loosepin::study::result::StudyResult;
 
 use super::report_fixture::{motion, simulation, study};
-use shown::{Names, Shown, page_numbers, terminal_numbers};
-
-/// Sections of a study's page whose numbers are not all tagged yet. The list can only shrink: a section that is here has such numbers.
-const SECTIONS_LEFT: [&str; 3] = ["allowed", "orbits", "paths"];
-/// Parts of a study's text for a terminal, by their first line, whose numbers are not all tagged yet.
-const TITLES_LEFT: [&str; 1] = ["Loosest values that meet the requirements"];
-
-/// What writes a text of a study.
-#[derive(Debug, Clone, Copy)]
-enum Writer {
-    Page,
-    Terminal,
-    Summary,
-    Table,
-}
+use held::{Reader, SECTIONS_LEFT, TITLES_LEFT, Writer, faults};
+use shown::{Names, page_numbers, terminal_numbers};
 
 /// The four texts of a study.
-#[derive(Clone)]
 struct Texts {
     page: TaggedText,
     terminal: TaggedText,
@@ -46,53 +33,16 @@ impl Texts {
         }
     }
 
-    /// Writes one of them from another record, and gives back what they were.
-    fn replace(&mut self, writer: Writer, result: &StudyResult) -> Self {
-        let kept = self.clone();
-        match writer {
-            Writer::Page => self.page = tagged(|| study_page(result)),
-            Writer::Terminal => self.terminal = tagged(|| study_text(result)),
-            Writer::Summary => self.summary = result.to_json().unwrap(),
-            Writer::Table => self.table = String::from_utf8(bounds_csv(result).unwrap()).unwrap(),
-        }
-        kept
-    }
-
     /// What is wrong with them, in words.
     fn faults(&self) -> Vec<String> {
-        let result = StudyResult::from_json(&self.summary).unwrap();
-        let names = Names::of(&self.summary);
-        let (mut shown, mut faults) = (Vec::new(), Vec::new());
-        for (numbers, untagged) in
-            [page_numbers(&self.page, &names, &SECTIONS_LEFT), terminal_numbers(&self.terminal, &names, &TITLES_LEFT)]
-        {
-            shown.extend(numbers);
-            faults.extend(untagged);
-        }
-        shown.extend(stored::summary_numbers(&result));
-        faults.extend(stored::unknown_keys(&self.summary));
-        let (numbers, unknown) = stored::table_numbers(&self.table, &result);
-        shown.extend(numbers);
-        faults.extend(unknown);
-        faults.extend(contradictions(&shown));
-        faults
+        let reader = Reader::of(&self.summary);
+        faults(&[
+            reader.page(&self.page),
+            reader.terminal(&self.terminal),
+            reader.summary(&self.summary),
+            reader.table(&self.table),
+        ])
     }
-}
-
-/// Numbers of one tag that have no common value.
-fn contradictions(shown: &[Shown]) -> Vec<String> {
-    const ROUND_OFF: f64 = 1e-9;
-    let mut ordered: Vec<&Shown> = shown.iter().collect();
-    ordered.sort_by(|a, b| a.tag.cmp(&b.tag));
-    let mut faults = Vec::new();
-    for same in ordered.chunk_by(|a, b| a.tag == b.tag) {
-        let low = same.iter().max_by(|a, b| a.low.total_cmp(&b.low)).unwrap();
-        let high = same.iter().min_by(|a, b| a.high.total_cmp(&b.high)).unwrap();
-        if low.low > high.high + ROUND_OFF * high.high.abs().max(low.low.abs()) {
-            faults.push(format!("{:?}: {} and {}", low.tag, low.words(), high.words()));
-        }
-    }
-    faults
 }
 
 fn fixtures() -> Vec<StudyResult> {
