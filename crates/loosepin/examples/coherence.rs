@@ -5,6 +5,7 @@
 #![allow(clippy::disallowed_methods, reason = "a program of developers")]
 
 #[path = "../tests/report/coherence/held.rs"]
+#[expect(dead_code, reason = "stored files are read as they are")]
 mod held;
 #[path = "../tests/report/coherence/shown.rs"]
 mod shown;

@@ -229,3 +229,74 @@ pub fn numerical_error(bound: &Bound) -> NumericalError {
     let error = &bound.error;
     NumericalError { sampling_si: error.sampling, optimisation_si: error.optimisation, surrogate_si: error.surrogate }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::assemble::few_runs::FewRuns;
+    use loosepin_bounds::{BoundPair, Statistic};
+
+    /// The bounds of runs, with widened ends as a search may leave them.
+    fn widened(runs: &FewRuns, ends: impl Fn(Statistic) -> [f64; 2]) -> Vec<BoundPair> {
+        let mut pairs = runs.bounds.pairs.clone();
+        for pair in &mut pairs {
+            let [lower, upper] = ends(pair.statistic);
+            (pair.lower.widened, pair.lower.error.optimisation) = (lower, pair.lower.value - lower);
+            (pair.upper.widened, pair.upper.error.optimisation) = (upper, upper - pair.upper.value);
+        }
+        pairs
+    }
+
+    #[test]
+    fn analytic_bounds_of_a_force_magnitude_are_not_negative_and_its_quantiles_are_in_order() {
+        let ask = "output = \"gudgeon_force\"\nof = \"value\"\nreduce = \"maximum\"\n\
+                   statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.99 }]\n";
+        let runs = FewRuns::asking(0, ask);
+        let column = runs.response.shared.plan.asks[0].columns[0];
+        // The median has been found less exactly than the 99 % quantile.
+        let pairs = widened(&runs, |statistic| match statistic {
+            Statistic::Quantile(0.5) => [-3100.0, 9.5e5],
+            _ => [-2800.0, 8.7e5],
+        });
+        let material = runs.material(&pairs);
+        let ends = |statistic| material.ends(column, statistic).unwrap().map(|end| end.widened_si);
+        assert_eq!(ends(Statistic::Mean), [0.0, 8.7e5]);
+        assert_eq!(ends(Statistic::Quantile(0.5)), [0.0, 9.5e5]);
+        assert_eq!(ends(Statistic::Quantile(0.99)), [0.0, 9.5e5], "it is at least the median");
+        for statistic in [Statistic::Mean, Statistic::Quantile(0.5), Statistic::Quantile(0.99)] {
+            for end in material.ends(column, statistic).unwrap() {
+                let error = (end.widened_si - end.value_si).abs();
+                assert!((end.error.total_si() - error).abs() <= 1e-9 * error, "{end:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn analytic_a_deviation_keeps_its_sign_and_a_narrowed_bound_says_its_confidence() {
+        let ask = "output = \"gudgeon_force\"\nof = \"total\"\nreduce = \"minimum\"\nstatistics = [\"mean\"]\n";
+        let runs = FewRuns::asking(0, ask);
+        let column = runs.response.shared.plan.asks[0].columns[0];
+        let pairs = widened(&runs, |_| [-4.2e6, 5.1e6]);
+        let material = runs.material(&pairs);
+        assert_eq!(material.ends(column, Statistic::Mean).unwrap()[0].widened_si, -4.2e6);
+        assert_eq!(material.confidence(column, Statistic::Mean), 0.99);
+        // Points of a curve are cut to the bound of the largest deviation over the cycle: both must hold.
+        let runs = FewRuns::after(0);
+        let columns = &runs.response.shared.plan.columns;
+        let pose = runs.response.shared.plan.asks[0].columns[2];
+        let Some(largest) = (0..columns.len()).find(|column| {
+            let is_largest = super::Spot::Reduced(super::Reduction::MaximumAbsolute);
+            columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)
+        }) else {
+            panic!("the largest deviation narrows curves");
+        };
+        let mut pairs = runs.bounds.pairs.clone();
+        for pair in pairs.iter_mut().filter(|pair| pair.column == pose) {
+            pair.upper.widened = 1.0;
+        }
+        let limit = pairs.iter().find(|pair| pair.column == largest && pair.statistic == Statistic::Mean);
+        let limit = limit.map(|pair| pair.upper.widened).expect("its mean is bounded");
+        let material = runs.material(&pairs);
+        assert_eq!(material.ends(pose, Statistic::Mean).unwrap()[1].widened_si, limit);
+        assert!((material.confidence(pose, Statistic::Mean) - 0.98).abs() < 1e-12);
+    }
+}

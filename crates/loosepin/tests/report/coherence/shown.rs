@@ -180,13 +180,19 @@ fn interval(number: &TaggedNumber, text: &str) -> Result<[f64; 2], String> {
     };
     // Decimal fractions have no exact binary form.
     let slack = 1e-9 * value.abs().max(place);
-    let [low, high] = match number.rounding {
-        1 => [value - place, value],
-        -1 => [value, value + place],
-        _ => [value - 0.5 * place, value + 0.5 * place],
+    let around = |place: f64| match number.rounding {
+        1 => [value - place - slack, value + slack],
+        -1 => [value - slack, value + place + slack],
+        _ => [value - 0.5 * place - slack, value + 0.5 * place + slack],
     };
-    let is_read = (low - slack..=high + slack).contains(&number.value);
-    if is_read { Ok([low - slack, high + slack]) } else { Err(format!("'{text}' is not {}", number.value)) }
+    // Zeros at the end of a whole number may only hold places.
+    let mut places = vec![place];
+    while places.len() < 9 && value != 0.0 && (value / (10.0 * places[places.len() - 1])).fract() == 0.0 && place >= 1.0
+    {
+        places.push(10.0 * places[places.len() - 1]);
+    }
+    let found = places.into_iter().map(around).find(|[low, high]| (*low..=*high).contains(&number.value));
+    found.ok_or_else(|| format!("'{text}' is not {}", number.value))
 }
 
 /// The number at the beginning of a text, and the size of its last digit.

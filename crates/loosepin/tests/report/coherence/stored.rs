@@ -111,6 +111,9 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     for pbox in &result.boxes {
         found.add(Tag::distribution(pbox, "error"), 100.0 * pbox.numerical_error);
     }
+    for (place, command) in result.witness_commands.iter().enumerate() {
+        found.witness(&Tag::whole("command of a witness", &place.to_string()), &command.witness);
+    }
     found.contributors();
     found.shown
 }
@@ -157,8 +160,9 @@ impl Found<'_> {
             self.of_bound(tag("upper"), upper.widened_si, bound);
             self.of_bound(tag("upper error"), of_upper, bound);
             self.of_bound(tag("error"), of_lower.max(of_upper), bound);
-            // An end is its value, moved outwards by its error.
-            if among.is_none() && upper.value_si.is_finite() && upper.widened_si.is_finite() {
+            // An end is its value, moved outwards by its error; a small difference of large numbers has few digits.
+            let is_told = of_upper > 1e-6 * upper.widened_si.abs();
+            if among.is_none() && is_told && upper.value_si.is_finite() && upper.widened_si.is_finite() {
                 self.of_bound(tag("upper error"), upper.widened_si - upper.value_si, bound);
             }
             let error = if of_upper >= of_lower { upper.error } else { lower.error };
