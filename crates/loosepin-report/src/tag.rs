@@ -4,6 +4,7 @@
 //! run nothing is kept of it. In [`tagged`] each number is put between two characters of no script, of which the first says which entry of the
 //! list it is; digits that stand outside were written past the writer.
 
+use loosepin_result::simulation::Extreme;
 use loosepin_result::study::{
     BoundRecord, Contributors, Deviation, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, Statistic,
     TreatmentBand, TreatmentComparison,
@@ -57,6 +58,12 @@ impl Tag {
     pub fn joint(joint: &str, statistic: &str, part: &str) -> Self {
         let [output, statistic, part] = [joint, statistic, part].map(str::to_owned);
         Self::Result(Box::new(ResultTag { output, statistic, part, ..ResultTag::default() }))
+    }
+
+    /// A number of an extreme of a run: `minimum`, `maximum`, and where they are.
+    pub fn extreme(extreme: &Extreme, part: &str) -> Self {
+        let output = response(&extreme.name, extreme.of, ResponsePoint::Whole);
+        Self::joint(&output, "extreme", part)
     }
 
     /// A number of a bound: `lower`, `upper`, `lower error`, `upper error` and so on.

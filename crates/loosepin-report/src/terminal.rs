@@ -138,24 +138,26 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for sentence in simulation_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let at = |point: &ExtremePoint| {
-        let time = writer.value(point.time_s, &SiUnit::TIME);
+    let at = |tag: &Tag, point: &ExtremePoint| {
+        let time = writer.about(&tag.part("time")).value(point.time_s, &SiUnit::TIME);
         // The phase of a cycle in which no drive turns tells nothing that the time does not.
         if record.settings.drive_speed_rad_s.is_none() {
             return time;
         }
-        format!("{time}, {}", writer.angle_in_turn(point.drive_angle_rad, 4))
+        format!("{time}, {}", writer.about(&tag.part("angle")).angle_in_turn(point.drive_angle_rad, 4))
     };
-    let value =
-        |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
+    let value = |tag: &Tag, point: &ExtremePoint, unit: &SiUnit| {
+        writer.about(tag).value(without_round_off(record, point.value_si, unit), unit)
+    };
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
+        let [minimum, maximum] = ["minimum", "maximum"].map(|part| Tag::extreme(extreme, part));
         extremes.add_row([
             simulation_page::extreme_words(extreme),
-            value(&extreme.minimum, &extreme.unit),
-            at(&extreme.minimum),
-            value(&extreme.maximum, &extreme.unit),
-            at(&extreme.maximum),
+            value(&minimum, &extreme.minimum, &extreme.unit),
+            at(&minimum, &extreme.minimum),
+            value(&maximum, &extreme.maximum, &extreme.unit),
+            at(&maximum, &extreme.maximum),
         ]);
     }
     push_table(&mut text, &extremes);
@@ -164,8 +166,8 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for own in &oscillations {
         oscillating.add_row([
             own.name.clone(),
-            writer.value(own.spectrum.rms_si, &own.unit),
-            writer.value(own.peak_si, &own.unit),
+            writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
+            writer.about(&own.tag("peak")).value(own.peak_si, &own.unit),
             dominant_words(record, own, &writer),
         ]);
     }
@@ -178,17 +180,24 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         &[1, 2, 3, 4, 5, 6, 7],
     );
     for joint in &record.joints {
-        let share =
-            |value: Option<f64>| value.map_or("-".to_owned(), |value| writer.value_trimmed(value, &SiUnit::NONE));
+        let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+        let share = |part: &str, value: Option<f64>| {
+            let tag = tag("restitution", part);
+            value.map_or("-".to_owned(), |value| writer.about(&tag).value_trimmed(value, &SiUnit::NONE))
+        };
         joints.add_row([
             joint.joint.clone(),
-            count(joint.impacts, &writer),
-            count(joint.contacts, &writer),
-            writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
-            writer.value(joint.peak_force_n, &SiUnit::FORCE),
-            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
-            writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
-            format!("{} ({})", share(joint.delivered_restitution), share(joint.nominal_restitution)),
+            count(joint.impacts, &writer.about(&tag("impacts", "number"))),
+            count(joint.contacts, &writer.about(&tag("contacts", "number"))),
+            writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE),
+            writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.about(&tag("clearance", "radial")).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+            format!(
+                "{} ({})",
+                share("delivered", joint.delivered_restitution),
+                share("stated", joint.nominal_restitution)
+            ),
         ]);
     }
     push_table(&mut text, &joints);
@@ -217,14 +226,14 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     let counters = &record.counters;
     let factorizations = match counters.factorizations {
         0 => String::new(),
-        number => format!("{}, ", counted(number, "factorization", &writer)),
+        number => format!("{}, ", counted(number, "factorization", &writer.about(&Tag::Count("factorizations")))),
     };
     text.push_str(&format!(
         "\n{}, {} rejected, {}, {factorizations}{}\n",
-        counted(counters.steps, "step", &writer),
-        count(counters.rejections, &writer),
-        counted(counters.evaluations, "evaluation", &writer),
-        counted(counters.contact_changes, "contact change", &writer)
+        counted(counters.steps, "step", &writer.about(&Tag::Count("steps"))),
+        count(counters.rejections, &writer.about(&Tag::Count("rejections"))),
+        counted(counters.evaluations, "evaluation", &writer.about(&Tag::Count("evaluations"))),
+        counted(counters.contact_changes, "contact change", &writer.about(&Tag::Count("contact changes")))
     ));
     as_shown(&text)
 }
@@ -361,16 +370,23 @@ fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
         .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
     let head = ["joint", &impacts, &losses, "out of contact", "too fast", "penetration/clearance"];
     let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
-    let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
     for joint in &record.joints {
+        let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+        let tenths = |statistic: &str, value: f64| {
+            writer.about(&tag(statistic, "per turn")).shortest((value * 10.0).round() / 10.0, &SiUnit::NONE)
+        };
         contacts.add_row([
             joint.joint.clone(),
-            joint.impacts_per_turn.map_or("-".to_owned(), tenths),
-            tenths(joint.losses_per_turn),
-            writer.percent(joint.flight_share, Rounding::Nearest),
-            joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
+            joint.impacts_per_turn.map_or("-".to_owned(), |value| tenths("impacts", value)),
+            tenths("losses", joint.losses_per_turn),
+            writer.about(&tag("flight", "share")).percent(joint.flight_share, Rounding::Nearest),
+            joint.share_outside_validity.map_or("-".to_owned(), |share| {
+                writer.about(&tag("impacts", "outside validity")).percent(share, Rounding::Up)
+            }),
             if joint.radial_clearance_m > 0.0 {
-                writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up)
+                writer
+                    .about(&tag("penetration", "largest share"))
+                    .percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up)
             } else {
                 "-".to_owned()
             },

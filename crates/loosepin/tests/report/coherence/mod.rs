@@ -3,15 +3,16 @@
 
 mod held;
 mod planted;
+mod run;
 mod shown;
 mod stored;
 
-use loosepin::report::{TaggedText, simulation_text, study_page, study_text, tagged};
+use loosepin::report::{TaggedText, motion_text, study_page, study_text, tagged};
 use loosepin::result::json::Stored;
 use loosepin::study::files::bounds_csv;
 use loosepin::study::result::StudyResult;
 
-use super::report_fixture::{motion, simulation, study};
+use super::report_fixture::{motion, study};
 use held::{Reader, SECTIONS_LEFT, TITLES_LEFT, Writer, faults};
 use shown::{Names, page_numbers, terminal_numbers};
 
@@ -86,12 +87,9 @@ fn what_is_left_to_tag_has_untagged_numbers() {
         let (_, untagged) = terminal_numbers(&texts.terminal, &names, &others);
         assert!(!untagged.is_empty(), "take '{title}' out of the list: all its numbers are tagged");
     }
-    // Whole documents: single runs and the ideal motion.
-    let run = simulation::worn_pin();
-    let text = tagged(|| simulation_text(&run));
-    assert!(text.numbers.iter().any(|number| number.tag.is_none()), "texts of single runs are tagged: hold them too");
+    // A whole document: the ideal motion.
     let motion = motion::worn_pin();
-    let text = tagged(|| loosepin::report::motion_text(&motion));
+    let text = tagged(|| motion_text(&motion));
     assert!(
         text.numbers.iter().any(|number| number.tag.is_none()),
         "texts of the ideal motion are tagged: hold them too"
