@@ -41,12 +41,12 @@ impl Reduction {
     /// Whether no curve gives a larger number than by `other`: min <= mean <= max <= max|.|, and mean <= rms <= max|.| by the inequality of
     /// Cauchy and Schwarz.
     pub const fn never_exceeds(self, other: Self) -> bool {
-        match (self, other) {
-            (Self::Minimum, Self::Mean | Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute) => true,
-            (Self::Mean, Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute) => true,
-            (Self::Maximum | Self::RootMeanSquare, Self::MaximumAbsolute) => true,
-            _ => false,
-        }
+        matches!(
+            (self, other),
+            (Self::Minimum, Self::Mean | Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute)
+                | (Self::Mean, Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute)
+                | (Self::Maximum | Self::RootMeanSquare, Self::MaximumAbsolute)
+        )
     }
 
     /// Whether no curve gives a negative number.
