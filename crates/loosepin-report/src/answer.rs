@@ -2,6 +2,7 @@
 
 use super::force_words::{ForcesOf, study_sentences};
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::tag::Tag;
 use super::told::{SENTENCE_DIGITS, Told, between, largest, smallest, told};
 use super::wording::{
     capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
@@ -69,15 +70,19 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
         Some(format!(
             "{} of the impacts in {} are faster than the contact law is valid for: the real deviation may differ. Give the \
              restitution an interval that holds what such impacts leave of it.",
-            writer.percent(share, Rounding::Up),
+            writer.about(&Tag::joint(&joint.joint, "impacts", "outside validity")).percent(share, Rounding::Up),
             joint.joint
         ))
     });
     let settled = result.settled_share.filter(|share| *share < 1.0).map(|share| {
         format!(
-            "In {} of the runs the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
+            "In {} the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
              Record more turns (recorded_turns) to see how much.",
-            writer.percent(1.0 - share, Rounding::Up)
+            share_of_runs(
+                1.0 - share,
+                result.counts.runs - result.counts.failed,
+                &writer.about(&Tag::whole("settled", "not"))
+            )
         )
     });
     let of_forces = |joint| {
@@ -86,6 +91,21 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     };
     let soft = result.impacts.iter().flat_map(of_forces);
     beyond.chain(soft).chain(settled).collect()
+}
+
+/// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.
+pub(super) fn share_of_runs(share: f64, runs: u64, writer: &NumberWriter) -> String {
+    const NEAR_AN_END: f64 = 0.01;
+    let counted_runs = (share * runs as f64).round() as u64;
+    if counted_runs == runs {
+        return "all runs".to_owned();
+    }
+    if share < NEAR_AN_END || 1.0 - share < NEAR_AN_END {
+        let of = counted(runs, "run", &writer.about(&Tag::Count("finished runs")));
+        let tag = writer.tag().map(|tag| tag.part("runs"));
+        return format!("{} of the {of}", super::wording::count(counted_runs, &writer.about_maybe(tag.as_ref())));
+    }
+    format!("{} of the runs", writer.percent(share, Rounding::Nearest))
 }
 
 /// The verdict over all requirements as a headline.
@@ -100,6 +120,8 @@ pub(super) fn verdict_headline(verdict: Verdict) -> &'static str {
 
 /// " This holds for every gudgeon radial clearance from 0.1 to 0.5 mm." or what replaces it.
 fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> String {
+    let given = Tag::Given("range of an input");
+    let writer = &writer.about(&given);
     let parts: Vec<String> = result
         .inputs
         .iter()
@@ -119,7 +141,10 @@ fn conditions(result: &StudyResult, is_of_one: bool, writer: &NumberWriter) -> S
                 }
                 InputKind::Periodic { .. } => Some(format!("every {name} of the full period")),
                 InputKind::Fuzzy { .. } => Some(format!("every possible {name}")),
-                InputKind::Choice { of } => Some(format!("each {name} of the list ({})", listed(of))),
+                InputKind::Choice { of } => {
+                    let of: Vec<String> = of.iter().map(|member| writer.as_written(member)).collect();
+                    Some(format!("each {name} of the list ({})", listed(&of)))
+                }
             }
         })
         .collect();
@@ -152,14 +177,20 @@ fn scatter_sentence(
     let (random, mixed) = (magnitude(random_ends), magnitude(mixed_ends));
     let is_worth_saying = random.is_finite() && mixed.is_finite() && random < 0.95 * mixed && !curve.centre.is_empty();
     is_worth_saying.then(|| {
-        let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+        let share = writer
+            .about(&Tag::Given("probability"))
+            .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+        let tags = ["random", "mixed"].map(|part| Tag::curve(curve, part));
         let is_on_both_sides = [random_ends, mixed_ends].into_iter().all(|[low, high]| low < 0.0 && high > 0.0);
         let [random, mixed] = if is_on_both_sides {
-            [random, mixed].map(|most| {
-                format!("within ±{}", writer.rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+            [(random, &tags[0]), (mixed, &tags[1])].map(|(most, tag)| {
+                let reach = tag.part("reach");
+                let reach = writer.about(&reach).rounded(most, &curve.unit, SENTENCE_DIGITS, Rounding::Up);
+                format!("within ±{reach}")
             })
         } else {
-            [random_ends, mixed_ends].map(|[low, high]| between(low, high, &curve.unit, writer))
+            [(random_ends, &tags[0]), (mixed_ends, &tags[1])]
+                .map(|([low, high], tag)| between(low, high, &curve.unit, &writer.about(tag)))
         };
         let of_several = of_several.then(|| format!("the {} stays", deviation_of(&curve.output, curve.of, &result.outputs)));
         match of_several {
@@ -188,11 +219,17 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
             };
             let searched = format!(
                 "in {} of mechanisms",
-                writer.percent_range(requirement.probability[0], requirement.probability[1])
+                writer
+                    .about(&Tag::requirement(requirement, "share"))
+                    .percent_range(requirement.probability[0], requirement.probability[1])
             );
             let share = match (requirement.promised, &result.promise) {
                 (Some(least), Some(promise)) => {
-                    format!("{}; searched over every value: {searched}", promised_share(promise, least, writer))
+                    let tag = Tag::requirement(requirement, "promised");
+                    format!(
+                        "{}; searched over every value: {searched}",
+                        promised_share(promise, least, &writer.about(&tag))
+                    )
                 }
                 _ => searched,
             };
@@ -201,7 +238,9 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
                 capitalised(verdict_words(requirement.verdict)),
                 deviation_of(&requirement.output, requirement.of, &result.outputs),
                 place_words(requirement.at, writer),
-                writer.percent(requirement.probability_at_least, Rounding::Nearest),
+                writer
+                    .about(&Tag::Given("required share"))
+                    .percent(requirement.probability_at_least, Rounding::Nearest),
             )
         })
         .collect()
@@ -209,11 +248,12 @@ fn requirement_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<Str
 
 /// What a promise says of a requirement that it decides, to stand behind the sentence on its verdict.
 fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWriter) -> String {
+    let given = writer.about(&Tag::Given("promise"));
     format!(
         "in at least {} of mechanisms, for at least {} of the box of the intervals with {} confidence (not for every value)",
         writer.percent(least_share, Rounding::Down),
-        writer.percent(promise.share, Rounding::Down),
-        writer.percent(promise.confidence, Rounding::Down),
+        given.percent(promise.share, Rounding::Down),
+        given.percent(promise.confidence, Rounding::Down),
     )
 }
 
@@ -238,10 +278,15 @@ fn way_to_decide(result: &StudyResult, requirement: &RequirementOutcome, writer:
     } else if let Some(known) = too_few.filter(|known| needed(known) < MOST) {
         format!(
             "All {} passed, but {} can prove only {}: increase 'inner' to {} or more.",
-            counted(known.mechanisms, "mechanism", writer),
-            super::wording::count(known.mechanisms, writer),
-            writer.percent(requirement.probability[0], Rounding::Down),
-            super::wording::count((needed(&known).ceil() as u64).next_power_of_two(), writer)
+            counted(known.mechanisms, "mechanism", &writer.about(&Tag::requirement(requirement, "mechanisms"))),
+            super::wording::count(known.mechanisms, &writer.about(&Tag::requirement(requirement, "mechanisms"))),
+            writer
+                .about(&Tag::requirement(requirement, "share lower"))
+                .percent(requirement.probability[0], Rounding::Down),
+            super::wording::count(
+                (needed(&known).ceil() as u64).next_power_of_two(),
+                &writer.about(&Tag::requirement(requirement, "needed"))
+            )
         )
     } else if is_by_surrogate(result) {
         "The required share lies within the numerical error: increase 'training_runs' or 'inner', or use \
@@ -262,13 +307,14 @@ pub(super) fn requirement_words(
     let RequirementOutcome { lower_si, upper_si, .. } = *requirement;
     let is_distance = matches!(path_part(&requirement.output, &result.outputs), Some((_, PathError::Magnitude)));
     if is_distance && lower_si == -upper_si && upper_si.is_finite() {
-        return format!("within {}", writer.value_shortest(upper_si, unit));
+        return format!("within {}", writer.about(&Tag::Given("required limit")).value_shortest(upper_si, unit));
     }
     limits_words(lower_si, upper_si, unit, writer)
 }
 
 /// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
 pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
+    let writer = writer.about(&Tag::Given("required limit"));
     match (lower_si.is_finite(), upper_si.is_finite()) {
         (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
         (true, true) => {
@@ -283,32 +329,40 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
 fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
-    let error_text = headline.and_then(|told| told.error_si()).map(|(error_si, unit)| writer.error(error_si, unit));
+    let error_text = headline.and_then(|told| {
+        let (error_si, unit) = told.error_si()?;
+        let error = writer.about(&told.error_tag()).error(error_si, unit);
+        Some(format!("Numerical error of {}: at most {error}, included in it.", told.limit_words()))
+    });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
-        Some(error) if answers.len() > 1 => format!(
-            "Numerical error: at most {error} in the first sentence, included in it. The table shows the others, which are included as well."
-        ),
-        Some(error) => format!("Numerical error: at most {error}, included in the answer."),
+        Some(error) if answers.len() > 1 => {
+            format!("{error} The table shows those of the other answers, which are included as well.")
+        }
+        Some(error) => error,
         None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
         let is_answer = headline.is_some_and(|told| told.is_unconfirmed());
+        let some = super::wording::count(inner as u64, &writer.about(&Tag::Count("unconfirmed bounds")));
+        let all = super::wording::count(mixed().count() as u64, &writer.about(&Tag::Count("bounds")));
         let subject = match (is_answer, mixed().count()) {
             (true, _) if inner == 1 => "This answer".to_owned(),
-            (true, all) => format!("{inner} of {all} bounds, this answer included,"),
+            (true, _) => format!("{some} of {all} bounds, this answer included,"),
             (false, 1) => "The only bound".to_owned(),
-            (false, all) => format!("{inner} of {all} bounds"),
+            (false, _) => format!("{some} of {all} bounds"),
         };
         let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
+        let them = if inner == 1 { "it" } else { "them" };
         let reason = match needed.filter(|needed| *needed > result.counts.inner) {
-            _ if is_by_surrogate(result) => "direct runs do not confirm it".to_owned(),
+            _ if is_by_surrogate(result) => format!("direct runs do not confirm {them}"),
             Some(needed) => {
-                format!("increase 'inner' to {} or more", super::wording::count(needed.next_power_of_two(), writer))
+                let needed = needed.next_power_of_two();
+                let needed = super::wording::count(needed, &writer.about(&Tag::Count("random samples needed")));
+                format!("increase 'inner' to {needed} or more")
             }
             None => "increase 'inner'".to_owned(),
         };
-        let reason = if inner == 1 { reason } else { reason.replace(" it", " them") };
         sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
     }
     sentence
@@ -323,13 +377,13 @@ fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
 }
 
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
-    let runs = counted(result.counts.runs, "run", writer);
+    let runs = counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")));
     let failed = match result.counts.failed {
         0 => "none failed.".to_owned(),
         failed => format!(
             "{} failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
              the finished runs only and have no bound.",
-            super::wording::count(failed, writer)
+            super::wording::count(failed, &writer.about(&Tag::Count("failed runs")))
         ),
     };
     let random = result.inputs.iter().filter(|input| input.kind == InputKind::Random).count();
@@ -337,18 +391,23 @@ fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
         "{runs}, {failed} Assumptions: the model as written, {}, {} of start-up, {} recorded.",
         match random {
             0 => "no random input".to_owned(),
-            1 => "1 random input with its distribution as stated".to_owned(),
-            many => format!("{many} random inputs with their distributions as stated"),
+            some => {
+                let inputs = counted(some as u64, "random input", &writer.about(&Tag::Count("random inputs")));
+                format!(
+                    "{inputs} with {} as stated",
+                    if some == 1 { "its distribution" } else { "their distributions" }
+                )
+            }
         },
-        turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s),
-        turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s),
+        turns(result.cycle.transient_turns, result.cycle.drive_speed_rad_s, writer),
+        turns(result.cycle.recorded_turns, result.cycle.drive_speed_rad_s, writer),
     )
 }
 
 /// A number of turns of the drive, or of cycles where no drive turns at a constant speed.
-pub(super) fn turns(turns: f64, drive_speed_rad_s: Option<f64>) -> String {
-    let one = turn_word(drive_speed_rad_s);
-    if turns == 1.0 { format!("1 {one}") } else { format!("{turns} {one}s") }
+pub(super) fn turns(turns: f64, drive_speed_rad_s: Option<f64>, writer: &NumberWriter) -> String {
+    let number = writer.about(&Tag::Given("turns")).shortest(turns, &SiUnit::NONE);
+    format!("{number} {}{}", turn_word(drive_speed_rad_s), if turns == 1.0 { "" } else { "s" })
 }
 
 /// "turn" of the drive, or "cycle" where no drive turns at a constant speed.
@@ -366,20 +425,26 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             Treatment::IntervalOnly => "Interval only takes the worst case of all inputs, random ones included.",
             Treatment::Mixed => "Mixed keeps random inputs random and unknown values unknown.",
         };
-        let held = share_sentence(band, comparison.promised_coverage, writer);
-        format!("{assumption} {held}{}", width_sentence(band, mixed_width, writer))
+        let held = share_sentence(band, comparison, writer);
+        let tag = Tag::band(comparison, band, "width beside the mixed band");
+        format!("{assumption} {held}{}", width_sentence(band, mixed_width, &writer.about(&tag)))
     };
     comparison.bands.iter().map(sentence).collect()
 }
 
 /// The share of mechanisms inside a band at the worst of the unknown values, beside the promised one.
-fn share_sentence(band: &TreatmentBand, promised: f64, writer: &NumberWriter) -> String {
-    let promise = writer.percent(promised, Rounding::Nearest);
-    let least = writer.percent(band.coverage_minimum, Rounding::Down);
+fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let promised = comparison.promised_coverage;
+    let promise = writer.about(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
+    let tag = |part: &str| Tag::band(comparison, band, part);
+    let (worst, error) = (tag("share at the worst values"), tag("error of the share"));
+    let least = writer.about(&tag("counted share")).percent(band.coverage_minimum, Rounding::Down);
+    let writer = writer.about(&worst);
     if band.is_promise_unknown(promised) {
-        let (of_what, least_share) = match band.ends {
-            Some(_) => ("surrogate", band.least_share()),
-            None => ("runs", (band.coverage_minimum - band.coverage_error).max(0.0)),
+        let (of_what, least_share) = if band.is_by_surrogate {
+            ("surrogate", band.least_share())
+        } else {
+            ("runs", (band.coverage_minimum - band.coverage_error).max(0.0))
         };
         return format!(
             "At the worst unknown values, {} of mechanisms lie inside the band. The {of_what} cannot show whether the promised \
@@ -400,7 +465,7 @@ fn share_sentence(band: &TreatmentBand, promised: f64, writer: &NumberWriter) ->
     if band.coverage_minimum < promised {
         return format!(
             "At the worst unknown values, {least} ± {} of mechanisms lie inside the band. This agrees with the promised {promise}.",
-            writer.percent(band.coverage_error, Rounding::Up)
+            writer.about(&error).percent(band.coverage_error, Rounding::Up)
         );
     }
     format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")

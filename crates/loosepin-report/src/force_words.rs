@@ -1,6 +1,7 @@
 //! What stands beside contact forces: the law, the restitution that it delivers, its limits, and what deep penetrations mean.
 
 use super::number::{NumberWriter, Rounding};
+use super::tag::Tag;
 use super::wording::{capitalised, listed};
 use loosepin_result::simulation::{JointSummary, SimulationRecord};
 use loosepin_result::study::{JointImpacts, StudyResult};
@@ -65,9 +66,17 @@ impl<'a> ForcesOf<'a> {
         }
     }
 
+    fn tag(&self, statistic: &str, part: &str) -> Tag {
+        Tag::joint(self.joint, statistic, part)
+    }
+
+    fn percent(&self, statistic: &str, part: &str, share: f64, writer: &NumberWriter) -> String {
+        writer.about(&self.tag(statistic, part)).percent(share, Rounding::Up)
+    }
+
     /// Each law with what it rests on.
     pub fn laws(&self, writer: &NumberWriter) -> Vec<String> {
-        self.laws.iter().map(|(law, basis)| law_words(law, basis, writer)).collect()
+        self.laws.iter().map(|(law, basis)| law_words(self.joint, law, basis, writer)).collect()
     }
 
     /// The law, the restitution that it delivers, its limits; nothing in records of older versions.
@@ -83,18 +92,24 @@ impl<'a> ForcesOf<'a> {
             sentence.push_str(&format!(" {}.", capitalised(&details.join("; "))));
         }
         if let Some(long_pin) = self.long_pin {
-            sentence.push_str(&format!(" {}", long_pin_sentence(long_pin, writer)));
+            sentence.push_str(&format!(" {}", long_pin_sentence(self.joint, long_pin, writer)));
         }
         Some(sentence)
     }
 
     fn restitution_words(&self, writer: &NumberWriter) -> Option<String> {
-        let range = |[from, to]: [f64; 2]| {
-            let [from, to] = [from, to].map(|end| writer.shortest((end * 1e4).round() / 1e4, &SiUnit::NONE));
+        let range = |what: &str, [from, to]: [f64; 2]| {
+            let [from, to] = [(from, "least"), (to, "largest")].map(|(end, part)| {
+                writer.about(&self.tag(what, part)).shortest((end * 1e4).round() / 1e4, &SiUnit::NONE)
+            });
             if from == to { from } else { format!("{from} to {to}") }
         };
         let (stated, delivered) = (self.restitution?, self.delivered?);
-        Some(format!("the stated restitution of {} acts as {} in a free impact", range(stated), range(delivered)))
+        Some(format!(
+            "the stated restitution of {} acts as {} in a free impact",
+            range("stated restitution", stated),
+            range("delivered restitution", delivered)
+        ))
     }
 
     fn limits_words(&self, writer: &NumberWriter) -> Option<String> {
@@ -102,14 +117,25 @@ impl<'a> ForcesOf<'a> {
             self.laws.iter().filter_map(|(_, basis)| limit(basis)).min_by(f64::total_cmp)
         };
         let speed = of_all(|basis| basis.largest_valid_speed_m_s).map(|limit_m_s| {
-            let limit = writer.rounded(limit_m_s, &SiUnit::VELOCITY, 2, Rounding::Nearest);
+            let limit = writer.about(&self.tag("validity", "fastest")).rounded(
+                limit_m_s,
+                &SiUnit::VELOCITY,
+                2,
+                Rounding::Nearest,
+            );
             match self.share_outside_validity {
-                Some(share) => format!("impacts up to {limit} ({} are faster)", writer.percent(share, Rounding::Up)),
+                Some(share) => format!(
+                    "impacts up to {limit} ({} are faster)",
+                    self.percent("validity", "share beyond", share, writer)
+                ),
                 None => format!("impacts up to {limit}"),
             }
         });
         let depth = of_all(|basis| basis.largest_valid_penetration_m).map(|limit_m| {
-            format!("penetrations up to {}", writer.rounded(limit_m, &SiUnit::LENGTH, 2, Rounding::Down))
+            format!(
+                "penetrations up to {}",
+                writer.about(&self.tag("validity", "deepest")).rounded(limit_m, &SiUnit::LENGTH, 2, Rounding::Down)
+            )
         });
         let limits: Vec<String> = [speed, depth].into_iter().flatten().collect();
         (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
@@ -123,13 +149,16 @@ impl<'a> ForcesOf<'a> {
             return None;
         }
         let fastest = self.fastest_m_s.map_or(String::new(), |speed_m_s| {
-            format!(" (the fastest at {})", writer.value(speed_m_s, &SiUnit::VELOCITY))
+            format!(
+                " (the fastest at {})",
+                writer.about(&self.tag("impact speed", "largest")).value(speed_m_s, &SiUnit::VELOCITY)
+            )
         });
         Some(format!(
             "In {} no contact began faster than the least impact speed of {}{fastest}: all are computed as impacts at that speed, which lose \
              less energy, and none is counted. Lower minimum_impact_speed.",
             self.joint,
-            writer.value_shortest(floor_m_s, &SiUnit::VELOCITY)
+            writer.about(&Tag::Given("least impact speed")).value_shortest(floor_m_s, &SiUnit::VELOCITY)
         ))
     }
 
@@ -139,7 +168,7 @@ impl<'a> ForcesOf<'a> {
         let reached = format!(
             "In {} the parts penetrate each other by up to {} of the clearance",
             self.joint,
-            writer.percent(share, Rounding::Up)
+            self.percent("penetration", "largest share", share, writer)
         );
         // A contact so soft that the parts pass through each other is none that its law describes.
         if share > 1.0 {
@@ -157,7 +186,9 @@ impl<'a> ForcesOf<'a> {
     }
 }
 
-fn law_words(law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {
+fn law_words(joint: &str, law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {
+    let tag = Tag::joint(joint, "bearing length", "");
+    let writer = writer.about(&tag);
     let default = if basis.is_law_named { "" } else { " by default" };
     let length = |length_m: f64| writer.value_trimmed(length_m, &SiUnit::LENGTH);
     match basis.shape {
@@ -173,14 +204,20 @@ fn law_words(law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {
     }
 }
 
-fn long_pin_sentence(long_pin: &LongPinForce, writer: &NumberWriter) -> String {
+fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter) -> String {
     let LongPinForce { law, length_m, is_length_given, force_n } = long_pin;
-    let length = writer.value_trimmed(*length_m, &SiUnit::LENGTH);
+    let length =
+        writer.about(&Tag::joint(joint, "length of a line contact", "")).value_trimmed(*length_m, &SiUnit::LENGTH);
     let over = if *is_length_given { length } else { format!("{length}, its diameter,") };
     match force_n {
         Some(force_n) => format!(
             "As a line contact over {over} the same impact energy gives about {} ({law}).",
-            writer.rounded(*force_n, &SiUnit::FORCE, ESTIMATE_DIGITS, Rounding::Nearest)
+            writer.about(&Tag::joint(joint, "normal force", "as a line contact")).rounded(
+                *force_n,
+                &SiUnit::FORCE,
+                ESTIMATE_DIGITS,
+                Rounding::Nearest
+            )
         ),
         None => format!("A line contact over {over} ({law}) is not defined up to the same impact energy."),
     }

@@ -25,7 +25,7 @@
 //! | which bounds a witness attains | `witness_words.rs` |
 //!
 //! Parts of sentences: `wording.rs` (statistic, deviation, place, verdict), `bound_words.rs` (a bound and its error), `number.rs`
-//! (digits, units, rounding outwards).
+//! (digits, units, rounding outwards), `tag.rs` (what a number is, so that no two texts contradict each other).
 
 mod accuracy_text;
 mod answer;
@@ -81,6 +81,7 @@ mod styles;
 mod surrogate_figure;
 mod surrogate_text;
 mod sweep_page;
+mod tag;
 mod terminal;
 mod terminal_table;
 mod ticks;
@@ -113,6 +114,7 @@ pub use simulation_page::simulation_page;
 pub use study_page::{KnownValue, known_values, study_excerpt, study_page};
 pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
+pub use tag::{ResultTag, Tag, TaggedNumber, TaggedText, among_cut, among_percentile, tagged};
 pub use terminal::{motion_text, simulation_text, study_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
 pub use witness_words::{WitnessWords, witness_words};

@@ -204,6 +204,7 @@ mod tests {
             name: "slider".to_owned(),
             words: "x of slider.pin".to_owned(),
             unit: SiUnit::LENGTH,
+            path_error: None,
             value_si: vec![0.1],
             velocity_si: vec![0.0],
             acceleration_si: vec![0.0],

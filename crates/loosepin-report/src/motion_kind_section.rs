@@ -6,11 +6,15 @@ use super::chart::{Chart, Entry, EntryValues, Role};
 use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::still_figures::journal_sections;
+use super::tag::Tag;
 use super::wording::counted;
 use loosepin_result::simulation::{
     JournalOrbit, LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput, SimulationRecord,
 };
 use loosepin_text::units::SiUnit;
+
+/// Confidence of the interval of a Lyapunov exponent.
+const CONFIDENCE: f64 = 0.95;
 
 /// Period and Lyapunov exponent in sentences; for pages and terminals alike.
 pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
@@ -19,11 +23,14 @@ pub(super) fn kind_sentences(record: &SimulationRecord, writer: &NumberWriter) -
 }
 
 fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
-    let turns = counted(u64::from(kind.turns), "turn", writer);
+    let turns = counted(u64::from(kind.turns), "turn", &writer.about(&Tag::Given("turns that are examined")));
     match kind.period_turns {
         Some(1) => format!("The motion repeats every turn ({turns} examined)."),
         Some(period) => {
-            format!("The motion repeats every {} ({turns} examined).", counted(u64::from(period), "turn", writer))
+            format!(
+                "The motion repeats every {} ({turns} examined).",
+                counted(u64::from(period), "turn", &writer.about(&Tag::whole("motion", "period")))
+            )
         }
         None => format!(
             "The motion does not repeat within half of the {turns} examined. It has not settled yet, or it is not periodic."
@@ -32,15 +39,19 @@ fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
 }
 
 fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
-    let number = |value: f64| writer.rounded(value, &SiUnit::NONE, 3, Rounding::Nearest);
+    let tag = |part: &str| Tag::whole("Lyapunov exponent", part);
+    let number = |part: &str, value: f64| writer.about(&tag(part)).rounded(value, &SiUnit::NONE, 3, Rounding::Nearest);
     let space = writer.space();
+    // The unit: one over seconds.
+    let one = writer.about(&Tag::Given("unit")).count(1);
     let measured = format!(
-        "Largest Lyapunov exponent {}{space}1/s, with 95{space}% confidence between {} and {}{space}1/s",
-        number(found.exponent_1_s),
-        writer.rounded(found.lower_1_s, &SiUnit::NONE, 3, Rounding::Down),
-        writer.rounded(found.upper_1_s, &SiUnit::NONE, 3, Rounding::Up)
+        "Largest Lyapunov exponent {}{space}{one}/s, with {} confidence between {} and {}{space}{one}/s",
+        number("value", found.exponent_1_s),
+        writer.about(&Tag::Given("confidence")).percent(CONFIDENCE, Rounding::Nearest),
+        writer.about(&tag("lower")).rounded(found.lower_1_s, &SiUnit::NONE, 3, Rounding::Down),
+        writer.about(&tag("upper")).rounded(found.upper_1_s, &SiUnit::NONE, 3, Rounding::Up)
     );
-    let tenfold = number(std::f64::consts::LN_10 / found.growth_per_turn().abs());
+    let tenfold = number("turns of tenfold growth", std::f64::consts::LN_10 / found.growth_per_turn().abs());
     match found.kind {
         NeighbourKind::Part => format!(
             "{measured}. Small differences grow tenfold every {tenfold}{space}turns. A single history is not representative: use \
@@ -48,7 +59,10 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
         ),
         NeighbourKind::Meet => format!("{measured}. Small differences shrink tenfold every {tenfold}{space}turns."),
         NeighbourKind::Undecided => {
-            format!("{measured}. Its sign is not certain after {}.", counted(found.growth.len() as u64, "turn", writer))
+            format!(
+                "{measured}. Its sign is not certain after {}.",
+                counted(found.growth.len() as u64, "turn", &writer.about(&Tag::Given("turns that are examined")))
+            )
         }
     }
 }

@@ -13,7 +13,7 @@ use super::play_effect::{Shown, play_effect, unproven_sentences};
 use super::repeat_section::repeat_section;
 use super::still_figures::percent_of;
 use super::wording::{listed, named_words};
-use loosepin_result::motion::{EffortMotion, GuideOverhang, MotionRecord, OutputMotion};
+use loosepin_result::motion::{EffortMotion, GuideOverhang, MotionRecord, OutputMotion, PathMotion};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
@@ -151,12 +151,13 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
 
 /// What moves in words: the output, or for an error of a path the point along or across it.
 pub(super) fn moved_words(output: &OutputMotion) -> String {
-    let sides = [(PathError::Along, "along"), (PathError::Normal, "across")];
-    let path = sides.into_iter().filter(|_| output.value_si.is_empty()).find_map(|(error, side)| {
-        let path = output.name.strip_suffix(error.word())?.trim_end();
-        Some(format!("{path} {side} its path"))
-    });
-    path.unwrap_or_else(|| output.name.clone())
+    let Some(PathMotion { path, part }) = &output.path_error else { return output.name.clone() };
+    match part {
+        PathError::Along => format!("{path} along its path"),
+        PathError::Normal => format!("{path} across its path"),
+        // The quasi-static answer has no other parts.
+        PathError::Magnitude | PathError::Contour => output.name.clone(),
+    }
 }
 
 /// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.

@@ -3,6 +3,7 @@
 use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue};
 use std::f64::consts::TAU;
 
+use super::tag::{Tag, marked, read_the_same};
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
@@ -47,6 +48,8 @@ pub(super) enum Medium {
 pub(super) struct NumberWriter<'a> {
     pub units: &'a DisplayUnits,
     pub medium: Medium,
+    /// What the next numbers are.
+    tag: Option<&'a Tag>,
 }
 
 /// An angle within its turn, from 0 to below 2π. What is nearly a whole turn is 0, so that it is not shown as 360°.
@@ -58,11 +61,38 @@ pub(super) fn within_turn_rad(angle_rad: f64) -> f64 {
 
 impl<'a> NumberWriter<'a> {
     pub fn for_page(units: &'a DisplayUnits) -> Self {
-        NumberWriter { units, medium: Medium::Page }
+        NumberWriter { units, medium: Medium::Page, tag: None }
     }
 
     pub fn for_terminal(units: &'a DisplayUnits) -> Self {
-        NumberWriter { units, medium: Medium::Terminal }
+        NumberWriter { units, medium: Medium::Terminal, tag: None }
+    }
+
+    /// The same writer for numbers that are `tag`.
+    pub fn about<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
+    where
+        'a: 't,
+    {
+        NumberWriter { tag: Some(tag), ..*self }
+    }
+
+    /// The same writer for numbers that are `tag`, where it is known.
+    pub fn about_maybe<'t>(&self, tag: Option<&'t Tag>) -> NumberWriter<'t>
+    where
+        'a: 't,
+    {
+        NumberWriter { tag, ..*self }
+    }
+
+    /// What the next numbers are.
+    pub fn tag(&self) -> Option<&'a Tag> {
+        self.tag
+    }
+
+    /// Number without unit, with digits and direction of rounding.
+    pub fn rounded_without_unit(&self, value_si: f64, unit: &SiUnit, digits: usize, rounding: Rounding) -> String {
+        let digits = significant(self.scaled(value_si, unit), digits, rounding);
+        marked(self.dress(digits.clone()), &digits, self.tag, self.scaled(value_si, unit), rounding)
     }
 
     /// The symbol behind numbers of this unit; empty for a pure number.
@@ -87,24 +117,27 @@ impl<'a> NumberWriter<'a> {
 
     fn trimmed(&self, value_si: f64, unit: &SiUnit, digits: usize) -> String {
         let text = significant(self.scaled(value_si, unit), digits, Rounding::Nearest);
-        self.with_symbol(self.dress(without_trailing_zeros(text)), unit)
+        self.with_symbol(without_trailing_zeros(text), value_si, unit, Rounding::Nearest)
     }
 
     /// An input number without unit, in the fewest digits that tell it.
     pub fn shortest(&self, value_si: f64, unit: &SiUnit) -> String {
-        let text = significant(self.scaled(value_si, unit), INPUT_DIGITS, Rounding::Nearest);
-        self.dress(without_trailing_zeros(text))
+        let digits = self.shortest_digits(value_si, unit);
+        marked(self.dress(digits.clone()), &digits, self.tag, self.scaled(value_si, unit), Rounding::Nearest)
+    }
+
+    fn shortest_digits(&self, value_si: f64, unit: &SiUnit) -> String {
+        without_trailing_zeros(significant(self.scaled(value_si, unit), INPUT_DIGITS, Rounding::Nearest))
     }
 
     /// An input number with unit, in the fewest digits that tell it.
     pub fn value_shortest(&self, value_si: f64, unit: &SiUnit) -> String {
-        self.with_symbol(self.shortest(value_si, unit), unit)
+        self.with_symbol(self.shortest_digits(value_si, unit), value_si, unit, Rounding::Nearest)
     }
 
     /// Number with unit, digits and direction of rounding.
     pub fn rounded(&self, value_si: f64, unit: &SiUnit, digits: usize, rounding: Rounding) -> String {
-        let text = self.dress(significant(self.scaled(value_si, unit), digits, rounding));
-        self.with_symbol(text, unit)
+        self.with_symbol(significant(self.scaled(value_si, unit), digits, rounding), value_si, unit, rounding)
     }
 
     /// The angle of a drive within its turn, from 0° to below 360°.
@@ -116,7 +149,7 @@ impl<'a> NumberWriter<'a> {
     pub fn down_to_error(&self, value_si: f64, error_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let display = self.units.of(unit);
         let text = to_error(display.from_si(value_si), display.from_si(error_si), rounding);
-        self.with_symbol(self.dress(text), unit)
+        self.with_symbol(text, value_si, unit, rounding)
     }
 
     /// Like [`Self::down_to_error`], but to three digits at most: for sentences.
@@ -130,21 +163,30 @@ impl<'a> NumberWriter<'a> {
         self.rounded(error_si, unit, ERROR_DIGITS, Rounding::Up)
     }
 
+    /// A text that may be a number, as a file has it.
+    pub fn as_written(&self, text: &str) -> String {
+        marked(text.to_owned(), text, self.tag, f64::NAN, Rounding::Nearest)
+    }
+
     /// A count.
     pub fn count(&self, value: u64) -> String {
-        self.dress(value.to_string())
+        let digits = value.to_string();
+        marked(self.dress(digits.clone()), &digits, self.tag, value as f64, Rounding::Nearest)
     }
 
     /// A share from 0 to 1 in percent.
     pub fn percent(&self, share: f64, rounding: Rounding) -> String {
-        let text = percent(share, rounding);
-        format!("{}{}%", self.dress(text), self.space())
+        let digits = percent(share, rounding);
+        let text = format!("{}{}%", self.dress(digits.clone()), self.space());
+        marked(text, &digits, self.tag, 100.0 * share, rounding)
     }
 
     /// Two shares, the lower rounded down and the upper up; one where they are the same.
     pub fn percent_range(&self, least: f64, most: f64) -> String {
-        let (least, most) = (self.percent(least, Rounding::Down), self.percent(most, Rounding::Up));
-        if least == most { least } else { format!("{least} to {most}") }
+        let [lower, upper] = ["lower", "upper"].map(|part| self.tag.map(|tag| tag.part(part)));
+        let [of_lower, of_upper] = [&lower, &upper].map(|tag| self.about_maybe(tag.as_ref()));
+        let (least, most) = (of_lower.percent(least, Rounding::Down), of_upper.percent(most, Rounding::Up));
+        if read_the_same(&least, &most) { least } else { format!("{least} to {most}") }
     }
 
     /// The epistemic inputs of a witness in plain words, in the order of the study file.
@@ -160,9 +202,13 @@ impl<'a> NumberWriter<'a> {
                 let shown = match value {
                     WitnessValue::Number(value_si) => {
                         let digits = input.map_or(PLAIN_DIGITS, |input| digits_within(&input.kind, *value_si));
-                        self.trimmed(*value_si, unit, digits)
+                        let tag = self.tag.map(|tag| tag.at(path));
+                        self.about_maybe(tag.as_ref()).trimmed(*value_si, unit, digits)
                     }
-                    WitnessValue::Choice(choice) => choice.clone(),
+                    WitnessValue::Choice(choice) => {
+                        let tag = self.tag.map(|tag| tag.at(path));
+                        self.about_maybe(tag.as_ref()).as_written(choice)
+                    }
                 };
                 format!("{} {shown}", plain_name(path, inputs))
             })
@@ -170,14 +216,17 @@ impl<'a> NumberWriter<'a> {
         parts.join(", ")
     }
 
-    fn with_symbol(&self, text: String, unit: &SiUnit) -> String {
+    /// The digits of a number as the medium has them, with its unit.
+    fn with_symbol(&self, digits: String, value_si: f64, unit: &SiUnit, rounding: Rounding) -> String {
         let symbol = self.symbol(unit);
-        match symbol.as_str() {
-            _ if text == NOT_KNOWN => text,
+        let text = self.dress(digits.clone());
+        let text = match symbol.as_str() {
+            _ if digits == NOT_KNOWN => return digits,
             "" => text,
             "°" => format!("{text}°"),
             _ => format!("{text}{}{symbol}", self.space()),
-        }
+        };
+        marked(text, &digits, self.tag, self.scaled(value_si, unit), rounding)
     }
 
     /// Between a number and its unit: a line must not end there. Terminal text turns it into a space once it is wrapped.

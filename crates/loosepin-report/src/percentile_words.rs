@@ -2,6 +2,7 @@
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
+use super::tag::{Tag, among_percentile};
 use super::wording::output_unit;
 use super::wording::{deviation_words, output_words, place_words, statistic_words};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
@@ -16,7 +17,7 @@ const MOST_STATISTICS: usize = 20;
 
 /// `5 %` as the name of a percentile.
 pub(super) fn percentile_words(percentile: f64, writer: &NumberWriter) -> String {
-    format!("{} percentile", writer.percent(percentile, Rounding::Nearest))
+    format!("{} percentile", writer.about(&Tag::Given("percentile")).percent(percentile, Rounding::Nearest))
 }
 
 /// One sentence for each statistic that is no point of a curve.
@@ -26,11 +27,13 @@ pub(super) fn percentile_sentences(result: &StudyResult, writer: &NumberWriter) 
     let sentence = |(index, bound): (usize, &BoundRecord)| {
         let parts = result.percentiles.iter().filter_map(|each| {
             let bound = each.bounds.get(index)?;
+            let among = among_percentile(each.percentile);
+            let of_bounds = writer.about(&among);
             Some(format!(
                 "{} {} to {}",
                 percentile_words(each.percentile, writer),
-                bound_value(&bound.lower, bound, Rounding::Down, writer),
-                bound_value(&bound.upper, bound, Rounding::Up, writer)
+                bound_value(&bound.lower, bound, Rounding::Down, &of_bounds),
+                bound_value(&bound.upper, bound, Rounding::Up, &of_bounds)
             ))
         });
         format!(

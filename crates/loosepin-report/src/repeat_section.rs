@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::number::NumberWriter;
 use super::page::Section;
+use super::tag::Tag;
 use loosepin_result::repeat::Repeat;
 use loosepin_result::study::StudyResult;
 
@@ -17,8 +18,9 @@ pub(super) fn study_repeat_section(result: &StudyResult, writer: &NumberWriter) 
     let witnesses = html! {
         @if !result.witness_commands.is_empty() {
             h3 { "One mechanism at the unknown values where a bound is reached" }
-            @for run in &result.witness_commands {
-                p.quiet { (writer.witness(&run.witness, &result.inputs)) }
+            @for (place, run) in result.witness_commands.iter().enumerate() {
+                @let tag = Tag::whole("command of a witness", &place.to_string());
+                p.quiet { (writer.about(&tag).witness(&run.witness, &result.inputs)) }
                 pre { (run.command) }
             }
         }

@@ -17,12 +17,14 @@ use super::page::{Page, Section, cards, facts, sentences};
 use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
+use super::tag::Tag;
 use super::wear_section::wear_section;
-use super::wording::{capitalised, count, counted, listed, named_words, without_round_off};
+use super::wording::{capitalised, count, counted, deviation_words, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    ControlHistory, DrawnJointKind, Extreme, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, StopReason, SwingCourse,
 };
+use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
 
 /// Rows of the table of impacts; the others stand in `impacts.csv`.
@@ -83,9 +85,10 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
         kicker: "Simulation",
         subtitle: html! {
             @if let Some(speed) = record.settings.drive_speed_rad_s {
-                (record.settings.drive) " at " (writer.value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
+                (record.settings.drive) " at "
+                (writer.about(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
             }
-            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s))
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, &writer))
             @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
         },
         answer: answer(record, &writer),
@@ -112,60 +115,65 @@ fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 /// The answer of a run in sentences, the most important first; for pages and terminals alike.
 pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences = Vec::new();
-    let deviation = record.extremes.iter().find(|extreme| extreme.name.ends_with("deviation"));
+    let deviation = record.extremes.iter().find(|extreme| extreme.of != Deviation::Value);
     let play: Vec<String> = record
         .joints
         .iter()
         .map(|joint| {
             let drawn = record.drawing.joints.iter().find(|drawn| drawn.name == joint.joint);
-            let value = |value_m: f64| writer.value_trimmed(value_m, &SiUnit::LENGTH);
+            let value = |kind: &str, value_m: f64| {
+                writer.about(&Tag::joint(&joint.joint, "clearance", kind)).value_trimmed(value_m, &SiUnit::LENGTH)
+            };
             let (kind, clearance) = match drawn.map(|drawn| drawn.kind) {
                 // No joint but a coupling: a cam has no clearance, teeth have half of their backlash on each side.
                 None if joint.radial_clearance_m == 0.0 => {
                     return format!("a follower that may lift off in {}", joint.joint);
                 }
-                None => ("backlash", value(2.0 * joint.radial_clearance_m)),
+                None => ("backlash", value("backlash", 2.0 * joint.radial_clearance_m)),
                 // In a guide or a slot it lies between faces.
                 Some(DrawnJointKind::Prismatic | DrawnJointKind::Slot) => {
-                    ("clearance", value(joint.radial_clearance_m))
+                    ("clearance", value("radial", joint.radial_clearance_m))
                 }
-                Some(_) => ("radial clearance", value(joint.radial_clearance_m)),
+                Some(_) => ("radial clearance", value("radial", joint.radial_clearance_m)),
             };
             format!("a {kind} of {clearance} in {}", joint.joint)
         })
         .collect();
     let with = if play.is_empty() { "Without play".to_owned() } else { format!("With {}", listed(&play)) };
     if let Some(extreme) = deviation {
-        let shown =
-            |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
+        let shown = |part: &str, point: &ExtremePoint| {
+            let value_si = without_round_off(record, point.value_si, &extreme.unit);
+            writer.about(&Tag::extreme(extreme, part)).value(value_si, &extreme.unit)
+        };
         sentences.push(format!(
             "{with}, the {} deviates from its ideal motion by {} to {}.",
-            extreme.name.trim_end_matches(", deviation"),
-            shown(&extreme.minimum, &extreme.unit),
-            shown(&extreme.maximum, &extreme.unit),
+            extreme.name,
+            shown("minimum", &extreme.minimum),
+            shown("maximum", &extreme.maximum),
         ));
     } else {
         sentences.push(format!(
             "{with}, {} were recorded.",
-            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s)
+            turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer)
         ));
     }
     sentences.extend(record.life.as_ref().and_then(|life| life_sentence(life, writer)));
     for joint in &record.joints {
-        let force = writer.value(joint.peak_force_n, &SiUnit::FORCE);
+        let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+        let force = writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE);
         let contact = if joint.impacts == 0 {
-            format!("no impact, contact force up to {force}")
+            format!("no impact, normal contact force up to {force}")
         } else {
             format!(
-                "{}, approach speed up to {}, contact force up to {force}",
-                counted(joint.impacts, "impact", writer),
-                writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+                "{}, approach speed up to {}, normal contact force up to {force}",
+                counted(joint.impacts, "impact", &writer.about(&tag("impacts", "number"))),
+                writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
             )
         };
         sentences.push(format!(
             "{}: {contact}, penetration up to {}.",
             joint.joint,
-            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
         ));
     }
     sentences.extend(run_sentences(record, writer));
@@ -175,7 +183,12 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     sentences.extend(kind_sentences(record, writer));
     sentences.push(format!(
         "The energy balance has an error of {} of the largest energy exchanged.",
-        writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
+        writer.about(&Tag::whole("energy residual", "relative")).rounded(
+            record.energy.relative_residual,
+            &SiUnit::NONE,
+            2,
+            Rounding::Up
+        )
     ));
     sentences.extend(bending_sentences(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
@@ -200,9 +213,11 @@ fn quasi_static_sentence(
             .unwrap_or(std::cmp::Ordering::Equal)
     })?;
     let skipped: usize = checks.iter().map(|check| check.samples_without_worst_case).sum();
+    let tag = |part: &str| Tag::joint(&worst.output, "quasi-static check", part);
     let deviates = || {
         let (output, place) = (&worst.output, place_of(worst));
-        let [found, allowed] = [worst.deviation_si, worst.worst_case_si].map(|si| writer.value(si, &worst.unit));
+        let found = writer.about(&tag("deviation")).value(worst.deviation_si, &worst.unit);
+        let allowed = writer.about(&tag("worst case")).value(worst.worst_case_si, &worst.unit);
         format!("the {output} deviates by {found}{place}, but clearances and penetrations allow only {allowed}")
     };
     let mut sentence = if worst.is_exceeded && skipped > 0 {
@@ -218,13 +233,13 @@ fn quasi_static_sentence(
         format!(
             "No output deviates more than clearances and penetrations allow. The {} comes nearest, with {} of the allowed deviation.",
             worst.output,
-            writer.percent(worst.largest_share, Rounding::Up)
+            writer.about(&tag("share")).percent(worst.largest_share, Rounding::Up)
         )
     };
     if skipped > 0 {
         sentence.push_str(&format!(
             " {} could not be checked: a dead point lies within the clearances, or a slider overhangs its guide.",
-            counted(skipped as u64, "sample", writer)
+            counted(skipped as u64, "sample", &writer.about(&Tag::Count("samples that were not checked")))
         ));
     }
     Some(sentence)
@@ -245,22 +260,25 @@ fn place_words(record: &SimulationRecord, time_s: Option<f64>, writer: &NumberWr
 /// Largest error and effort of a control, and its oscillation where the reference rests.
 fn control_sentences(control: &ControlHistory, writer: &NumberWriter) -> Vec<String> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let tag = |part: &str| Tag::joint(&control.name, "control", part);
     let mut sentences = vec![format!(
         "Control {}: {} deviates from its reference by up to {}, with an effort of up to {} in {}.",
         control.name,
         control.measured,
-        writer.value(largest(&control.error_si), &control.unit),
-        writer.value(largest(&control.effort_si), &control.effort_unit),
+        writer.about(&tag("largest error")).value(largest(&control.error_si), &control.unit),
+        writer.about(&tag("largest effort")).value(largest(&control.effort_si), &control.effort_unit),
         control.joint,
     )];
     if let Some(swing) = &control.swing {
-        let amplitude = writer.value(swing.amplitude_si, &control.unit);
-        let period = writer.value(swing.period_s, &SiUnit::TIME);
+        let amplitude = writer.about(&tag("amplitude")).value(swing.amplitude_si, &control.unit);
+        let period = writer.about(&tag("period")).value(swing.period_s, &SiUnit::TIME);
         sentences.push(match swing.course {
             SwingCourse::Steady => format!(
                 "Control {}: {} does not come to rest although its reference does. It oscillates with amplitude {amplitude} and period \
                  {period} (a limit cycle, {} oscillations).",
-                control.name, control.measured, swing.swings
+                control.name,
+                control.measured,
+                count(swing.swings as u64, &writer.about(&tag("oscillations")))
             ),
             SwingCourse::Grows => format!(
                 "Control {}: {} is unstable although its reference rests. It oscillates with period {period}, at the end with amplitude \
@@ -359,31 +377,47 @@ fn deviation_chart(record: &SimulationRecord, output: &OutputHistory, writer: &N
     chart
 }
 
+/// What an extreme is of: `slider`, or `slider, deviation`.
+pub(super) fn extreme_words(extreme: &Extreme) -> String {
+    match extreme.of {
+        Deviation::Value => extreme.name.clone(),
+        of => format!("{}, {}", extreme.name, deviation_words(of)),
+    }
+}
+
 fn extremes(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
-    let point = |point: &ExtremePoint, unit: &SiUnit| {
+    let point = |extreme: &Extreme, part: &str, point: &ExtremePoint| {
+        let tag = Tag::extreme(extreme, part);
+        let value_si = without_round_off(record, point.value_si, &extreme.unit);
         html! {
-            strong { (writer.value(without_round_off(record, point.value_si, unit), unit)) } " "
+            strong { (writer.about(&tag).value(value_si, &extreme.unit)) } " "
             span.quiet {
-                (writer.value(point.time_s, &SiUnit::TIME))
+                (writer.about(&tag.part("time")).value(point.time_s, &SiUnit::TIME))
                 @if record.settings.drive_speed_rad_s.is_some() {
                     ", " (record.settings.drive) " at "
-                    (writer.angle_in_turn(point.drive_angle_rad, PLAIN_DIGITS))
+                    (writer.about(&tag.part("angle")).angle_in_turn(point.drive_angle_rad, PLAIN_DIGITS))
                 }
             }
         }
     };
     html! {
-        p { "Extremes of the continuous motion, also between the samples." }
+        p {
+            "Extremes of the continuous motion, also between the samples."
+            @if record.joints.iter().any(|joint| joint.impacts + joint.contacts > 0) {
+                " A force in a joint is the whole force, with friction and damping; the contact forces of the joints are normal to the surfaces."
+            }
+        }
         (cards(["Quantity", "#Smallest", "#Largest"], record.extremes.iter().map(|extreme| [
-            html! { (extreme.name) },
-            point(&extreme.minimum, &extreme.unit),
-            point(&extreme.maximum, &extreme.unit),
+            html! { (extreme_words(extreme)) },
+            point(extreme, "minimum", &extreme.minimum),
+            point(extreme, "maximum", &extreme.maximum),
         ])))
     }
 }
 
 fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     let shown = record.impacts.len().min(MOST_IMPACTS);
+    let number_shown = count(shown as u64, &writer.about(&Tag::Count("impacts that are shown")));
     html! {
         @for joint in &record.joints { h3 { (joint.joint) } (facts(&joint_facts(joint, turn_word(record.settings.drive_speed_rad_s), writer))) }
         @if record.contact_forces.iter().any(|history| !history.force_n.is_empty()) {
@@ -392,9 +426,12 @@ fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         @if !record.impacts.is_empty() {
             details.numbers {
                 summary {
-                    @if shown < record.impacts.len() { "The first " (shown) " of " (count(record.impacts.len() as u64, writer)) " impacts" }
+                    @if shown < record.impacts.len() {
+                        "The first " (number_shown) " of "
+                        (count(record.impacts.len() as u64, &writer.about(&Tag::Count("impacts")))) " impacts"
+                    }
                     @else if shown == 1 { "The impact" }
-                    @else { "All " (shown) " impacts" }
+                    @else { "All " (number_shown) " impacts" }
                 }
                 div.scroll tabindex="0" role="region" aria-label="Table of impacts" { (impact_table(record, shown, writer)) }
             }
@@ -405,18 +442,20 @@ fn contact(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
 fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) -> Markup {
     // The phase of a cycle in which no drive turns tells nothing that the time does not.
     let has_angle = record.settings.drive_speed_rad_s.is_some();
-    let row = |impact: &ImpactRecord| {
+    let row = |place: usize, impact: &ImpactRecord| {
+        let number = format!("impact {place}");
+        let tag = |part: &str| Tag::joint(&impact.joint, &number, part);
         html! {
             tr {
-                th scope="row" { (writer.value(impact.time_s, &SiUnit::TIME)) }
-                @if has_angle { td { (writer.angle_in_turn(impact.drive_angle_rad, PLAIN_DIGITS)) } }
+                th scope="row" { (writer.about(&tag("time")).value(impact.time_s, &SiUnit::TIME)) }
+                @if has_angle { td { (writer.about(&tag("angle")).angle_in_turn(impact.drive_angle_rad, PLAIN_DIGITS)) } }
                 td { (impact.joint) }
-                td { (writer.value(impact.speed_m_s, &SiUnit::VELOCITY)) }
-                td { (writer.value(impact.duration_s, &SiUnit::TIME)) }
-                td { (writer.value(impact.peak_force_n, &SiUnit::FORCE)) }
+                td { (writer.about(&tag("speed")).value(impact.speed_m_s, &SiUnit::VELOCITY)) }
+                td { (writer.about(&tag("duration")).value(impact.duration_s, &SiUnit::TIME)) }
+                td { (writer.about(&tag("peak force")).value(impact.peak_force_n, &SiUnit::FORCE)) }
                 td {
                     @match impact.separation_speed_m_s {
-                        Some(speed) => (writer.value(speed, &SiUnit::VELOCITY)),
+                        Some(speed) => (writer.about(&tag("separation speed")).value(speed, &SiUnit::VELOCITY)),
                         None => "still touching",
                     }
                 }
@@ -436,7 +475,7 @@ fn impact_table(record: &SimulationRecord, shown: usize, writer: &NumberWriter) 
                     th scope="col" { "Separation speed" }
                 }
             }
-            tbody { @for impact in record.impacts.iter().take(shown) { (row(impact)) } }
+            tbody { @for (place, impact) in record.impacts.iter().take(shown).enumerate() { (row(place, impact)) } }
         }
     }
 }
@@ -498,63 +537,76 @@ fn law_words(joint: &JointSummary, writer: &NumberWriter) -> String {
 }
 
 fn joint_facts(joint: &JointSummary, turn: &str, writer: &NumberWriter) -> Vec<(String, Markup)> {
+    let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+    let tenths = |statistic: &str, value: f64| {
+        writer.about(&tag(statistic, "per turn")).shortest((value * 10.0).round() / 10.0, &SiUnit::NONE)
+    };
     let mut rows = vec![
         ("Contact law".to_owned(), html! { (law_words(joint, writer)) }),
         (
             "Contacts".to_owned(),
             html! {
-                (count(joint.contacts, writer)) ", of which " (count(joint.impacts, writer)) " impacts"
+                (count(joint.contacts, &writer.about(&tag("contacts", "number")))) ", of which " (count(joint.impacts, &writer.about(&tag("impacts", "number")))) " impacts"
                 @if let Some(per_turn) = joint.impacts_per_turn {
-                    " (" (writer.shortest((per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " per " (turn) ")"
+                    " (" (tenths("impacts", per_turn)) " per " (turn) ")"
                 }
             },
         ),
         (
             "Loss of contact".to_owned(),
             html! {
-                "no contact during " (writer.percent(joint.flight_share, Rounding::Nearest)) " of the time; contact lost "
-                (writer.shortest((joint.losses_per_turn * 10.0).round() / 10.0, &SiUnit::NONE)) " times per " (turn)
+                "no contact during " (writer.about(&tag("flight", "share")).percent(joint.flight_share, Rounding::Nearest)) " of the time; contact lost "
+                (tenths("losses", joint.losses_per_turn)) " times per " (turn)
             },
         ),
         (
             "Largest penetration".to_owned(),
             html! {
-                (writer.value(joint.largest_penetration_m, &SiUnit::LENGTH))
+                (writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH))
                 @if joint.radial_clearance_m > 0.0 {
-                    ", " (writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up))
-                    " of the clearance of " (writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
+                    ", " (writer
+                        .about(&tag("penetration", "largest share"))
+                        .percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up))
+                    " of the clearance of " (writer.about(&tag("clearance", "radial")).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH))
                 }
             },
         ),
-        ("Largest contact force".to_owned(), html! { (writer.value(joint.peak_force_n, &SiUnit::FORCE)) }),
-        ("Largest approach speed".to_owned(), html! { (writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY)) }),
+        (
+            "Largest normal contact force".to_owned(),
+            html! { (writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE)) },
+        ),
+        (
+            "Largest approach speed".to_owned(),
+            html! { (writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY)) },
+        ),
     ];
     if let (Some(nominal), Some(delivered)) = (joint.nominal_restitution, joint.delivered_restitution) {
         rows.push((
             "Restitution".to_owned(),
             html! {
-                "stated " (writer.shortest(nominal, &SiUnit::NONE)) "; a free impact under this law gives "
-                strong { (writer.value_trimmed(delivered, &SiUnit::NONE)) }
+                "stated " (writer.about(&tag("restitution", "stated")).shortest(nominal, &SiUnit::NONE)) "; a free impact under this law gives "
+                strong { (writer.about(&tag("restitution", "delivered")).value_trimmed(delivered, &SiUnit::NONE)) }
             },
         ));
     }
-    rows.extend(speed_facts(joint.share_outside_validity, joint.floored_contacts, writer));
+    rows.extend(speed_facts(&joint.joint, joint.share_outside_validity, joint.floored_contacts, writer));
     rows
 }
 
 /// Impacts faster than the contact law is valid for, and contacts slower than it can be computed with.
 pub(super) fn speed_facts(
+    joint: &str,
     share_outside_validity: Option<f64>,
     floored_contacts: u64,
     writer: &NumberWriter,
 ) -> impl Iterator<Item = (String, Markup)> {
     let outside = share_outside_validity.map(|share| {
-        let share = writer.percent(share, Rounding::Up);
+        let share = writer.about(&Tag::joint(joint, "impacts", "outside validity")).percent(share, Rounding::Up);
         let words = html! { (share) " of the impacts are faster than the contact law is valid for" };
         ("Outside the law's validity".to_owned(), words)
     });
     let slow = (floored_contacts > 0).then(|| {
-        let words = html! { (count(floored_contacts, writer)) " computed with the smallest impact speed of the law" };
+        let words = html! { (count(floored_contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")))) " computed with the smallest impact speed of the law" };
         ("Very slow contacts".to_owned(), words)
     });
     outside.into_iter().chain(slow)
@@ -567,17 +619,17 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     chart.y_label = "energy".to_owned();
     chart.y_symbol = writer.symbol(&unit);
     let histories = [
-        ("kinetic", Role::First, &account.kinetic_j),
-        ("potential", Role::Third, &account.potential_j),
-        ("stored in contacts and springs", Role::Fourth, &account.stored_j),
-        ("lost in contacts", Role::Second, &account.contact_loss_j),
-        ("lost in friction", Role::Limit, &account.friction_loss_j),
-        ("lost in dampers", Role::Mixed, &account.damping_loss_j),
-        ("supplied", Role::Worst, &account.supplied_j),
+        ("kinetic", Role::First, false, &account.kinetic_j),
+        ("potential", Role::Third, false, &account.potential_j),
+        ("stored in contacts and springs", Role::Fourth, false, &account.stored_j),
+        ("lost in contacts", Role::Second, false, &account.contact_loss_j),
+        ("lost in friction", Role::Limit, false, &account.friction_loss_j),
+        ("lost in dampers", Role::Mixed, false, &account.damping_loss_j),
+        ("supplied", Role::Worst, true, &account.supplied_j),
     ];
-    for (label, role, values_j) in histories {
+    for (label, role, is_dashed, values_j) in histories {
         if values_j.iter().any(|value| *value != 0.0) {
-            chart.entries.push(Entry::line(label, role, label == "supplied", values_j, &unit, writer));
+            chart.entries.push(Entry::line(label, role, is_dashed, values_j, &unit, writer));
         }
     }
     chart.caption = html! {
@@ -592,7 +644,9 @@ fn energy(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
     rest.entries.push(Entry::line("residual", Role::Worst, false, &account.residual_j, &unit, writer));
     rest.caption = html! {
         strong { "Residual of the energy balance." } " At most "
-        (writer.rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
+        (writer
+            .about(&Tag::whole("energy residual", "relative"))
+            .rounded(account.relative_residual, &SiUnit::NONE, 2, Rounding::Up))
         " of the largest energy exchanged. It checks the run."
     };
     rest.alternative = "Chart of the energy residual over time.".to_owned();
@@ -609,24 +663,24 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Turns".to_owned(),
             html! {
-                (turns(settings.transient_turns, settings.drive_speed_rad_s)) " of start-up, then "
-                (turns(settings.recorded_turns, settings.drive_speed_rad_s)) " recorded, "
-                (settings.samples_per_turn) " samples per " (turn_word(settings.drive_speed_rad_s))
+                (turns(settings.transient_turns, settings.drive_speed_rad_s, writer)) " of start-up, then "
+                (turns(settings.recorded_turns, settings.drive_speed_rad_s, writer)) " recorded, "
+                (count(settings.samples_per_turn as u64, &writer.about(&Tag::Given("samples")))) " samples per " (turn_word(settings.drive_speed_rad_s))
             },
         ),
         (
             "Integration".to_owned(),
             html! {
-                (settings.method) ", position tolerance " (writer.value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
+                (settings.method) ", position tolerance " (writer.about(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
             },
         ),
         (
             "Work".to_owned(),
             html! {
-                (count(counters.steps, writer)) " steps, " (count(counters.rejections, writer)) " rejected, "
-                (count(counters.evaluations, writer)) " evaluations of the equations of motion, "
-                @if counters.factorizations > 0 { (count(counters.factorizations, writer)) " factorizations, " }
-                (count(counters.contact_changes, writer)) " contact changes located"
+                (count(counters.steps, &writer.about(&Tag::Count("steps")))) " steps, " (count(counters.rejections, &writer.about(&Tag::Count("rejections")))) " rejected, "
+                (count(counters.evaluations, &writer.about(&Tag::Count("evaluations")))) " evaluations of the equations of motion, "
+                @if counters.factorizations > 0 { (count(counters.factorizations, &writer.about(&Tag::Count("factorizations")))) " factorizations, " }
+                (count(counters.contact_changes, &writer.about(&Tag::Count("contact changes")))) " contact changes located"
             },
         ),
         ("Version".to_owned(), html! { "loosepin " (record.version) }),

@@ -4,8 +4,10 @@ use super::chart::{Chart, Entry, Role};
 use super::figure::name_of;
 use super::number::{NumberWriter, Rounding};
 use super::page::cards;
+use super::tag::Tag;
 use super::wording::{listed, named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
+use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 
@@ -29,12 +31,20 @@ pub(super) struct Oscillation {
     is_drawn: bool,
 }
 
+impl Oscillation {
+    /// A number of it.
+    pub fn tag(&self, part: &str) -> Tag {
+        Tag::joint(&self.name, "oscillation", part)
+    }
+}
+
 /// All histories of a run that have a spectrum: outputs, then contact forces.
 pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
     let mut found = Vec::new();
     for output in &record.outputs {
         let Some(spectrum) = record.spectrum(&output.value_si) else { continue };
-        let extreme = record.extremes.iter().find(|extreme| extreme.name == output.name);
+        let extreme =
+            record.extremes.iter().find(|extreme| extreme.name == output.name && extreme.of == Deviation::Value);
         let peak_si = extreme.map_or(spectrum.peak_si, |extreme| {
             f64::max(extreme.minimum.value_si.abs(), extreme.maximum.value_si.abs())
         });
@@ -61,9 +71,9 @@ pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
 pub(super) fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
     let of_order = |(order, amplitude_si): (f64, f64)| {
         // Eighths have three decimals.
-        let order = format!("{order:.3}");
-        let order = order.trim_end_matches('0').trim_end_matches('.');
-        format!("{order} ({})", writer.rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
+        let order_words = writer.about(&Tag::Given("order")).shortest((order * 1e3).round() / 1e3, &SiUnit::NONE);
+        let tag = own.tag(&format!("amplitude of order {order}"));
+        format!("{order_words} ({})", writer.about(&tag).rounded(amplitude_si, &own.unit, 3, Rounding::Nearest))
     };
     let moves = |amplitude_si: f64| without_round_off(record, amplitude_si, &own.unit) != 0.0;
     let dominant = own.spectrum.dominant(DOMINANT).into_iter().filter(|(_, amplitude_si)| moves(*amplitude_si));
@@ -89,8 +99,8 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
         }
         (cards(["Quantity", "#Root mean square", "#Peak", "Largest orders (amplitude)"], all.iter().map(|own| [
             html! { (own.name) },
-            html! { (writer.value(own.spectrum.rms_si, &own.unit)) },
-            html! { (writer.value(own.peak_si, &own.unit)) },
+            html! { (writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit)) },
+            html! { (writer.about(&own.tag("peak")).value(own.peak_si, &own.unit)) },
             html! { (dominant_words(record, own, writer)) },
         ])))
         @if !without.is_empty() {

@@ -3,6 +3,7 @@
 use super::bound_words::bound_value;
 use super::history_words::history_words;
 use super::number::{NumberWriter, Rounding};
+use super::tag::Tag;
 use super::terminal_table::{push_table, table, wrapped};
 use super::wording::output_unit;
 use super::wording::{
@@ -190,11 +191,10 @@ pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> Str
 /// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
 pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
     let digits = band_digits(comparison);
-    format!(
-        "{} to {}",
-        writer.rounded(band.lower_si, &comparison.unit, digits, Rounding::Down),
-        writer.rounded(band.upper_si, &comparison.unit, digits, Rounding::Up)
-    )
+    let rounded = |part: &str, value_si: f64, rounding| {
+        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
+    };
+    format!("{} to {}", rounded("lower", band.lower_si, Rounding::Down), rounded("upper", band.upper_si, Rounding::Up))
 }
 
 /// Treatment, direct band, band by surrogate, error of the surrogate, share inside: a row a treatment.
@@ -213,7 +213,7 @@ pub(super) fn treatment_rows(
             of_direct.map_or("–".to_owned(), |(band, of)| band_words(band, of, writer)),
             band_words(band, comparison, writer),
             band.surrogate_error_si().map_or(String::new(), |error| writer.error(error, &comparison.unit)),
-            share_words(band, writer),
+            share_words(band, comparison, writer),
         ]
     };
     comparison.bands.iter().map(row).collect()
@@ -238,7 +238,7 @@ pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> Str
             rows.add_row([
                 statistic_words(bound.statistic, &output_unit(result, &bound.output), writer),
                 direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
-                range_words(bound, writer),
+                range_words(bound, &writer.about(&Tag::Among("surrogate".to_owned()))),
                 surrogate_error(bound, writer),
             ]);
         }

@@ -15,17 +15,18 @@ use super::play_effect::{PlayEffect, Shown, play_effect};
 use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
+use super::tag::Tag;
 use super::terminal_table::{push_table, table, trimmed, wrapped};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, count, counted, deviation_words, has_lists, has_unknown, named_words, only_curves,
-    output_unit, place_words, promise_word, reading_beside, response_words, share_words, statistic_words,
-    treatment_words, unknown_words, without_round_off,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_error, count, counted, deviation_words, has_errors, has_lists, has_unknown,
+    named_words, only_curves, output_unit, place_words, promise_word, reading_beside, response_words, share_words,
+    statistic_words, treatment_words, unknown_words, without_round_off,
 };
 use super::{motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason, WearLifeRecord};
-use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{BoundRecord, FailureGroup, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
@@ -79,7 +80,11 @@ pub fn study_text(result: &StudyResult) -> String {
             ));
         }
         if shown.len() > MOST_ROWS {
-            text.push_str(&format!("\n{} more in bounds.csv\n", shown.len() - MOST_ROWS));
+            let more = count(
+                (shown.len() - MOST_ROWS) as u64,
+                &writer.about(&Tag::Count("bounds that the terminal leaves out")),
+            );
+            text.push_str(&format!("\n{more} more in bounds.csv\n"));
         }
     } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
         text.push_str(&format!("\n{}\n", wrapped(&words, "")));
@@ -117,7 +122,7 @@ pub fn study_text(result: &StudyResult) -> String {
     for failure in &result.failures {
         text.push_str(&format!(
             "\n{}\n  again: {}\n",
-            wrapped(&format!("{} failed: {}", counted(failure.count, "run", &writer), failure.words), ""),
+            wrapped(&failed_words(failure, &writer), ""),
             failure.example.command
         ));
     }
@@ -134,24 +139,26 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for sentence in simulation_page::headline_sentences(record, &writer) {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
-    let at = |point: &ExtremePoint| {
-        let time = writer.value(point.time_s, &SiUnit::TIME);
+    let at = |tag: &Tag, point: &ExtremePoint| {
+        let time = writer.about(&tag.part("time")).value(point.time_s, &SiUnit::TIME);
         // The phase of a cycle in which no drive turns tells nothing that the time does not.
         if record.settings.drive_speed_rad_s.is_none() {
             return time;
         }
-        format!("{time}, {}", writer.angle_in_turn(point.drive_angle_rad, 4))
+        format!("{time}, {}", writer.about(&tag.part("angle")).angle_in_turn(point.drive_angle_rad, 4))
     };
-    let value =
-        |point: &ExtremePoint, unit: &SiUnit| writer.value(without_round_off(record, point.value_si, unit), unit);
+    let value = |tag: &Tag, point: &ExtremePoint, unit: &SiUnit| {
+        writer.about(tag).value(without_round_off(record, point.value_si, unit), unit)
+    };
     let mut extremes = table(&["quantity", "smallest", "at", "largest", "at"], &[1, 3]);
     for extreme in &record.extremes {
+        let [minimum, maximum] = ["minimum", "maximum"].map(|part| Tag::extreme(extreme, part));
         extremes.add_row([
-            extreme.name.clone(),
-            value(&extreme.minimum, &extreme.unit),
-            at(&extreme.minimum),
-            value(&extreme.maximum, &extreme.unit),
-            at(&extreme.maximum),
+            simulation_page::extreme_words(extreme),
+            value(&minimum, &extreme.minimum, &extreme.unit),
+            at(&minimum, &extreme.minimum),
+            value(&maximum, &extreme.maximum, &extreme.unit),
+            at(&maximum, &extreme.maximum),
         ]);
     }
     push_table(&mut text, &extremes);
@@ -160,8 +167,8 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     for own in &oscillations {
         oscillating.add_row([
             own.name.clone(),
-            writer.value(own.spectrum.rms_si, &own.unit),
-            writer.value(own.peak_si, &own.unit),
+            writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
+            writer.about(&own.tag("peak")).value(own.peak_si, &own.unit),
             dominant_words(record, own, &writer),
         ]);
     }
@@ -174,17 +181,24 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
         &[1, 2, 3, 4, 5, 6, 7],
     );
     for joint in &record.joints {
-        let share =
-            |value: Option<f64>| value.map_or("-".to_owned(), |value| writer.value_trimmed(value, &SiUnit::NONE));
+        let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+        let share = |part: &str, value: Option<f64>| {
+            let tag = tag("restitution", part);
+            value.map_or("-".to_owned(), |value| writer.about(&tag).value_trimmed(value, &SiUnit::NONE))
+        };
         joints.add_row([
             joint.joint.clone(),
-            count(joint.impacts, &writer),
-            count(joint.contacts, &writer),
-            writer.value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
-            writer.value(joint.peak_force_n, &SiUnit::FORCE),
-            writer.value(joint.largest_penetration_m, &SiUnit::LENGTH),
-            writer.value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
-            format!("{} ({})", share(joint.delivered_restitution), share(joint.nominal_restitution)),
+            count(joint.impacts, &writer.about(&tag("impacts", "number"))),
+            count(joint.contacts, &writer.about(&tag("contacts", "number"))),
+            writer.about(&tag("impacts", "largest speed")).value(joint.largest_speed_m_s, &SiUnit::VELOCITY),
+            writer.about(&tag("normal force", "largest")).value(joint.peak_force_n, &SiUnit::FORCE),
+            writer.about(&tag("penetration", "largest")).value(joint.largest_penetration_m, &SiUnit::LENGTH),
+            writer.about(&tag("clearance", "radial")).value_trimmed(joint.radial_clearance_m, &SiUnit::LENGTH),
+            format!(
+                "{} ({})",
+                share("delivered", joint.delivered_restitution),
+                share("stated", joint.nominal_restitution)
+            ),
         ]);
     }
     push_table(&mut text, &joints);
@@ -213,14 +227,14 @@ pub fn simulation_text(record: &SimulationRecord) -> String {
     let counters = &record.counters;
     let factorizations = match counters.factorizations {
         0 => String::new(),
-        number => format!("{}, ", counted(number, "factorization", &writer)),
+        number => format!("{}, ", counted(number, "factorization", &writer.about(&Tag::Count("factorizations")))),
     };
     text.push_str(&format!(
         "\n{}, {} rejected, {}, {factorizations}{}\n",
-        counted(counters.steps, "step", &writer),
-        count(counters.rejections, &writer),
-        counted(counters.evaluations, "evaluation", &writer),
-        counted(counters.contact_changes, "contact change", &writer)
+        counted(counters.steps, "step", &writer.about(&Tag::Count("steps"))),
+        count(counters.rejections, &writer.about(&Tag::Count("rejections"))),
+        counted(counters.evaluations, "evaluation", &writer.about(&Tag::Count("evaluations"))),
+        counted(counters.contact_changes, "contact change", &writer.about(&Tag::Count("contact changes")))
     ));
     as_shown(&text)
 }
@@ -364,16 +378,23 @@ fn contact_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
         .map(|what| format!("{what} a {}", super::answer::turn_word(record.settings.drive_speed_rad_s)));
     let head = ["joint", &impacts, &losses, "out of contact", "too fast", "penetration/clearance"];
     let mut contacts = table(&head, &[1, 2, 3, 4, 5]);
-    let tenths = |value: f64| writer.shortest((value * 10.0).round() / 10.0, &SiUnit::NONE);
     for joint in &record.joints {
+        let tag = |statistic: &str, part: &str| Tag::joint(&joint.joint, statistic, part);
+        let tenths = |statistic: &str, value: f64| {
+            writer.about(&tag(statistic, "per turn")).shortest((value * 10.0).round() / 10.0, &SiUnit::NONE)
+        };
         contacts.add_row([
             joint.joint.clone(),
-            joint.impacts_per_turn.map_or("-".to_owned(), tenths),
-            tenths(joint.losses_per_turn),
-            writer.percent(joint.flight_share, Rounding::Nearest),
-            joint.share_outside_validity.map_or("-".to_owned(), |share| writer.percent(share, Rounding::Up)),
+            joint.impacts_per_turn.map_or("-".to_owned(), |value| tenths("impacts", value)),
+            tenths("losses", joint.losses_per_turn),
+            writer.about(&tag("flight", "share")).percent(joint.flight_share, Rounding::Nearest),
+            joint.share_outside_validity.map_or("-".to_owned(), |share| {
+                writer.about(&tag("impacts", "outside validity")).percent(share, Rounding::Up)
+            }),
             if joint.radial_clearance_m > 0.0 {
-                writer.percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up)
+                writer
+                    .about(&tag("penetration", "largest share"))
+                    .percent(joint.largest_penetration_m / joint.radial_clearance_m, Rounding::Up)
             } else {
                 "-".to_owned()
             },
@@ -427,6 +448,11 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
     scatter
 }
 
+fn failed_words(failure: &FailureGroup, writer: &NumberWriter) -> String {
+    let tag = Tag::whole("failed runs", &failure.code);
+    format!("{} failed: {}", counted(failure.count, "run", &writer.about(&tag)), failure.words)
+}
+
 fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
     let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
     for bound in group {
@@ -436,28 +462,34 @@ fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWri
             bound_value(&bound.lower, bound, Rounding::Down, writer),
             bound_value(&bound.upper, bound, Rounding::Up, writer),
             bound_error(bound, writer),
-            writer.witness(&bound.upper.witness, &result.inputs),
+            writer.about(&Tag::bound(bound, "upper witness")).witness(&bound.upper.witness, &result.inputs),
         ]);
     }
     trimmed(&bounds)
 }
 
 fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, writer: &NumberWriter) -> String {
-    // A band by a surrogate has one number more: the error of the surrogate at its ends.
+    // Records of older versions do not hold the errors of bands of direct runs.
+    let has_errors = has_errors(comparison);
     let mut head = vec!["treatment", "band", "width", "share inside", "promise"];
-    if comparison.bands.iter().any(|band| band.ends.is_some()) {
-        head.insert(2, "± surrogate");
+    if has_errors {
+        head.insert(2, "± error");
     }
-    let mut treatments = table(&head, if head.len() > 5 { &[2, 3] } else { &[2] });
+    let mut treatments = table(&head, if has_errors { &[2, 3] } else { &[2] });
     for band in &comparison.bands {
-        let surrogate = band.surrogate_error_si().map(|error| writer.error(error, &comparison.unit));
+        let error = has_errors.then(|| band_error(band, comparison, writer));
         let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
         let further = [
-            writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest),
-            share_words(band, writer),
+            writer.about(&Tag::band(comparison, band, "width")).rounded(
+                band.width_si(),
+                &comparison.unit,
+                WIDTH_DIGITS,
+                Rounding::Nearest,
+            ),
+            share_words(band, comparison, writer),
             promise_word(band, comparison.promised_coverage).to_owned(),
         ];
-        treatments.add_row(cells.into_iter().chain(surrogate).chain(further));
+        treatments.add_row(cells.into_iter().chain(error).chain(further));
     }
     trimmed(&treatments)
 }

@@ -2,7 +2,8 @@
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
-use super::wording::{deviation_words, output_unit, output_words, path_part, place_words, statistic_words};
+use super::tag::{Tag, read_the_same};
+use super::wording::{deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words};
 use loosepin_result::study::{
     BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, Statistic, StudyResult,
     Treatment, Verdict,
@@ -11,6 +12,8 @@ use loosepin_text::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 pub(super) const SENTENCE_DIGITS: usize = 2;
+/// Places of one output of which statistics are told, at most; the table has all.
+const MOST_PLACES: usize = 3;
 /// Further digits where both ends of a range are nearly the same, at most.
 const MOST_MORE_DIGITS: f64 = 6.0;
 
@@ -21,7 +24,7 @@ pub(super) enum Told<'r> {
     Largest(&'r BoundRecord, f64),
     /// The band over the cycle.
     Curve(&'r DeviationCurve),
-    /// Any other bound.
+    /// Any other bound, the first of its number: all that were asked for of this are told.
     Bound(&'r BoundRecord),
 }
 
@@ -39,7 +42,7 @@ pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
             names.push(name);
         }
     }
-    let told = names.into_iter().filter_map(|name| of_output(result, name));
+    let told = names.into_iter().flat_map(|name| of_output(result, name));
     let mut ranked: Vec<((u8, u8), Told<'_>)> = told.map(|told| ((rank(told.output()), told.kind()), told)).collect();
     ranked.sort_by_key(|(rank, _)| *rank);
     ranked.into_iter().map(|(_, told)| told).collect()
@@ -53,8 +56,9 @@ fn severity(verdict: Verdict) -> u8 {
     }
 }
 
-/// What answers for an output: the total before its parts, the largest value over the cycle before the curve.
-fn of_output<'r>(result: &'r StudyResult, name: &str) -> Option<Told<'r>> {
+/// What answers for an output: the total before its parts, the largest value over the cycle before the curve. Where neither was asked for: every
+/// place at which statistics were asked for, with all of them.
+fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<Told<'r>> {
     let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
     let largest = || {
         let of_deviation = bounds().filter(|bound| bound.of != Deviation::Value);
@@ -63,7 +67,21 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Option<Told<'r>> {
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
     let told = || largest().chain(curves().map(Told::Curve));
     let total = told().find(|told| told.of() == Deviation::Total);
-    total.or_else(|| told().next()).or_else(|| bounds().next().map(Told::Bound))
+    if let Some(told) = total.or_else(|| told().next()) {
+        return vec![told];
+    }
+    let mut firsts: Vec<&BoundRecord> = Vec::new();
+    for bound in bounds() {
+        if !firsts.iter().any(|first| is_of_same(first, bound)) {
+            firsts.push(bound);
+        }
+    }
+    firsts.into_iter().take(MOST_PLACES).map(Told::Bound).collect()
+}
+
+/// Whether two bounds are of one number of a run.
+fn is_of_same(a: &BoundRecord, b: &BoundRecord) -> bool {
+    (&a.output, a.of, a.at, a.treatment, a.reading) == (&b.output, b.of, b.at, b.treatment, b.reading)
 }
 
 /// The first quantile of a largest total deviation that is asked for, with its probability.
@@ -113,6 +131,23 @@ impl<'r> Told<'r> {
         }
     }
 
+    /// What its numerical error is.
+    pub fn error_tag(self) -> Tag {
+        match self {
+            Self::Largest(bound, _) | Self::Bound(bound) => Tag::bound(bound, "upper error"),
+            Self::Curve(curve) => Tag::curve(curve, "error"),
+        }
+    }
+
+    /// What the error is of, in words.
+    pub fn limit_words(self) -> &'static str {
+        match self {
+            Self::Largest(..) => "the limit over the whole cycle",
+            Self::Curve(_) => "the band over the cycle",
+            Self::Bound(_) => "the bound",
+        }
+    }
+
     /// Whether it is a bound that nothing confirms.
     pub fn is_unconfirmed(self) -> bool {
         match self {
@@ -131,7 +166,7 @@ impl<'r> Told<'r> {
     }
 }
 
-/// Subject of a sentence, and from what an output stays within a limit: its ideal motion, or what the part of a path says. The limit of a
+/// Subject of a sentence without its article, and from what an output stays within a limit: its ideal motion, or what the part of a path says. The limit of a
 /// distance has no sign.
 struct Subject {
     name: String,
@@ -154,38 +189,55 @@ fn subject(result: &StudyResult, output: &str, of: Deviation) -> Subject {
         Some(PathError::Normal) => "of its ideal path, across it,",
         Some(PathError::Contour) => "of its ideal path, whatever the timing,",
     };
-    let name = if due_to.is_empty() { format!("The {name}") } else { format!("The {name},{due_to}") };
+    let name = if due_to.is_empty() { name } else { format!("{name},{due_to}") };
     Subject { name, from, is_distance: matches!(part, Some((_, PathError::Magnitude))) }
 }
 
 fn largest_sentence(result: &StudyResult, bound: &BoundRecord, probability: f64, writer: &NumberWriter) -> String {
     let Subject { name, from, is_distance } = subject(result, &bound.output, bound.of);
     format!(
-        "{name} stays within {}{} {from} over the whole cycle in at least {} of mechanisms.",
+        "The {name} stays within {}{} {from} over the whole cycle in at least {} of mechanisms.",
         if is_distance { "" } else { "±" },
-        writer.for_sentence(bound.upper.widened_si, bound.upper.error.total_si(), &bound.unit, Rounding::Up),
-        writer.percent(probability, Rounding::Down)
+        writer.about(&Tag::bound(bound, "upper")).for_sentence(
+            bound.upper.widened_si,
+            bound.upper.error.total_si(),
+            &bound.unit,
+            Rounding::Up
+        ),
+        writer.about(&Tag::Given("probability")).percent(probability, Rounding::Down)
     )
 }
 
-/// Any bound: the statistic, what it is of, and its two ends.
-fn statistic_sentence(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let unit = output_unit(result, &bound.output);
-    format!(
-        "The {} of {} ({}, {}) lies between {} and {}.",
-        statistic_words(bound.statistic, &unit, writer),
-        output_words(&bound.output, &result.outputs),
-        deviation_words(bound.of),
-        place_words(bound.at, writer),
-        bound_value(&bound.lower, bound, Rounding::Down, writer),
-        bound_value(&bound.upper, bound, Rounding::Up, writer),
-    )
+/// Statistics of one number of a run that were asked for: what they are of, and their two ends.
+fn statistic_sentence(result: &StudyResult, first: &BoundRecord, writer: &NumberWriter) -> String {
+    let unit = output_unit(result, &first.output);
+    let output = output_words(&first.output, &result.outputs);
+    let place = format!("{}, {}", deviation_words(first.of), place_words(first.at, writer));
+    let words = |bound: &BoundRecord| statistic_words(bound.statistic, &unit, writer);
+    let asked: Vec<&BoundRecord> = result.bounds.iter().filter(|bound| is_of_same(bound, first)).collect();
+    if let [only] = asked[..] {
+        return format!("The {} of {output} ({place}) {}.", words(only), ends_words(only, writer));
+    }
+    let parts: Vec<String> =
+        asked.into_iter().map(|bound| format!("the {} {}", words(bound), ends_words(bound, writer))).collect();
+    format!("For {output} ({place}), {}.", listed(&parts))
+}
+
+/// "lies between 1 and 2 mm", or "is 100 %" where both ends are shown as one number.
+fn ends_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
+    let upper = bound_value(&bound.upper, bound, Rounding::Up, writer);
+    if read_the_same(&lower, &upper) { format!("is {lower}") } else { format!("lies between {lower} and {upper}") }
 }
 
 fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> String {
     let (lowest, highest) = (smallest(&curve.mixed.lower_si), largest(&curve.mixed.upper_si));
     let magnitude = highest.abs().max(lowest.abs());
-    let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let share = writer
+        .about(&Tag::Given("probability"))
+        .percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
+    let mixed = Tag::curve(curve, "mixed");
+    let reach = mixed.part("reach");
     let drive = &result.cycle.drive;
     if !(lowest.is_finite() && highest.is_finite()) {
         let subject = output_words(&curve.output, &result.outputs);
@@ -194,28 +246,28 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     let is_even = lowest < 0.0 && highest > 0.0 && (highest.abs() - lowest.abs()).abs() <= 0.1 * magnitude;
     let Subject { name, from, is_distance } = subject(result, &curve.output, curve.of);
     let range = if is_distance {
-        format!("within {}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within {}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else if is_even && curve.of != Deviation::Value {
-        format!("within ±{}", writer.rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
+        format!("within ±{}", writer.about(&reach).rounded(magnitude, &curve.unit, SENTENCE_DIGITS, Rounding::Up))
     } else {
-        between(lowest, highest, &curve.unit, writer)
+        between(lowest, highest, &curve.unit, &writer.about(&mixed))
     };
     let stays = match curve.of {
         Deviation::Value => format!("lies {range}"),
         _ => format!("stays {range} {from}"),
     };
-    let name = format!("the{}", name.trim_start_matches("The"));
-    format!("At each angle of {drive}, {name} {stays} in at least {share} of mechanisms.")
+    format!("At each angle of {drive}, the {name} {stays} in at least {share} of mechanisms.")
 }
 
 /// Both ends, rounded outwards, with so many digits that rounding hardly widens what lies between them.
 pub(super) fn between(lowest_si: f64, highest_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
     let more = (lowest_si.abs().max(highest_si.abs()) / (highest_si - lowest_si)).log10().floor();
     let digits = SENTENCE_DIGITS + if more.is_finite() { more.clamp(0.0, MOST_MORE_DIGITS) as usize } else { 0 };
+    let [lowest, highest] = ["lowest", "highest"].map(|part| writer.tag().map(|tag| tag.part(part)));
     format!(
         "between {} and {}",
-        writer.rounded(lowest_si, unit, digits, Rounding::Down),
-        writer.rounded(highest_si, unit, digits, Rounding::Up)
+        writer.about_maybe(lowest.as_ref()).rounded(lowest_si, unit, digits, Rounding::Down),
+        writer.about_maybe(highest.as_ref()).rounded(highest_si, unit, digits, Rounding::Up)
     )
 }
 

@@ -1,6 +1,7 @@
 //! Words for the parts of a result.
 
 use super::number::{NumberWriter, Rounding};
+use super::tag::Tag;
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
     BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PathError, PromiseRecord,
@@ -9,12 +10,19 @@ use loosepin_result::study::{
 };
 use loosepin_text::units::SiUnit;
 
-pub(super) fn deviation_words(of: Deviation) -> &'static str {
+pub(super) fn deviation_words(of: Deviation) -> String {
     match of {
-        Deviation::Value => "value",
-        Deviation::Total => "deviation",
-        Deviation::Dimensional => "deviation due to part scatter",
-        Deviation::Clearance => "deviation due to play",
+        Deviation::Value => "value".to_owned(),
+        of => format!("deviation{}", due_to_words(of)),
+    }
+}
+
+/// The cause of a deviation, behind the word for it; empty where all of it is meant.
+fn due_to_words(of: Deviation) -> &'static str {
+    match of {
+        Deviation::Value | Deviation::Total => "",
+        Deviation::Dimensional => " due to part scatter",
+        Deviation::Clearance => " due to play",
     }
 }
 
@@ -22,7 +30,7 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
     match at {
         ResponsePoint::Whole => "over the whole cycle".to_owned(),
         ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
-            format!("at {}", writer.value_trimmed(pose_rad, &SiUnit::ANGLE))
+            format!("at {}", writer.about(&Tag::Given("pose")).value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
         ResponsePoint::Reduced { reduction } => match reduction {
             Reduction::Maximum => "largest value in the cycle",
@@ -37,6 +45,7 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
 }
 
 pub(super) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &NumberWriter) -> String {
+    let writer = writer.about(&Tag::Given("parameter of a statistic"));
     match statistic {
         Statistic::Mean => "mean".to_owned(),
         Statistic::StandardDeviation => "standard deviation".to_owned(),
@@ -80,8 +89,19 @@ pub(super) fn treatment_words(treatment: Treatment) -> &'static str {
 }
 
 /// "93 % to 100 %": the share inside a band, over the epistemic inputs.
-pub(super) fn share_words(band: &TreatmentBand, writer: &NumberWriter) -> String {
-    writer.percent_range(band.least_share(), band.coverage_maximum)
+pub(super) fn share_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    writer.about(&Tag::band(comparison, band, "share")).percent_range(band.least_share(), band.coverage_maximum)
+}
+
+/// Whether the errors of the ends of bands are known.
+pub(super) fn has_errors(comparison: &TreatmentComparison) -> bool {
+    comparison.bands.iter().any(|band| band.ends.is_some())
+}
+
+/// The larger numerical error of the ends of a band.
+pub(super) fn band_error(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let tag = Tag::band(comparison, band, "error");
+    band.error_si().map_or_else(String::new, |error| writer.about(&tag).error(error, &comparison.unit))
 }
 
 /// Whether a band holds what it promises, in a word.
@@ -112,6 +132,7 @@ pub(super) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> Strin
 }
 
 pub(super) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> String {
+    let writer = writer.about(&Tag::Given("confidence"));
     match guarantee {
         Guarantee::Enclosure => "proven, rounding errors included".to_owned(),
         Guarantee::Optimised => "found by a search over the intervals, not proven".to_owned(),
@@ -181,7 +202,7 @@ pub(super) fn path_part<'o>(name: &str, outputs: &'o [OutputDescription]) -> Opt
 /// `deviation of slider`; of a path `error of tool (coupler.tool) across its path`.
 pub(super) fn deviation_of(name: &str, of: Deviation, outputs: &[OutputDescription]) -> String {
     let Some((point, part)) = path_part(name, outputs) else { return format!("{} of {name}", deviation_words(of)) };
-    let due_to = deviation_words(of).trim_start_matches("deviation");
+    let due_to = due_to_words(of);
     let error = match part {
         PathError::Along => format!("error of {point} along its path"),
         PathError::Normal => format!("error of {point} across its path"),
@@ -250,16 +271,17 @@ pub(super) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String>
     (count > 0).then(|| {
         format!(
             "All bounds are points of curves: {} in bounds.csv. For one number over the whole cycle, ask with 'reduce'.",
-            counted(count as u64, "row", writer)
+            counted(count as u64, "row", &writer.about(&Tag::Count("points of curves")))
         )
     })
 }
 
 /// `3 more bounds are in `, `1 more bound is in `; `which` stands behind the noun, with a space at its end.
 pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
+    let number = count(others as u64, &writer.about(&Tag::Count("bounds that are not shown")));
     match others {
-        1 => format!("1 more {singular} {which}is in "),
-        _ => format!("{} more {singular}s {which}are in ", count(others as u64, writer)),
+        1 => format!("{number} more {singular} {which}is in "),
+        _ => format!("{number} more {singular}s {which}are in "),
     }
 }
 

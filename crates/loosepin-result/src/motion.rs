@@ -4,7 +4,7 @@ use crate::repeat::Repeat;
 use serde::{Deserialize, Serialize};
 
 use crate::simulation::{Drawing, Override};
-use crate::study::Deviation;
+use crate::study::{Deviation, PathError};
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.
@@ -164,6 +164,9 @@ pub struct OutputMotion {
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
+    /// The path and which part of its error, where it is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path_error: Option<PathMotion>,
     /// Ideal value; empty for an error of a path, as velocity and acceleration are then.
     #[serde(with = "extended")]
     pub value_si: Vec<f64>,
@@ -181,6 +184,15 @@ pub struct OutputMotion {
     pub dimensional_standard_deviation_si: Vec<f64>,
     /// Shares of each scattering dimension in that variance; empty where there is none.
     pub dimensional_contributors: Vec<DimensionContributor>,
+}
+
+/// A path, and the part of its error that is meant.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PathMotion {
+    /// Name of the output that is the path.
+    pub path: String,
+    /// The part.
+    pub part: PathError,
 }
 
 /// What a drive must do to make the ideal motion at its speed.

@@ -10,6 +10,7 @@ mod wear;
 
 use crate::contact_basis::{ContactBasis, LongPinForce};
 use crate::repeat::Repeat;
+use crate::study::Deviation;
 use crate::study::accuracy::is_zero_count;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
@@ -362,14 +363,24 @@ pub struct JointSummary {
 /// Smallest and largest value of one quantity, located on the dense output and not read off samples.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Extreme {
-    /// Name of the quantity, for example `slider` or `slider, deviation`.
+    /// Name of the output.
     pub name: String,
+    /// Whether the output itself or its deviation from the ideal motion is meant.
+    #[serde(default = "Extreme::of_older_records")]
+    pub of: Deviation,
     /// Unit of the values.
     pub unit: SiUnit,
     /// The smallest value.
     pub minimum: ExtremePoint,
     /// The largest value.
     pub maximum: ExtremePoint,
+}
+
+impl Extreme {
+    /// Records of older versions do not say which are deviations.
+    fn of_older_records() -> Deviation {
+        Deviation::Value
+    }
 }
 
 /// A value and where it was found.

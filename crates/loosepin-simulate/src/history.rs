@@ -29,6 +29,7 @@ use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
     JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
 };
+use loosepin_result::study::Deviation;
 use loosepin_text::units::DisplayUnits;
 use std::sync::atomic::AtomicBool;
 
@@ -568,9 +569,15 @@ impl<'a> Recorder<'a> {
         (0..self.extremes.len())
             .map(|series| {
                 let column = &self.columns[series % count];
-                let name = if series < count { column.name.clone() } else { format!("{}, deviation", column.name) };
+                let of = if series < count { Deviation::Value } else { Deviation::Total };
                 let [minimum, maximum] = self.extremes[series];
-                Extreme { name, unit: column.unit.clone(), minimum: point(minimum, -1.0), maximum: point(maximum, 1.0) }
+                Extreme {
+                    name: column.name.clone(),
+                    of,
+                    unit: column.unit.clone(),
+                    minimum: point(minimum, -1.0),
+                    maximum: point(maximum, 1.0),
+                }
             })
             .collect()
     }

@@ -62,6 +62,34 @@ impl Statistic {
         }
     }
 
+    /// Whether it exceeds `other` for no random variable.
+    ///
+    /// ```text
+    /// p <= q: Q_p <= Q_q                          a distribution function does not fall
+    /// a >= b: P(Y > a) <= P(Y > b)                the event on the left implies that on the right; so for the next three
+    /// a <= b: P(Y < a) <= P(Y < b)
+    /// a >= b: P(|Y| > a) <= P(|Y| > b)
+    /// a >= b: P(Y > a) <= P(|Y| > b),   -a >= b: P(Y < a) <= P(|Y| > b)
+    /// ```
+    ///
+    /// Nothing of this kind holds between a mean and a quantile: the mean of a rare large number lies beyond nearly all quantiles.
+    pub fn never_exceeds(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Quantile(p), Self::Quantile(q)) => p <= q,
+            (Self::ProbabilityAbove(a), Self::ProbabilityAbove(b))
+            | (Self::ProbabilityBeyond(a), Self::ProbabilityBeyond(b))
+            | (Self::ProbabilityAbove(a), Self::ProbabilityBeyond(b)) => a >= b,
+            (Self::ProbabilityBelow(a), Self::ProbabilityBelow(b)) => a <= b,
+            (Self::ProbabilityBelow(a), Self::ProbabilityBeyond(b)) => -a >= b,
+            _ => false,
+        }
+    }
+
+    /// Whether it does not fall where the random variable grows, whatever the dependence: X <= Y for every mechanism gives S(X) <= S(Y).
+    pub fn grows_with_variable(self) -> bool {
+        matches!(self, Self::Mean | Self::Quantile(_) | Self::ProbabilityAbove(_))
+    }
+
     /// Whether it is a probability, a pure number from 0 to 1.
     pub fn is_probability(self) -> bool {
         matches!(self, Self::ProbabilityAbove(_) | Self::ProbabilityBelow(_) | Self::ProbabilityBeyond(_))
@@ -162,6 +190,35 @@ mod tests {
             assert_eq!(serde_json::from_str::<Statistic>(text).unwrap(), statistic);
             assert_eq!(Statistic::from_word(statistic.word(), statistic.parameter()), Some(statistic));
         }
+    }
+
+    #[test]
+    fn analytic_statistics_of_a_sample_are_in_the_order_that_is_stated() {
+        use Statistic::{Mean, ProbabilityAbove, ProbabilityBelow, ProbabilityBeyond, Quantile};
+        // Most values are small and one is large: the mean lies beyond the upper quantile.
+        let sample = [-1.5, -0.25, 0.125, 0.5, 0.75, 0.875, 1.25, 1.5, 1.75, 400.0];
+        let share = |holds: &dyn Fn(f64) -> bool| sample.iter().filter(|&&y| holds(y)).count() as f64 / 10.0;
+        let value = |statistic| match statistic {
+            Mean => sample.iter().sum::<f64>() / 10.0,
+            Quantile(p) => sample[((p * 10.0) as usize).min(9)],
+            ProbabilityAbove(limit) => share(&|y| y > limit),
+            ProbabilityBelow(limit) => share(&|y| y < limit),
+            ProbabilityBeyond(limit) => share(&|y| y.abs() > limit),
+            Statistic::StandardDeviation | Statistic::Cdf | Statistic::SimultaneousBand(_) => f64::NAN,
+        };
+        let limits = [-2.0, -0.5, 0.25, 1.0, 1.625, 500.0];
+        let mut all = vec![Mean, Quantile(0.05), Quantile(0.5), Quantile(0.85)];
+        all.extend(limits.into_iter().flat_map(|limit| [ProbabilityAbove(limit), ProbabilityBelow(limit)]));
+        all.extend(limits.into_iter().filter(|limit| *limit >= 0.0).map(ProbabilityBeyond));
+        let mut stated = 0;
+        for (a, b) in all.iter().flat_map(|&a| all.iter().map(move |&b| (a, b))) {
+            if a.never_exceeds(b) {
+                stated += 1;
+                assert!(value(a) <= value(b), "{a:?} {b:?}");
+            }
+        }
+        assert!(stated > 60, "{stated}");
+        assert!(value(Mean) > value(Quantile(0.85)) && !Mean.never_exceeds(Quantile(0.85)));
     }
 
     #[test]

@@ -203,6 +203,7 @@ mod tests {
             probabilities: [0.025, 0.975],
             centre: Witness::new(),
             numerical_error_si: 0.0,
+            confidence: None,
             pose_rad: pose_deg.iter().map(|angle| angle.to_radians()).collect(),
             ideal_si: Vec::new(),
             nominal_si: Vec::new(),

@@ -36,7 +36,7 @@ pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &Numbe
         Weight::WithinErrors => format!("{sentence} The difference is within the numerical errors."),
         Weight::BeyondErrors if before > 0.0 => {
             let change = writer.percent((after / before - 1.0).abs(), Rounding::Nearest);
-            format!("{sentence} B is {change} {}.", if after < before { "smaller" } else { "larger" })
+            format!("{sentence} The bound of B is {change} {}.", if after < before { "smaller" } else { "larger" })
         }
         Weight::BeyondErrors => sentence,
     }

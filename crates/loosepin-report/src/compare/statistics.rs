@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::outputs::SharedOutputs;
-use crate::bound_words::bound_value;
+use crate::bound_words::found_value;
 use crate::number::{NumberWriter, Rounding, significant};
 use crate::wording::{output_unit, reading_words, response_words, statistic_words, treatment_words};
 use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
@@ -28,7 +28,7 @@ pub struct ComparedStatistic {
 /// One end of a bound in both studies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedEnd {
-    /// The bound to rely on, rounded outwards, in A and in B.
+    /// The value found with its numerical error, in A and in B: bounds hold their errors, so a difference of them is none of the statistics.
     pub values: [String; 2],
     /// B minus A of the values found, with sign and unit.
     pub difference: String,
@@ -137,11 +137,11 @@ fn statistic(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -
 }
 
 fn row(result: &StudyResult, before: &BoundRecord, after: &BoundRecord, writer: &NumberWriter) -> ComparedStatistic {
-    let end = |ends: [&BoundEnd; 2], rounding| {
+    let end = |ends: [&BoundEnd; 2]| {
         let difference_si = ends[1].value_si - ends[0].value_si;
         let errors_si = ends[0].error.total_si() + ends[1].error.total_si();
         ComparedEnd {
-            values: [bound_value(ends[0], before, rounding, writer), bound_value(ends[1], after, rounding, writer)],
+            values: [found_value(ends[0], before, writer), found_value(ends[1], after, writer)],
             difference: difference_words(difference_si, errors_si, before, writer),
             difference_si,
             weight: Weight::of(difference_si, errors_si),
@@ -150,7 +150,7 @@ fn row(result: &StudyResult, before: &BoundRecord, after: &BoundRecord, writer: 
     ComparedStatistic {
         response: response_words(result, (&before.output, before.of, before.at), writer),
         statistic: statistic(result, before, writer),
-        ends: [end([&before.lower, &after.lower], Rounding::Down), end([&before.upper, &after.upper], Rounding::Up)],
+        ends: [end([&before.lower, &after.lower]), end([&before.upper, &after.upper])],
     }
 }
 

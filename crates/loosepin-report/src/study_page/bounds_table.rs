@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use crate::bound_words::{bound_error, bound_value, error_parts};
 use crate::number::{NumberWriter, Rounding};
+use crate::tag::Tag;
 use crate::wording::output_unit;
 use crate::wording::{
     MASSES_ADD, further, guarantee_words, has_parts, has_unknown, only_curves, reading_beside, response_words,
@@ -63,17 +64,18 @@ pub(super) fn bounds_table(result: &StudyResult, writer: &NumberWriter) -> Marku
 
 fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Markup {
     let output_unit = output_unit(result, &bound.output);
-    let witness = |end: &BoundEnd| writer.witness(&end.witness, &result.inputs);
+    let witness =
+        |part: &str, end: &BoundEnd| writer.about(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
     html! {
         tr {
             td data-label="Statistic" { (statistic_words(bound.statistic, &output_unit, writer)) }
             td.number data-label="Lower bound" {
                 (bound_value(&bound.lower, bound, Rounding::Down, writer)) " "
-                span.quiet { (witness(&bound.lower)) }
+                span.quiet { (witness("lower witness", &bound.lower)) }
             }
             td.number data-label="Upper bound" {
                 strong { (bound_value(&bound.upper, bound, Rounding::Up, writer)) } " "
-                span.quiet { (witness(&bound.upper)) }
+                span.quiet { (witness("upper witness", &bound.upper)) }
             }
             td.number data-label="± numerical error" {
                 (bound_error(bound, writer)) " "

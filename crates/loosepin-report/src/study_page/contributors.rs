@@ -5,13 +5,14 @@ use maud::{Markup, html};
 use crate::number::{NumberWriter, Rounding, plain_name};
 use crate::page::cards;
 use crate::still_figures::percent_of;
+use crate::tag::{Tag, read_the_same};
 use crate::wording::response_words;
 use loosepin_result::study::{Contributors, ShareRange, StudyResult};
 
 pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Markup {
     html! {
         p {
-            "Each bar shows how much narrower the band of 95 % of mechanisms becomes without the uncertainty of one input: "
+            "Each bar shows how much narrower the band of " (band_probability(writer)) " of mechanisms becomes without the uncertainty of one input: "
             span class="swatch probability line" {} " " strong { "tighter tolerance" } " (a random input without scatter) or "
             span class="swatch mixed line" {} " " strong { "better measurement" } " (an unknown value that is measured)."
         }
@@ -20,22 +21,24 @@ pub(super) fn contributors(result: &StudyResult, writer: &NumberWriter) -> Marku
 }
 
 fn figure(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Markup {
+    let tag = |part: &str, paths: &[String]| Tag::contributors(one, part, &paths.join(" "));
+    let of_path = |part: &str, path: &String| Tag::contributors(one, part, path);
     let random = one.random.iter().map(|input| {
         [
             html! { (names(&input.paths, result)) },
-            bar("probability", [input.band_share; 2], writer),
-            html! { (share(&input.first, writer)) },
-            html! { (share(&input.total, writer)) },
-            html! { (known(input.quasi_static_share, writer)) },
+            bar("probability", [input.band_share; 2], &writer.about(&tag("band", &input.paths))),
+            html! { (share(&input.first, &writer.about(&tag("first", &input.paths)))) },
+            html! { (share(&input.total, &writer.about(&tag("total", &input.paths)))) },
+            html! { (known(input.quasi_static_share, &writer.about(&tag("quasi-static", &input.paths)))) },
         ]
     });
     let epistemic = one.epistemic.iter().map(|input| {
         [
             html! { (plain_name(&input.path, &result.inputs)) },
-            bar("mixed", input.band_share, writer),
+            bar("mixed", input.band_share, &writer.about(&of_path("band", &input.path))),
             html! { "–" },
             html! { "–" },
-            html! { (known(input.quasi_static_share, writer)) },
+            html! { (known(input.quasi_static_share, &writer.about(&of_path("quasi-static", &input.path)))) },
         ]
     });
     html! {
@@ -58,16 +61,16 @@ fn caption(one: &Contributors, writer: &NumberWriter) -> String {
     let mut caption = format!(
         "The band is {} wide{}. For an unknown value, the reduction depends on the measured value: the bar goes from the smallest to \
          the largest. It is computed from the existing runs, with an error of {}.",
-        writer.value(one.band_width_si, &one.unit),
+        writer.about(&Tag::contributors(one, "band width", "")).value(one.band_width_si, &one.unit),
         if one.at == loosepin_result::study::ResponsePoint::Whole { " on average over the poses" } else { "" },
-        writer.percent(error, Rounding::Up)
+        writer.about(&Tag::contributors(one, "error", "")).percent(error, Rounding::Up)
     );
     if !one.points.is_empty() {
         caption.push_str(&format!(
             " Sobol' indices are shares of the variance, at {} of the unknown inputs, errors included (confidence {}). For a random \
              input, the band is assumed to shrink with the square root of the variance.",
-            crate::wording::counted(one.points.len() as u64, "value", writer),
-            writer.percent(one.confidence, Rounding::Nearest)
+            crate::wording::counted(one.points.len() as u64, "value", &writer.about(&Tag::Count("values with Sobol' indices"))),
+            writer.about(&Tag::Given("confidence")).percent(one.confidence, Rounding::Nearest)
         ));
     }
     caption.push_str(
@@ -92,13 +95,23 @@ pub(crate) fn known(share: Option<f64>, writer: &NumberWriter) -> String {
     share.map_or("–".to_owned(), |share| writer.percent(share, Rounding::Nearest))
 }
 
+/// The share of mechanisms that the bands hold which sensitivities are about.
+pub(crate) fn band_probability(writer: &NumberWriter) -> String {
+    const BAND_PROBABILITY: f64 = 0.95;
+    writer.about(&Tag::Given("probability")).percent(BAND_PROBABILITY, Rounding::Nearest)
+}
+
 /// A share of the band, or its range.
 pub(crate) fn band_share(share: [f64; 2], writer: &NumberWriter) -> String {
-    let text = |share: f64| writer.percent((100.0 * share).round() / 100.0, Rounding::Nearest);
+    let text = |part: &str, share: f64| {
+        let tag = writer.tag().map(|tag| tag.part(part));
+        writer.about_maybe(tag.as_ref()).percent((100.0 * share).round() / 100.0, Rounding::Nearest)
+    };
+    let (least, most) = (text("least", share[0]), text("most", share[1]));
     match share {
         [least, _] if !least.is_finite() => "–".to_owned(),
-        [least, most] if text(least) == text(most) => text(most),
-        [least, most] => format!("{} to {}", text(least), text(most)),
+        _ if read_the_same(&least, &most) => most,
+        _ => format!("{least} to {most}"),
     }
 }
 

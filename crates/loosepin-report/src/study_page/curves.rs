@@ -6,8 +6,10 @@ use super::what_if::what_if;
 use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding, significant};
+use crate::number::{NumberWriter, Rounding};
 use crate::script_data::round_to_digits;
+use crate::tag::{Tag, read_the_same};
+use crate::told::main_bound;
 use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
@@ -95,7 +97,7 @@ fn curve_name(curve: &DeviationCurve) -> String {
 
 /// Which share of mechanisms a band at one angle holds, in words.
 fn share_inside(curve: &DeviationCurve, writer: &NumberWriter) -> String {
-    writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest)
+    writer.about(&Tag::Given("probability")).percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest)
 }
 
 fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &NumberWriter) -> Chart {
@@ -112,7 +114,10 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     }
     for each in curve.simultaneous.iter().filter(|each| !each.band.lower_si.is_empty()) {
         let (lower, upper) = range(&each.band);
-        let label = format!("{} for the whole cycle", writer.percent(each.share, Rounding::Nearest));
+        let label = format!(
+            "{} for the whole cycle",
+            writer.about(&Tag::Given("probability")).percent(each.share, Rounding::Nearest)
+        );
         add(label, Role::Mixed, true, EntryValues::pair(&lower, &upper));
     }
     let has_random = curve.random.lower_si.iter().any(|value| value.is_finite());
@@ -130,11 +135,16 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
     }
     let (worst_angle, worst) = worst_pose(curve);
     let subject = output_words(&curve.output, &result.outputs);
-    let centre = writer.witness(&curve.centre, &result.inputs);
+    let centre = writer.about(&Tag::curve(curve, "centre")).witness(&curve.centre, &result.inputs);
     let worst_words = format!(
         "is largest at {}, {} from zero",
-        writer.rounded(worst_angle, &SiUnit::ANGLE, 3, Rounding::Nearest),
-        writer.rounded(worst, &curve.unit, 2, Rounding::Up)
+        writer.about(&Tag::curve(curve, "mixed reach angle")).rounded(
+            worst_angle,
+            &SiUnit::ANGLE,
+            3,
+            Rounding::Nearest
+        ),
+        writer.about(&Tag::curve(curve, "mixed reach")).rounded(worst, &curve.unit, 2, Rounding::Up)
     );
     Chart {
         y_label: format!("{} of {}", deviation_words(curve.of), curve.output),
@@ -143,7 +153,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
         height: 380,
         is_periodic: is_periodic(result, curve),
         caption: html! {
-            strong { (capitalised(deviation_words(curve.of))) " of " (subject) ". " }
+            strong { (capitalised(&deviation_words(curve.of))) " of " (subject) ". " }
             "At each angle, " (share) " of mechanisms lie inside the orange band for all unknown values"
             @if has_random {
                 ", and inside the blue band for "
@@ -155,10 +165,16 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
             } @else if has_evidence(result) {
                 ". Evidence gives mechanisms to several intervals, so there is no band for a single value of the unknown inputs"
             }
-            ". The orange band " (worst_words) ". It includes its numerical error of up to "
-            (writer.error(curve.numerical_error_si, &curve.unit)) "."
+            ". The orange band " (worst_words) ". It includes its numerical error, which differs from angle to angle: up to "
+            (writer.about(&Tag::curve(curve, "error")).error(curve.numerical_error_si, &curve.unit)) "."
+            @if let Some((bound, _)) = main_bound(&result.bounds).filter(|(bound, _)| bound.output == curve.output && bound.of == curve.of) {
+                " The limit over the whole cycle has its own, " (writer.about(&Tag::bound(bound, "upper error")).error(bound.upper.error.total_si(), &bound.unit)) "."
+            }
+            @if let Some(confidence) = curve.confidence {
+                " Sampling errors hold with " (writer.about(&Tag::curve(curve, "confidence")).percent(confidence, Rounding::Down)) " confidence at each angle by itself."
+            }
             @for each in &curve.simultaneous {
-                " " (simultaneous_words(each, writer))
+                " " (simultaneous_words(curve, each, writer))
             }
         },
         alternative: format!(
@@ -183,15 +199,20 @@ fn has_evidence(result: &StudyResult) -> bool {
 }
 
 /// Sentence on the band for whole curves.
-fn simultaneous_words(each: &SimultaneousCurve, writer: &NumberWriter) -> String {
-    let share = writer.percent(each.share, Rounding::Nearest);
+fn simultaneous_words(curve: &DeviationCurve, each: &SimultaneousCurve, writer: &NumberWriter) -> String {
+    let share = writer.about(&Tag::Given("probability")).percent(each.share, Rounding::Nearest);
     if each.band.lower_si.is_empty() {
         return format!("The runs give no band that {share} of mechanisms keep for the whole cycle.");
     }
+    let factor = writer.about(&Tag::curve(curve, &format!("factor of the band of {}", each.share))).rounded(
+        each.factor,
+        &SiUnit::NONE,
+        3,
+        Rounding::Up,
+    );
     format!(
-        "{share} of mechanisms stay between the dashed lines for the whole cycle, for all unknown values. That band is {:.2} times as \
-         wide as the band of the same share at each single angle.",
-        each.factor
+        "{share} of mechanisms stay between the dashed lines for the whole cycle, for all unknown values. That band is {factor} times as \
+         wide as the band of the same share at each single angle."
     )
 }
 
@@ -266,19 +287,21 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         .iter()
         .map(|limit_si| Mark {
             at: round_to_digits(writer.scaled(*limit_si, &pbox.unit), 6),
-            label: writer.value_trimmed(*limit_si, &pbox.unit),
+            label: writer.about(&Tag::Given("limit")).value_trimmed(*limit_si, &pbox.unit),
         })
         .collect();
     let limit_words = pbox.limit_si.map(|limit_si| limit_sentence(result, pbox, limit_si, writer)).unwrap_or_default();
+    let [from_tag, to_tag] = ["median lower", "median upper"].map(|part| Tag::distribution(pbox, part));
+    let (of_from, of_to) = (writer.about(&from_tag), writer.about(&to_tag));
     let median = match median_range(&pbox.value_si, &pbox.lower, &pbox.upper) {
         [Some(from), Some(to)] => format!(
             "The median lies between {} and {}.",
-            significant(writer.scaled(from, &pbox.unit), 2, Rounding::Down).replace('-', "−"),
-            writer.rounded(to, &pbox.unit, 2, Rounding::Up)
+            of_from.rounded_without_unit(from, &pbox.unit, 2, Rounding::Down),
+            of_to.rounded(to, &pbox.unit, 2, Rounding::Up)
         ),
-        [None, Some(to)] => format!("The median is at most {}.", writer.rounded(to, &pbox.unit, 2, Rounding::Up)),
+        [None, Some(to)] => format!("The median is at most {}.", of_to.rounded(to, &pbox.unit, 2, Rounding::Up)),
         [Some(from), None] => {
-            format!("The median is at least {}.", writer.rounded(from, &pbox.unit, 2, Rounding::Down))
+            format!("The median is at least {}.", of_from.rounded(from, &pbox.unit, 2, Rounding::Down))
         }
         [None, None] => String::new(),
     };
@@ -292,7 +315,7 @@ fn box_chart(result: &StudyResult, pbox: &ProbabilityBox, index: usize, writer: 
         height: 320,
         caption: html! {
             strong { (capitalised(&response)) ". " } (median) " " (limit_words)
-            " Sampling error of the shares: at most " (writer.percent(pbox.numerical_error, Rounding::Up)) "."
+            " Sampling error of the shares: at most " (writer.about(&Tag::distribution(pbox, "error")).percent(pbox.numerical_error, Rounding::Up)) "."
         },
         alternative: format!("Probability box: {response}. {median}"),
         ..Chart::over(box_name(result, index), &x_label, &pbox.value_si, &pbox.unit, writer)
@@ -323,12 +346,14 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
     let read_off =
         || (share_range(limit_si, &pbox.value_si, &pbox.lower, &pbox.upper), ", sampling error not included");
     let ([least, most], error) = bounded.unwrap_or_else(read_off);
-    format!(
-        "Below {}: between {} and {} of mechanisms{error}.",
-        writer.value_trimmed(limit_si, &pbox.unit),
-        writer.percent(least, Rounding::Down),
-        writer.percent(most, Rounding::Up)
-    )
+    let limit = writer.about(&Tag::Given("limit")).value_trimmed(limit_si, &pbox.unit);
+    let [lower, upper] = ["share below lower", "share below upper"].map(|part| Tag::distribution(pbox, part));
+    let [least, most] =
+        [writer.about(&lower).percent(least, Rounding::Down), writer.about(&upper).percent(most, Rounding::Up)];
+    if read_the_same(&least, &most) {
+        return format!("Below {limit}: {least} of mechanisms{error}.");
+    }
+    format!("Below {limit}: between {least} and {most} of mechanisms{error}.")
 }
 
 /// Least and largest share below the limit, where a probability of the same was asked for.

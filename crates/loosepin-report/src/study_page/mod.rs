@@ -11,7 +11,7 @@ mod what_if;
 
 use maud::{Markup, html};
 
-pub(super) use contributors::{band_share, known as known_share, share as share_range};
+pub(super) use contributors::{band_probability, band_share, known as known_share, share as share_range};
 pub use curves::{KnownValue, known_values};
 
 use super::accuracy_text::accuracy_sentences;
@@ -24,6 +24,7 @@ use super::page::{Page, Section};
 use super::promise_text::{promise_sentences, promise_title};
 use super::repeat_section::study_repeat_section;
 use super::still_figures::orbit_figure;
+use super::tag::Tag;
 use super::together::frontier;
 use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
 use loosepin_result::study::{StudyResult, Verdict};
@@ -87,7 +88,7 @@ pub fn study_page(result: &StudyResult) -> String {
         title: result.name.clone(),
         kicker: "Accuracy study",
         subtitle: html! {
-            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer)) " · study "
+            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")))) " · study "
             code { (short_hash(&result.input_hash)) }
         },
         answer: answer_markup(&answer),
@@ -183,15 +184,20 @@ fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
                             (place_words(requirement.at, writer))
                         }
                         td.number data-label="Required share" {
-                            "≥ " (writer.percent(requirement.probability_at_least, Rounding::Nearest))
+                            "≥ "
+                            (writer.about(&Tag::Given("required share")).percent(requirement.probability_at_least, Rounding::Nearest))
                         }
                         td.number data-label="Share inside" {
-                            (writer.percent_range(requirement.probability[0], requirement.probability[1]))
+                            (writer
+                                .about(&Tag::requirement(requirement, "share"))
+                                .percent_range(requirement.probability[0], requirement.probability[1]))
                             @if let Some(least) = requirement.promised {
-                                " " span.quiet { "promised: at least " (writer.percent(least, Rounding::Down)) }
+                                " " span.quiet { "promised: at least "
+                                    (writer.about(&Tag::requirement(requirement, "promised")).percent(least, Rounding::Down))
+                                }
                             }
                         }
-                        td data-label="Smallest at" { (writer.witness(&requirement.witness, &result.inputs)) }
+                        td data-label="Smallest at" { (writer.about(&Tag::requirement(requirement, "witness")).witness(&requirement.witness, &result.inputs)) }
                         td data-label="Verdict" {
                             span class={ "verdict " (verdict_class(requirement.verdict)) } {
                                 (verdict_words(requirement.verdict))

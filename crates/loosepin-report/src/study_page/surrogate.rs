@@ -11,6 +11,7 @@ use crate::surrogate_text::{
     MOST_ROWS, direct_bound, output_sentences, range_words, runs_sentence, single_bounds, surrogate_error,
     treatment_rows,
 };
+use crate::tag::Tag;
 use crate::wording::output_unit;
 use crate::wording::{deviation_words, output_words, response_words, statistic_words};
 use loosepin_result::study::{
@@ -65,7 +66,7 @@ fn bounds(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -
                             td.number data-label="Direct" {
                                 (direct_bound(result, bound).map_or("–".to_owned(), |direct| range_words(direct, writer)))
                             }
-                            td.number data-label="By surrogate" { (range_words(bound, writer)) }
+                            td.number data-label="By surrogate" { (range_words(bound, &writer.about(&Tag::Among("surrogate".to_owned())))) }
                             td.number data-label="± surrogate" { (surrogate_error(bound, writer)) }
                         }
                     }

@@ -5,9 +5,10 @@ use maud::{Markup, html};
 use crate::answer::treatment_sentences;
 use crate::number::{NumberWriter, Rounding};
 use crate::still_figures::percent_of;
+use crate::tag::Tag;
 use crate::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, has_lists, promise_word, response_words, share_words, treatment_words,
-    unknown_words,
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, band_error, has_errors, has_lists, promise_word, response_words,
+    share_words, treatment_words, unknown_words,
 };
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 
@@ -31,7 +32,7 @@ pub(super) fn treatments(result: &StudyResult, writer: &NumberWriter) -> Markup 
 
 /// Whether the bands are those of a surrogate that stands alone.
 fn is_learned(result: &StudyResult) -> bool {
-    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.ends.is_some())
+    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.is_by_surrogate)
 }
 
 fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Markup {
@@ -40,7 +41,8 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
     let promised = comparison.promised_coverage;
     let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
     let share_from = ((least - 0.5 * (1.0 - least)).max(0.0) * 20.0).floor() / 20.0;
-    let promise = writer.percent(promised, Rounding::Nearest);
+    let given = Tag::Given("promised share");
+    let promise = writer.about(&given).percent(promised, Rounding::Nearest);
     html! {
         figure.treatments {
             h3 {
@@ -51,7 +53,7 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                     tr {
                         th scope="col" { "Treatment" }
                         th scope="col" { "Band for " (promise) " of mechanisms" }
-                        @if is_learned(result) { th.number scope="col" { "± surrogate" } }
+                        @if has_errors(comparison) { th.number scope="col" { "± error" } }
                         th.number scope="col" { "Width" }
                         th scope="col" { "Share inside" }
                         th scope="col" { "Promise" }
@@ -62,13 +64,15 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
                         tr {
                             th scope="row" { (treatment_words(band.treatment)) }
                             td data-label="Band" { (band_bar(band, comparison, from, to, writer)) }
-                            @if let Some(error) = band.surrogate_error_si() {
-                                td.number data-label="± surrogate" { (writer.error(error, &comparison.unit)) }
+                            @if has_errors(comparison) {
+                                td.number data-label="± error" { (band_error(band, comparison, writer)) }
                             }
                             td.number data-label="Width" {
-                                (writer.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
+                                (writer
+                                    .about(&Tag::band(comparison, band, "width"))
+                                    .rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest))
                             }
-                            td data-label="Share inside" { (coverage_strip(band, promised, share_from, writer)) }
+                            td data-label="Share inside" { (coverage_strip(band, comparison, share_from, writer)) }
                             td data-label="Promise" {
                                 @let word = promise_word(band, promised);
                                 @if band.is_promise_unknown(promised) { span.verdict.undecided { (word) } }
@@ -81,8 +85,8 @@ fn one(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWr
             }
             figcaption {
                 "Bars: the bands on a common scale. Dots: the share inside at each tested value of the "
-                (unknown_words(&result.inputs)) ", from " (writer.percent(share_from, Rounding::Nearest)) " to "
-                (writer.percent(1.0, Rounding::Nearest)) ". Vertical line: the promised " (promise) "."
+                (unknown_words(&result.inputs)) ", from " (writer.about(&Tag::Given("axis")).percent(share_from, Rounding::Nearest)) " to "
+                (writer.about(&Tag::Given("axis")).percent(1.0, Rounding::Nearest)) ". Vertical line: the promised " (promise) "."
             }
         }
         ul.treatment-words {
@@ -113,8 +117,12 @@ fn band_bar(
     to: f64,
     writer: &NumberWriter,
 ) -> Markup {
-    let lower = writer.rounded(band.lower_si, &comparison.unit, band_digits(comparison), Rounding::Down);
-    let upper = writer.rounded(band.upper_si, &comparison.unit, band_digits(comparison), Rounding::Up);
+    let rounded = |part: &str, value_si: f64, rounding| {
+        let digits = band_digits(comparison);
+        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
+    };
+    let lower = rounded("lower", band.lower_si, Rounding::Down);
+    let upper = rounded("upper", band.upper_si, Rounding::Up);
     let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
     html! {
         svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
@@ -130,8 +138,14 @@ fn band_bar(
     }
 }
 
-fn coverage_strip(band: &TreatmentBand, promised: f64, share_from: f64, writer: &NumberWriter) -> Markup {
-    let range = share_words(band, writer);
+fn coverage_strip(
+    band: &TreatmentBand,
+    comparison: &TreatmentComparison,
+    share_from: f64,
+    writer: &NumberWriter,
+) -> Markup {
+    let range = share_words(band, comparison, writer);
+    let promised = comparison.promised_coverage;
     let place = |share: f64| percent_of(share, share_from - 0.02 * (1.0 - share_from), 1.0 + 0.02 * (1.0 - share_from));
     html! {
         svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside: {range}")) {

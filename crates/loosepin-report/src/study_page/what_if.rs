@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::number::{NumberWriter, plain_name};
 use crate::script_data::script_json;
+use crate::tag::Tag;
 use crate::wording::{capitalised, listed};
 use loosepin_result::study::{DeviationCurve, InputDescription, InputKind, StudyResult, Witness, WitnessValue};
 
@@ -102,7 +103,7 @@ pub(super) fn what_if(
         div.what-if data-what-if=(chart) hidden {
             p { strong { "What if " (listed(&names)) " were known?" } }
             p.quiet {
-                "Choose one of " (record.points.len()) " values that were run: the inner band is that value's, counted from its runs. The outer \
+                "Choose one of " (writer.about(&Tag::Count("values that are offered")).count(record.points.len() as u64)) " values that were run: the inner band is that value's, counted from its runs. The outer \
                  band stays: it holds for all of them."
                 @if record.inputs.len() > MAPPED {
                     " The map shows the first two ranges; the line below it names all values."

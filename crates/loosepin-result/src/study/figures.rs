@@ -25,6 +25,10 @@ pub struct DeviationCurve {
     /// Largest numerical error of the ends of the mixed band.
     #[serde(with = "extended")]
     pub numerical_error_si: f64,
+    /// Confidence in the sampling error of each end by itself. It is less than that of other bounds where ends are cut to the bound of the
+    /// largest deviation: then both bounds must hold. Absent in records of older versions.
+    #[serde(default, with = "extended")]
+    pub confidence: Option<f64>,
     /// Angle of the drive, increasing.
     #[serde(with = "extended")]
     pub pose_rad: Vec<f64>,
@@ -175,12 +179,15 @@ pub struct TreatmentBand {
     pub coverage_error: f64,
     /// Share inside the band at each value of the epistemic inputs that was run.
     pub coverage_at: Vec<CoveragePoint>,
-    /// How far the ends may be off, where the band is that of a surrogate; `coverage_error` then holds what it does to the shares.
+    /// How far the ends may be off; absent in records of older versions of what direct runs gave.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ends: Option<[TreatmentEnd; 2]>,
+    /// Whether the band is that of a surrogate; `coverage_error` then holds what its error does to the shares.
+    #[serde(default)]
+    pub is_by_surrogate: bool,
 }
 
-/// An end of a band by a surrogate.
+/// How far an end of a band may be off.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TreatmentEnd {
     /// The end moved outwards by what was not resolved.
@@ -200,19 +207,25 @@ impl TreatmentBand {
     /// share that may lie outside, or one of direct runs that is hardly known, as where many failed.
     pub fn is_promise_unknown(&self, promised_coverage: f64) -> bool {
         const HARDLY_KNOWN: f64 = 0.25;
-        let most = if self.ends.is_some() { 1.0 - promised_coverage } else { HARDLY_KNOWN };
+        let most = if self.is_by_surrogate { 1.0 - promised_coverage } else { HARDLY_KNOWN };
         self.coverage_error > most && (self.coverage_minimum - promised_coverage).abs() < self.coverage_error
     }
 
     /// The least share inside, as small as it is where a surrogate errs; nothing is taken off what direct runs have counted.
     pub fn least_share(&self) -> f64 {
-        let unknown = if self.ends.is_some() { self.coverage_error } else { 0.0 };
+        let unknown = if self.is_by_surrogate { self.coverage_error } else { 0.0 };
         (self.coverage_minimum - unknown).max(0.0)
     }
 
     /// The larger part of the error of its ends that a surrogate does not know; nothing for a band of direct runs.
     pub fn surrogate_error_si(&self) -> Option<f64> {
-        self.ends.as_ref().map(|ends| ends[0].error.surrogate_si.max(ends[1].error.surrogate_si))
+        let ends = self.ends.as_ref().filter(|_| self.is_by_surrogate)?;
+        Some(ends[0].error.surrogate_si.max(ends[1].error.surrogate_si))
+    }
+
+    /// The larger numerical error of its ends, where it is known.
+    pub fn error_si(&self) -> Option<f64> {
+        self.ends.as_ref().map(|ends| ends[0].error.total_si().max(ends[1].error.total_si()))
     }
 
     /// Whether the band holds at least `promised_coverage` whatever the epistemic inputs are, within numerical error.

@@ -38,8 +38,42 @@ impl Reduction {
         }
     }
 
+    /// Whether no curve gives a larger number than by `other`: min <= mean <= max <= max|.|, and mean <= rms <= max|.| by the inequality of
+    /// Cauchy and Schwarz.
+    pub const fn never_exceeds(self, other: Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::Minimum, Self::Mean | Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute)
+                | (Self::Mean, Self::Maximum | Self::RootMeanSquare | Self::MaximumAbsolute)
+                | (Self::Maximum | Self::RootMeanSquare, Self::MaximumAbsolute)
+        )
+    }
+
     /// Whether no curve gives a negative number.
     pub const fn is_never_negative(self) -> bool {
         matches!(self, Self::MaximumAbsolute | Self::RootMeanSquare | Self::Range)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Reduction;
+
+    #[test]
+    fn analytic_reductions_of_curves_are_in_the_order_that_is_stated() {
+        let curves = [vec![-3.0, 0.5, 2.0], vec![-4.0, -3.5, -0.25], vec![0.75, 1.5, 6.0], vec![-2.5, -2.5, -2.5]];
+        for curve in curves {
+            let reduced = |reduction| match reduction {
+                Reduction::Maximum => curve.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                Reduction::Minimum => curve.iter().copied().fold(f64::INFINITY, f64::min),
+                Reduction::MaximumAbsolute => curve.iter().copied().map(f64::abs).fold(0.0, f64::max),
+                Reduction::RootMeanSquare => (curve.iter().map(|y| y * y).sum::<f64>() / curve.len() as f64).sqrt(),
+                Reduction::Mean => curve.iter().sum::<f64>() / curve.len() as f64,
+                Reduction::Range => f64::NAN,
+            };
+            for (a, b) in Reduction::ALL.into_iter().flat_map(|a| Reduction::ALL.into_iter().map(move |b| (a, b))) {
+                assert!(!a.never_exceeds(b) || reduced(a) <= reduced(b), "{a:?} {b:?} {curve:?}");
+            }
+        }
     }
 }

@@ -268,6 +268,7 @@ impl<'a> Recorder<'a> {
             name: output.name.clone(),
             words: output.words.clone(),
             unit: output.unit.clone(),
+            path_error: output.path_error.clone(),
             value_si: Vec::new(),
             velocity_si: Vec::new(),
             acceleration_si: Vec::new(),

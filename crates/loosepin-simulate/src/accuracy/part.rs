@@ -2,6 +2,7 @@
 
 use super::position::PositionOutput;
 use loosepin_mechanics::model::{Axis, Position};
+use loosepin_result::motion::PathMotion;
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
@@ -14,6 +15,7 @@ pub(super) struct Part {
     pub words: String,
     pub unit: SiUnit,
     pub kind: PartKind,
+    pub path_error: Option<PathMotion>,
 }
 
 /// Its value in terms of positions, by their places in a list.
@@ -34,19 +36,19 @@ impl Part {
         let mut parts = Vec::new();
         for (place, output) in outputs.iter().enumerate() {
             let PositionOutput { name, words, unit, .. } = output.clone();
-            parts.push(Part { name, words, unit, kind: PartKind::Position(place) });
+            parts.push(Part { name, words, unit, kind: PartKind::Position(place), path_error: None });
             // Behind y, the second coordinate of a path.
             let (Some(path), Position::Point(_, Axis::Y)) = (&output.path, output.reading) else { continue };
             let coordinates = [place - 1, place];
             if !has_direction(&speeds(coordinates)) {
                 continue;
             }
-            let point = output.words.trim_start_matches("y of ");
             for (error, kind) in
                 [(PathError::Along, PartKind::Along(coordinates)), (PathError::Normal, PartKind::Normal(coordinates))]
             {
-                let (name, unit) = (format!("{path} {}", error.word()), output.unit.clone());
-                parts.push(Part { name, words: error.words(point), unit, kind });
+                let (name, unit) = (format!("{} {}", path.name, error.word()), output.unit.clone());
+                let path_error = Some(PathMotion { path: path.name.clone(), part: error });
+                parts.push(Part { name, words: error.words(&path.point), unit, kind, path_error });
             }
         }
         parts

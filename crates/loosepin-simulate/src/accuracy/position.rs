@@ -1,6 +1,6 @@
 //! Outputs of which the quasi-static answer speaks: coordinates of points and angles of bodies.
 
-use crate::column::{self, Reading};
+use crate::column::{self, Reading, relative_words};
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Derivative, OutputKind, Position};
 use loosepin_text::units::SiUnit;
@@ -16,8 +16,17 @@ pub struct PositionOutput {
     pub unit: SiUnit,
     /// The quantity that is read.
     pub reading: Position,
-    /// Name of the path that it is a coordinate of.
-    pub path: Option<String>,
+    /// The path that it is a coordinate of.
+    pub path: Option<PathOf>,
+}
+
+/// A path of the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathOf {
+    /// Name of the output.
+    pub name: String,
+    /// Its point in words, for example `slider.pin`.
+    pub point: String,
 }
 
 /// The position outputs of a model in file order, each once.
@@ -39,7 +48,12 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
                 }
                 let (words, unit) = describe(mechanism, reading);
                 let name = format!("{}{suffix}", output.name);
-                let path = matches!(output.kind, OutputKind::Path(_)).then(|| output.name.clone());
+                let path = match output.kind {
+                    OutputKind::Path(point) => {
+                        Some(PathOf { name: output.name.clone(), point: relative_words(&mechanism.model, point) })
+                    }
+                    _ => None,
+                };
                 found.push((index, PositionOutput { name, words, unit, reading, path }));
             }
         }

@@ -1,6 +1,7 @@
 //! The CSV files of a sweep, SI.
 
 use loosepin_result::sweep::SweepRecord;
+use loosepin_text::units::SiUnit;
 use std::fmt::Write;
 
 /// Name of the file with one value a row.
@@ -49,7 +50,7 @@ pub fn sweep_csv(record: &SweepRecord) -> String {
 pub fn sections_csv(record: &SweepRecord) -> String {
     let mut text = String::from("value,turn");
     for output in &record.outputs {
-        let suffix = if output.unit.symbol() == "rad" { "rad" } else { "m" };
+        let suffix = if output.unit == SiUnit::ANGLE { "rad" } else { "m" };
         let _ = write!(text, ",{}_{suffix}", output.name.replace(' ', "_"));
     }
     text.push('\n');

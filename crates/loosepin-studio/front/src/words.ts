@@ -87,6 +87,7 @@ export const words = {
     resultKind: { study: 'Study', simulation: 'Simulation', motion: 'Motion', sweep: 'Sweep' } as Record<ResultEntry['kind'], string>,
     openReport: 'Report',
     openReportOf: (title: string): string => `Report of ${title}`,
+    olderFiles: 'Changed since this result',
     allResults: (number: number): string => `Show all ${whole.format(number)} results`,
     moving: 'Move the drawings',
     noDrawing: 'no drawing',
@@ -414,7 +415,8 @@ export const words = {
     required: (limits: string): string => `required: ${limits}`,
     notRequired: 'not required',
     statistics: 'Statistics',
-    statisticsHint: 'Bounds over all unknown values, numerical error included. The difference is B minus A of the values found.',
+    statisticsHint:
+      'Smallest and largest value found over all unknown values, each with its numerical error. The difference is B minus A of the values found.',
     statistic: 'Statistic',
     end: 'Bound',
     lower: 'lower',

@@ -1,5 +1,6 @@
 //! Bounds as they are stored: those asked for, at every degree of possibility, as percentiles, and bands for whole curves.
 
+use super::coherent::{nest_cuts, nest_readings, order_percentiles};
 use super::material::{Material, unknown_ends};
 use crate::file::Where;
 use crate::simultaneous::CurveBand;
@@ -15,7 +16,9 @@ pub fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
         let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs, rare: &[] });
         Some(CutBounds { alpha: level.alpha?, bounds })
     };
-    material.bounds.levels.iter().filter_map(of_level).collect()
+    let mut cuts: Vec<CutBounds> = material.bounds.levels.iter().filter_map(of_level).collect();
+    nest_cuts(&mut cuts);
+    cuts
 }
 
 /// The percentiles of every statistic that was asked for.
@@ -34,7 +37,9 @@ pub fn percentiles(material: &Material<'_>) -> Vec<PercentileBounds> {
         let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &pairs, rare: &[] });
         PercentileBounds { percentile, bounds }
     };
-    probabilities.iter().enumerate().map(of_percentile).collect()
+    let mut percentiles: Vec<PercentileBounds> = probabilities.iter().enumerate().map(of_percentile).collect();
+    order_percentiles(&mut percentiles);
+    percentiles
 }
 
 /// Every bound that was asked for, in the order of the asks; within a curve pose by pose.
@@ -48,7 +53,10 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
                 if asked == Statistic::Cdf {
                     continue;
                 }
-                let promised = material.pair(column, asked).map_or(Guarantee::Inner, BoundPair::guarantee);
+                let promised = match material.pair(column, asked).map_or(Guarantee::Inner, BoundPair::guarantee) {
+                    Guarantee::Sampled { .. } => Guarantee::Sampled { confidence: material.confidence(column, asked) },
+                    other => other,
+                };
                 let [mut lower, mut upper] = material.ends(column, asked).unwrap_or_else(|| unknown_ends(asked));
                 let rare = material.rare.iter().find(|rare| rare.column == column && rare.statistic == asked);
                 if let Some(rare) = rare {
@@ -75,13 +83,18 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
 
 /// Every bound: those asked for, bands for whole curves, then those asked for by each of the other readings.
 pub fn all_bounds(material: &Material<'_>, curve_bands: &[CurveBand], beside: &[Bounds]) -> Vec<BoundRecord> {
-    let mut records = asked_bounds(material);
-    records.extend(simultaneous_bounds(material, curve_bands));
-    for bounds in beside {
+    let by_other_reading = |bounds: &Bounds| {
         let &Material { study, response, table, .. } = material;
         // What was estimated otherwise than by counting belongs to the first reading.
-        records.extend(asked_bounds(&Material { study, response, table, bounds, pairs: &bounds.pairs, rare: &[] }));
-    }
+        asked_bounds(&Material { study, response, table, bounds, pairs: &bounds.pairs, rare: &[] })
+    };
+    let mut by_reading: Vec<Vec<BoundRecord>> =
+        [asked_bounds(material)].into_iter().chain(beside.iter().map(by_other_reading)).collect();
+    nest_readings(&mut by_reading);
+    let mut by_reading = by_reading.into_iter();
+    let mut records = by_reading.next().unwrap_or_default();
+    records.extend(simultaneous_bounds(material, curve_bands));
+    records.extend(by_reading.flatten());
     records
 }
 

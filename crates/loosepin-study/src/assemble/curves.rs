@@ -29,6 +29,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         probabilities: BAND,
         centre: material.witness(&centre_inputs),
         numerical_error_si: 0.0,
+        confidence: None,
         pose_rad: Vec::new(),
         ideal_si: Vec::new(),
         nominal_si: Vec::new(),
@@ -57,6 +58,8 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         let [[low, _], [_, high]] = &ends;
         curve.mixed.lower_si.push(low.widened_si);
         curve.mixed.upper_si.push(high.widened_si);
+        let confidence = BAND.map(|probability| material.confidence(column, Statistic::Quantile(probability)));
+        curve.confidence = confidence.into_iter().chain(curve.confidence).min_by(f64::total_cmp);
         curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }
     curve.at_values = value_bands(material, planned, &curve.mixed);

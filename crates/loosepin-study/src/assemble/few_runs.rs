@@ -17,13 +17,19 @@ pub struct FewRuns {
 impl FewRuns {
     /// The mean deviation of the slider at six poses of a turn, after so many turns.
     pub fn after(transient_turns: u32) -> Self {
+        let ask = "output = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n";
+        Self::asking(transient_turns, ask)
+    }
+
+    /// What these lines of `[[ask]]` ask for.
+    pub fn asking(transient_turns: u32, ask: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/study.toml");
         let text = format!(
             "name = \"few runs\"\nmodel = \"model.toml\"\n\
              [cycle]\ntransient_turns = {transient_turns}\nrecorded_turns = 1\nsamples_per_turn = 6\n\
              [sampling]\nouter = 4\ninner = 32\n\
              [random]\n\"parameter.crank_length\" = {{ normal = {{ mean = \"50 mm\", standard_deviation = \"0.02 mm\" }} }}\n\
-             [[ask]]\noutput = \"slider\"\nof = \"dimensional\"\nat = \"cycle\"\nstatistics = [\"mean\"]\n"
+             [[ask]]\n{ask}"
         );
         let study = Study::from_text_at(&path.display().to_string(), &text);
         let study = study.unwrap_or_else(|complaints| panic!("{complaints}"));

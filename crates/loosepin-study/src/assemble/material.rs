@@ -1,12 +1,15 @@
 //! What a result is made from, and the bounds in it as people are shown them.
 
+use super::coherent::{cut_to_range, hold_larger, hold_smaller, narrow};
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
-use crate::file::{EpistemicInput, Reduction, Study};
+use crate::file::{Deviation, EpistemicInput, Reduction, Study};
 use crate::outputs::Seen;
 use crate::rare::Rare;
 use crate::response::StudyResponse;
-use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
+use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable, Sampling};
+use loosepin_mechanics::model::Component;
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
+use loosepin_simulate::Reading;
 use loosepin_text::units::SiUnit;
 
 /// Everything that a result is made from.
@@ -47,28 +50,98 @@ impl Material<'_> {
         }
     }
 
+    /// All bounds of a column, where they are in the order of their columns, as nearly always.
+    fn pairs_of(&self, column: usize) -> impl Iterator<Item = &BoundPair> {
+        let first = self.pairs.partition_point(|pair| pair.column < column);
+        self.pairs[first..].iter().take_while(move |pair| pair.column == column)
+    }
+
     /// The bounds of `statistic` of `column`.
     pub fn pair(&self, column: usize, statistic: Statistic) -> Option<&BoundPair> {
         let is_meant = |pair: &&BoundPair| pair.column == column && pair.statistic == statistic;
-        // Nearly always they are in the order of their columns, of which curves have hundreds.
-        let first = self.pairs.partition_point(|pair| pair.column < column);
-        let own = self.pairs[first..].iter().take_while(|pair| pair.column == column).find(is_meant);
-        own.or_else(|| self.pairs.iter().find(is_meant))
+        // Curves have hundreds of columns.
+        self.pairs_of(column).find(is_meant).or_else(|| self.pairs.iter().find(is_meant))
     }
 
-    /// Both ends of the bounds of `statistic` of `column`, narrowed to [`Material::limits`].
+    /// Both ends of the bounds of `statistic` of `column`: within its range, in order with the bounds of the same output, and narrowed to
+    /// [`Material::limits`]. This is the one place where bounds become what is shown and stored.
     pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
-        let pair = self.pair(column, statistic)?;
-        let [least, most] = self.limits(column, statistic);
-        let (mut lower, mut upper) = (self.end(&pair.lower), self.end(&pair.upper));
-        narrow(&mut lower, least);
-        narrow(&mut upper, most);
-        let is_magnitude = matches!(statistic, Statistic::Mean | Statistic::Quantile(_));
-        if is_magnitude && self.is_never_negative(column) && lower.widened_si < 0.0 {
-            lower.value_si = lower.value_si.max(0.0);
-            set_widened(&mut lower, 0.0);
+        self.ends_and_narrowed(column, statistic).map(|(ends, _)| ends)
+    }
+
+    /// Confidence in the sampling errors of the bounds of `statistic` of `column`: where they are narrowed by a bound of another column both
+    /// must hold, and misses add (Bonferroni).
+    pub fn confidence(&self, column: usize, statistic: Statistic) -> f64 {
+        let one: f64 = Sampling::default().confidence;
+        let is_narrowed = self.ends_and_narrowed(column, statistic).is_some_and(|(_, is_narrowed)| is_narrowed);
+        if is_narrowed { (1.0 - 2.0 * (1.0 - one)).max(0.0) } else { one }
+    }
+
+    fn ends_and_narrowed(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], bool)> {
+        let mut ends = self.ordered(column, statistic)?;
+        let limits = self.limits(column, statistic);
+        let narrowed = ends.each_mut().into_iter().zip(limits).map(|(end, limit)| narrow(end, limit));
+        let is_narrowed = narrowed.fold(false, |any, one| any || one);
+        Some((ends, is_narrowed))
+    }
+
+    /// Both ends within their range, in order with bounds of numbers that never exceed this one, or that it never exceeds: other statistics of
+    /// the column, and other reductions of the same curve.
+    fn ordered(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
+        let mut ends = self.within_range(self.pair(column, statistic)?);
+        for (other, reduced) in self.of_same_curve(column) {
+            for pair in self.pairs_of(other) {
+                let (own, its) = (statistic, pair.statistic);
+                if (other, its) == (column, own) {
+                    continue;
+                }
+                let is_never_above = |a: Statistic, b: Statistic| a == b || a.never_exceeds(b);
+                let [is_smaller, is_larger] = match reduced {
+                    None => [its.never_exceeds(own), own.never_exceeds(its)],
+                    // X <= Y gives S(X) <= S(Y), and S(Y) <= T(Y).
+                    Some([its_smaller, its_larger]) => [
+                        its_smaller && own.grows_with_variable() && is_never_above(its, own),
+                        its_larger && own.grows_with_variable() && is_never_above(own, its),
+                    ],
+                };
+                if is_smaller {
+                    hold_smaller(&mut ends, &self.within_range(pair));
+                }
+                if is_larger {
+                    hold_larger(&mut ends, &self.within_range(pair));
+                }
+            }
         }
-        Some([lower, upper])
+        Some(ends)
+    }
+
+    /// The column, and other reductions of its curve: whether they never exceed it, and whether it never exceeds them.
+    fn of_same_curve(&self, column: usize) -> Vec<(usize, Option<[bool; 2]>)> {
+        let own = self.plan().columns[column];
+        let mut found = vec![(column, None)];
+        let Spot::Reduced(own_reduction) = own.spot else { return found };
+        for (other, planned) in self.plan().columns.iter().enumerate() {
+            let Spot::Reduced(reduction) = planned.spot else { continue };
+            if other != column && (planned.output, planned.deviation) == (own.output, own.deviation) {
+                found.push((
+                    other,
+                    Some([reduction.never_exceeds(own_reduction), own_reduction.never_exceeds(reduction)]),
+                ));
+            }
+        }
+        found
+    }
+
+    fn within_range(&self, pair: &BoundPair) -> [BoundEnd; 2] {
+        let mut ends = [&pair.lower, &pair.upper].map(|bound| self.end(bound));
+        cut_to_range(&mut ends, self.range(pair.column, pair.statistic));
+        ends
+    }
+
+    /// The least and the greatest value that a statistic of a column can have.
+    fn range(&self, column: usize, statistic: Statistic) -> [f64; 2] {
+        let is_of_values = matches!(statistic, Statistic::Mean | Statistic::Quantile(_));
+        if is_of_values && self.is_never_negative(column) { [0.0, f64::INFINITY] } else { statistic.range() }
     }
 
     /// `statistic` of `column` with the epistemic inputs in their middle, as low and as high as failed runs allow, narrowed like the bounds:
@@ -90,7 +163,7 @@ impl Material<'_> {
         let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) else {
             return [f64::NEG_INFINITY, f64::INFINITY];
         };
-        let most = |statistic| self.pair(largest, statistic).map_or(f64::INFINITY, |pair| pair.upper.widened);
+        let most = |statistic| self.ordered(largest, statistic).map_or(f64::INFINITY, |[_, upper]| upper.widened_si);
         match statistic {
             Statistic::Mean => [-most(statistic), most(statistic)],
             Statistic::Quantile(probability) => [-most(Statistic::Quantile(1.0 - probability)), most(statistic)],
@@ -107,9 +180,16 @@ impl Material<'_> {
     fn is_never_negative(&self, column: usize) -> bool {
         let column = &self.plan().columns[column];
         let seen = self.plan().outputs[column.output].seen;
-        let is_distance = matches!(seen, Seen::Path(_, PathError::Magnitude) | Seen::Wear(..));
-        // The reductions of a distance are distances.
-        is_distance || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())
+        let is_magnitude = match seen {
+            Seen::Path(_, PathError::Magnitude) | Seen::Wear(..) => true,
+            // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
+            Seen::Reading(Reading::Force(_, Component::Magnitude) | Reading::Stress(_)) => {
+                column.deviation == Deviation::Value
+            }
+            Seen::Path(..) | Seen::Reading(_) => false,
+        };
+        // The reductions of a magnitude are magnitudes.
+        is_magnitude || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())
     }
 
     /// The unit of a column.
@@ -144,25 +224,79 @@ pub fn unknown_ends(statistic: Statistic) -> [BoundEnd; 2] {
     range.map(|widened_si| BoundEnd { value_si: f64::NAN, widened_si, witness: Witness::new(), error })
 }
 
-/// Moves the widened end of a bound back to `limit` where it lies beyond.
-fn narrow(end: &mut BoundEnd, limit_si: f64) {
-    let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };
-    if outward * (end.widened_si - limit_si) > 0.0 && outward * (limit_si - end.value_si) >= 0.0 {
-        set_widened(end, limit_si);
-    }
-}
-
-/// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
-fn set_widened(end: &mut BoundEnd, limit_si: f64) {
-    let room = (limit_si - end.value_si).abs();
-    end.widened_si = limit_si;
-    end.error.sampling_si = end.error.sampling_si.min(room);
-    end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
-    end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
-}
-
 /// The error of a bound, part by part.
 pub fn numerical_error(bound: &Bound) -> NumericalError {
     let error = &bound.error;
     NumericalError { sampling_si: error.sampling, optimisation_si: error.optimisation, surrogate_si: error.surrogate }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::assemble::few_runs::FewRuns;
+    use loosepin_bounds::{BoundPair, Statistic};
+
+    /// The bounds of runs, with widened ends as a search may leave them.
+    fn widened(runs: &FewRuns, ends: impl Fn(Statistic) -> [f64; 2]) -> Vec<BoundPair> {
+        let mut pairs = runs.bounds.pairs.clone();
+        for pair in &mut pairs {
+            let [lower, upper] = ends(pair.statistic);
+            (pair.lower.widened, pair.lower.error.optimisation) = (lower, pair.lower.value - lower);
+            (pair.upper.widened, pair.upper.error.optimisation) = (upper, upper - pair.upper.value);
+        }
+        pairs
+    }
+
+    #[test]
+    fn analytic_bounds_of_a_force_magnitude_are_not_negative_and_its_quantiles_are_in_order() {
+        let ask = "output = \"gudgeon_force\"\nof = \"value\"\nreduce = \"maximum\"\n\
+                   statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.99 }]\n";
+        let runs = FewRuns::asking(0, ask);
+        let column = runs.response.shared.plan.asks[0].columns[0];
+        // The median has been found less exactly than the 99 % quantile.
+        let pairs = widened(&runs, |statistic| match statistic {
+            Statistic::Quantile(0.5) => [-3100.0, 9.5e5],
+            _ => [-2800.0, 8.7e5],
+        });
+        let material = runs.material(&pairs);
+        let ends = |statistic| material.ends(column, statistic).unwrap().map(|end| end.widened_si);
+        assert_eq!(ends(Statistic::Mean), [0.0, 8.7e5]);
+        assert_eq!(ends(Statistic::Quantile(0.5)), [0.0, 9.5e5]);
+        assert_eq!(ends(Statistic::Quantile(0.99)), [0.0, 9.5e5], "it is at least the median");
+        for statistic in [Statistic::Mean, Statistic::Quantile(0.5), Statistic::Quantile(0.99)] {
+            for end in material.ends(column, statistic).unwrap() {
+                let error = (end.widened_si - end.value_si).abs();
+                assert!((end.error.total_si() - error).abs() <= 1e-9 * error, "{end:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn analytic_a_deviation_keeps_its_sign_and_a_narrowed_bound_says_its_confidence() {
+        let ask = "output = \"gudgeon_force\"\nof = \"total\"\nreduce = \"minimum\"\nstatistics = [\"mean\"]\n";
+        let runs = FewRuns::asking(0, ask);
+        let column = runs.response.shared.plan.asks[0].columns[0];
+        let pairs = widened(&runs, |_| [-4.2e6, 5.1e6]);
+        let material = runs.material(&pairs);
+        assert_eq!(material.ends(column, Statistic::Mean).unwrap()[0].widened_si, -4.2e6);
+        assert_eq!(material.confidence(column, Statistic::Mean), 0.99);
+        // Points of a curve are cut to the bound of the largest deviation over the cycle: both must hold.
+        let runs = FewRuns::after(0);
+        let columns = &runs.response.shared.plan.columns;
+        let pose = runs.response.shared.plan.asks[0].columns[2];
+        let Some(largest) = (0..columns.len()).find(|column| {
+            let is_largest = super::Spot::Reduced(super::Reduction::MaximumAbsolute);
+            columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)
+        }) else {
+            panic!("the largest deviation narrows curves");
+        };
+        let mut pairs = runs.bounds.pairs.clone();
+        for pair in pairs.iter_mut().filter(|pair| pair.column == pose) {
+            pair.upper.widened = 1.0;
+        }
+        let limit = pairs.iter().find(|pair| pair.column == largest && pair.statistic == Statistic::Mean);
+        let limit = limit.map(|pair| pair.upper.widened).expect("its mean is bounded");
+        let material = runs.material(&pairs);
+        assert_eq!(material.ends(pose, Statistic::Mean).unwrap()[1].widened_si, limit);
+        assert!((material.confidence(pose, Statistic::Mean) - 0.98).abs() < 1e-12);
+    }
 }

@@ -3,6 +3,7 @@
 mod accuracy;
 mod bounds;
 mod boxes;
+mod coherent;
 mod contributors;
 mod curves;
 mod describe;

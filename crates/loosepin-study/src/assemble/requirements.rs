@@ -1,6 +1,6 @@
 //! Requirements against the bounds of the shares that keep their limits.
 
-use super::material::Material;
+use super::material::{Material, unknown_ends};
 use crate::columns::PlannedRequirement;
 use crate::file::Where;
 use loosepin_bounds::{BoundPair, Statistic};
@@ -17,8 +17,10 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
     let requirement = &planned.requirement;
     let broken = requirement.limit.broken();
     let pair = material.pair(column, broken);
-    let share = pair.map_or(KnownShare::NOTHING, known_share);
-    let most = pair.map_or(1.0, |pair| 1.0 - pair.lower.widened);
+    // The ends that the bounds of the same probability have elsewhere.
+    let ends = material.ends(column, broken).unwrap_or_else(|| unknown_ends(broken));
+    let [fewest, most] = ends.each_ref().map(|end| end.widened_si);
+    let share = pair.map_or(KnownShare::NOTHING, |pair| known_share(pair, most));
     let [lower_si, upper_si] = requirement.limit.ends();
     RequirementOutcome {
         output: material.name_of(column),
@@ -30,7 +32,7 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
         lower_si,
         upper_si,
         probability_at_least: requirement.probability_at_least,
-        probability: [share.least.max(0.0), most.min(1.0)],
+        probability: [share.least.max(0.0), (1.0 - fewest).min(1.0)],
         witness: pair.map_or_else(Witness::new, |pair| material.end(&pair.upper).witness),
         promised: None,
         failed_values: 0,
@@ -39,12 +41,12 @@ fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize)
     }
 }
 
-/// The share inside, from the bounds of the share outside: one minus it, so that the ends change places.
-fn known_share(outside: &BoundPair) -> KnownShare {
+/// The share inside, from the bounds of the share outside: one minus it, so that the ends change places. `most_outside`: its upper end.
+fn known_share(outside: &BoundPair, most_outside: f64) -> KnownShare {
     // Failed runs are taken as inside here: only what was really seen outside refutes.
     let seen = outside.seen.iter().copied().filter(|share| share.is_finite()).fold(0.0, f64::max);
     let surrogate = outside.lower.error.surrogate.max(outside.upper.error.surrogate);
-    KnownShare { least: 1.0 - outside.upper.widened, seen: 1.0 - (seen - surrogate).max(0.0) }
+    KnownShare { least: 1.0 - most_outside, seen: 1.0 - (seen - surrogate).max(0.0) }
 }
 
 /// The mechanisms at the witness of the largest share outside.
@@ -170,7 +172,7 @@ mod tests {
         let pair = counted_outside(60);
         // The interval of Clopper and Pearson of 60 in 64 is longer downwards than upwards: (0.816, 0.990). At its lower end 60 or more
         // of 64 have the probability 0.005, C(64, k) p^k (1 - p)^(64 - k) summed.
-        let share = known_share(&pair);
+        let share = known_share(&pair, pair.upper.widened);
         let (p, mut term, mut at_least) = (1.0 - share.seen, 1.0, 0.0);
         for (misses, runs) in (0..=4).zip((60..=64).rev()) {
             at_least += term * p.powi(runs) * share.seen.powi(misses);

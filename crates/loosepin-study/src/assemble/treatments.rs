@@ -24,13 +24,9 @@ pub fn learned_treatments(
         })?;
         let comparison = &learned.comparison;
         let mut record = treatment_record(material, comparison, points);
-        let bands = [&comparison.probability_only, &comparison.interval_only, &comparison.mixed];
-        for ((record, band), unknown) in record.bands.iter_mut().zip(bands).zip(learned.coverage_surrogate) {
+        for (record, unknown) in record.bands.iter_mut().zip(learned.coverage_surrogate) {
             record.coverage_error += unknown;
-            record.ends = Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
-                widened_si: material.possible(*column, end.widened),
-                error: numerical_error(end),
-            }));
+            record.is_by_surrogate = true;
         }
         Some(record)
     };
@@ -62,7 +58,7 @@ fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_poi
     TreatmentBand {
         treatment: band.treatment,
         lower_si: material.possible(column, band.lower.value),
-        upper_si: band.upper.value,
+        upper_si: material.possible(column, band.upper.value),
         coverage_minimum: band.coverage.minimum,
         coverage_maximum: band.coverage.maximum,
         coverage_error: band.coverage.minimum_error,
@@ -75,6 +71,10 @@ fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_poi
                 coverage: point.lower,
             })
             .collect(),
-        ends: None,
+        ends: Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
+            widened_si: material.possible(column, end.widened),
+            error: numerical_error(end),
+        })),
+        is_by_surrogate: false,
     }
 }

@@ -8,6 +8,7 @@ use loosepin_mechanics::contact::{NormalContact, NormalLaw};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{ImpactRecord, JointSummary};
+use loosepin_result::study::Deviation;
 use loosepin_simulate::{Observer, Plan, Settings, Simulation, Step, Window, input, run, simulate};
 use loosepin_text::diagnostics::{Complaints, Place};
 
@@ -179,7 +180,11 @@ impl<'c> Runs<'c> {
             let history = record.outputs.iter().find(|output| output.name == name);
             return Ok(history.and_then(|history| history.value_si.last()).copied().unwrap_or(f64::NAN));
         };
-        let Some(extreme) = record.extremes.iter().find(|extreme| extreme.name == name) else { return Ok(f64::NAN) };
+        let Some(extreme) =
+            record.extremes.iter().find(|extreme| extreme.name == name && extreme.of == Deviation::Value)
+        else {
+            return Ok(f64::NAN);
+        };
         Ok(match reduce {
             Reduce::Minimum => extreme.minimum.value_si,
             Reduce::Maximum => extreme.maximum.value_si,

@@ -60,13 +60,13 @@ fn analytic_the_headline_has_the_change_of_the_largest_deviation() {
         upper.value_si *= 0.5;
         upper.widened_si *= 0.5;
     });
-    assert!(half.headline.ends_with("B is 50\u{a0}% smaller."), "{}", half.headline);
+    assert!(half.headline.ends_with("The bound of B is 50\u{a0}% smaller."), "{}", half.headline);
     let larger = changed(|after| {
         let upper = &mut after.bounds[0].upper;
         upper.value_si *= 1.25;
         upper.widened_si *= 1.25;
     });
-    assert!(larger.headline.ends_with("B is 25\u{a0}% larger."), "{}", larger.headline);
+    assert!(larger.headline.ends_with("The bound of B is 25\u{a0}% larger."), "{}", larger.headline);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
 
+mod coherence;
 mod compare;
 mod figures;
 mod frontier;

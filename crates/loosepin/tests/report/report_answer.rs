@@ -51,7 +51,10 @@ fn analytic_headline_rounds_the_bound_outwards() {
         "in at least 97.5 % of mechanisms. This holds for every gudgeon radial clearance from 0.1 to 0.5 mm and every steel pin \
          restitution from 0.7 to 0.9.",
     );
-    assert_says(&quantile_bound_m(5.3421e-4, 4e-6), "Numerical error: at most 0.004 mm, included in the answer.");
+    assert_says(
+        &quantile_bound_m(5.3421e-4, 4e-6),
+        "Numerical error of the limit over the whole cycle: at most 0.004 mm, included in it.",
+    );
 }
 
 /// The headline and what follows it up to the details, on one line.
@@ -335,12 +338,9 @@ fn unconfirmed_bounds_and_failed_runs_are_owned_up_to() {
     assert_says(&result, "1 of 3 bounds may be too narrow: increase 'inner'.");
     let mut answer = result.clone();
     answer.bounds[0].guarantee = Guarantee::Inner;
-    assert_says(
-        &answer,
-        "included in the answer. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.",
-    );
+    assert_says(&answer, "included in it. 2 of 3 bounds, this answer included, may be too narrow: increase 'inner'.");
     answer.bounds[1].guarantee = answer.bounds[2].guarantee;
-    assert_says(&answer, "included in the answer. This answer may be too narrow: increase 'inner'.");
+    assert_says(&answer, "included in it. This answer may be too narrow: increase 'inner'.");
     assert_says(
         &result,
         "17536 runs, 3 failed. Probabilities and quantiles allow for both outcomes of a failed run. Means and standard deviations use \
@@ -362,6 +362,7 @@ fn sum_of_normal_and_interval() -> StudyResult {
         coverage_error: 0.0,
         coverage_at: vec![CoveragePoint { at: BTreeMap::new(), coverage: coverage_minimum }],
         ends: None,
+        is_by_surrogate: false,
     };
     let mut result = worn_pin();
     result.treatments = vec![TreatmentComparison {
@@ -423,6 +424,7 @@ fn a_promise_broken_by_a_surrogate_is_told_with_its_error_as_in_the_table() {
     let band = &mut result.treatments[0].bands[2];
     (band.coverage_minimum, band.coverage_maximum, band.coverage_error) = (0.0625, 1.0, 0.25);
     band.ends = Some([end(-3.06e-3), end(3.06e-3)]);
+    band.is_by_surrogate = true;
     assert_says(&result, "Mixed -2.96 mm to 2.96 mm 0.1 mm 5.92 mm 0 % to 100 % broken");
     assert_says(
         &result,

@@ -27,6 +27,22 @@ fn simulated(model: &Model, cycle: Cycle) -> SimulationRecord {
 }
 
 #[test]
+fn an_output_whose_name_ends_as_a_deviation_is_still_told_as_itself() {
+    let mut record = super::report_fixture::simulation::worn_pin();
+    for extreme in record.extremes.iter_mut().filter(|extreme| extreme.name == "slider") {
+        extreme.name = "slider_deviation".to_owned();
+    }
+    record.outputs[0].name = "slider_deviation".to_owned();
+    let text = simulation_text(&record);
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        text.contains("the slider_deviation deviates from its ideal motion by -0.5377 mm to 0.5388 mm."),
+        "the deviation, not the position of 69 to 170 mm: {text}"
+    );
+    assert!(text.contains("slider_deviation, deviation -0.5377 mm"), "{text}");
+}
+
+#[test]
 fn text_of_the_check() {
     let model = model("../../cases/slider_crank_5000/model.toml");
     let mut cycle = model.cycle.clone();

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use loosepin::result::{ContactBasis, ContactShape, LongPinForce};
 use loosepin::simulate::record::*;
+use loosepin::study::result::Deviation;
 use loosepin::units::{DisplayUnits, SiUnit};
 
 use super::kinematics::{SPEED_RAD_S, Sample, angles_rad, drawing, orbit};
@@ -44,8 +45,8 @@ pub fn worn_pin() -> SimulationRecord {
     ];
     let extremes = outputs
         .iter()
-        .map(|output| extreme(&output.name, &output.unit, &output.value_si, &time_s, &angles))
-        .chain([extreme("slider, deviation", &SiUnit::LENGTH, &outputs[0].deviation_si, &time_s, &angles)])
+        .map(|output| extreme(&output.name, Deviation::Value, &output.unit, &output.value_si, &time_s, &angles))
+        .chain([extreme("slider", Deviation::Total, &SiUnit::LENGTH, &outputs[0].deviation_si, &time_s, &angles)])
         .collect();
     SimulationRecord {
         model: "slider-crank with a worn pin".to_owned(),
@@ -161,12 +162,12 @@ fn output(name: &str, words: &str, unit: SiUnit, actual: &[f64], ideal: &[f64]) 
     }
 }
 
-fn extreme(name: &str, unit: &SiUnit, values: &[f64], time_s: &[f64], angles: &[f64]) -> Extreme {
+fn extreme(name: &str, of: Deviation, unit: &SiUnit, values: &[f64], time_s: &[f64], angles: &[f64]) -> Extreme {
     let point = |row: usize| ExtremePoint { value_si: values[row], time_s: time_s[row], drive_angle_rad: angles[row] };
     let rows = || 0..values.len();
     let lowest = rows().min_by(|a, b| values[*a].total_cmp(&values[*b])).expect("the history has samples");
     let highest = rows().max_by(|a, b| values[*a].total_cmp(&values[*b])).expect("the history has samples");
-    Extreme { name: name.to_owned(), unit: unit.clone(), minimum: point(lowest), maximum: point(highest) }
+    Extreme { name: name.to_owned(), of, unit: unit.clone(), minimum: point(lowest), maximum: point(highest) }
 }
 
 fn impacts() -> Vec<ImpactRecord> {

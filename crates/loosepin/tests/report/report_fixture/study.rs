@@ -247,9 +247,12 @@ fn inputs() -> Vec<InputDescription> {
 }
 
 fn end(value_si: f64, error_si: f64, outwards: f64, [least, most]: [f64; 2], at: &Witness) -> BoundEnd {
+    let widened_si = (value_si + outwards * error_si).clamp(least, most);
+    // Beyond its range a number has no error.
+    let error_si = (widened_si - value_si).abs();
     BoundEnd {
         value_si,
-        widened_si: (value_si + outwards * error_si).clamp(least, most),
+        widened_si,
         witness: at.clone(),
         error: NumericalError { sampling_si: 0.8 * error_si, optimisation_si: 0.2 * error_si, surrogate_si: 0.0 },
     }
@@ -367,6 +370,7 @@ fn curve(outers: &[Outer], centre: &Outer, poses: &[f64]) -> DeviationCurve {
         probabilities: [0.025, 0.975],
         centre: centre.at.clone(),
         numerical_error_si: 4.2e-6,
+        confidence: None,
         pose_rad: poses.to_vec(),
         ideal_si: poses.iter().map(|angle| nominal.ideal_slider(*angle).0).collect(),
         nominal_si: poses.iter().map(|angle| nominal.slider(*angle).0 - nominal.ideal_slider(*angle).0).collect(),
@@ -427,6 +431,7 @@ fn treatments(outers: &[Outer], pooled: &[f64]) -> TreatmentComparison {
             coverage_error: 0.003,
             coverage_at,
             ends: None,
+            is_by_surrogate: false,
         }
     };
     TreatmentComparison {

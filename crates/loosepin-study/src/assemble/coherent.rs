@@ -1,0 +1,158 @@
+//! Bounds that do not contradict each other: ranges, order, inner within outer.
+//!
+//! Each bound holds by itself with the confidence of the study. Two bounds of numbers of which one never exceeds the other may still be out of
+//! order, since each has its own error. They are brought into order by widening the one, never by narrowing the other: that would take both to
+//! hold, and misses add.
+//!
+//! ```text
+//! S <= T:  lower(S) <= lower(T), upper(S) <= upper(T)      by  lower(S) := min(lower(S), lower(T)),  upper(T) := max(upper(S), upper(T))
+//! ```
+//!
+//! What is beyond the range of a number is cut off, which takes no other bound to hold.
+
+use loosepin_result::study::{BoundEnd, BoundRecord, CutBounds, PercentileBounds, Reading};
+
+/// Ends of bounds, lower and upper.
+type Ends = [BoundEnd; 2];
+
+/// Moves both ends into `[least, most]`, in which the number lies whatever the inputs are.
+pub(super) fn cut_to_range([lower, upper]: &mut Ends, [least, most]: [f64; 2]) {
+    for end in [lower, upper] {
+        // What is not a number stays none: `clamp` keeps it.
+        end.value_si = end.value_si.clamp(least, most);
+        // An end of the range is reached at most: what the error has beyond is none.
+        let widened_si = end.widened_si.clamp(least, most);
+        if widened_si.is_finite() && (widened_si == least || widened_si == most) {
+            set_widened(end, widened_si);
+        }
+    }
+}
+
+/// Widens the bounds of a number by those of one that never exceeds it.
+pub(super) fn hold_smaller(of: &mut Ends, smaller: &Ends) {
+    widen_up(&mut of[1], smaller[1].widened_si);
+}
+
+/// Widens the bounds of a number by those of one that it never exceeds.
+pub(super) fn hold_larger(of: &mut Ends, larger: &Ends) {
+    widen_down(&mut of[0], larger[0].widened_si);
+}
+
+/// Widens outer bounds by inner ones.
+fn hold_inner(outer: &mut BoundRecord, inner: &BoundRecord) {
+    widen_down(&mut outer.lower, inner.lower.widened_si);
+    widen_up(&mut outer.upper, inner.upper.widened_si);
+}
+
+fn widen_up(end: &mut BoundEnd, to_si: f64) {
+    if to_si > end.widened_si {
+        end.error.optimisation_si += to_si - end.widened_si;
+        end.widened_si = to_si;
+    }
+}
+
+fn widen_down(end: &mut BoundEnd, to_si: f64) {
+    if to_si < end.widened_si {
+        end.error.optimisation_si += end.widened_si - to_si;
+        end.widened_si = to_si;
+    }
+}
+
+/// Moves the widened end of a bound back to `limit` where it lies beyond. Then the bound holds where that of the limit does too.
+pub(super) fn narrow(end: &mut BoundEnd, limit_si: f64) -> bool {
+    let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };
+    let is_narrowed = outward * (end.widened_si - limit_si) > 0.0 && outward * (limit_si - end.value_si) >= 0.0;
+    if is_narrowed {
+        set_widened(end, limit_si);
+    }
+    is_narrowed
+}
+
+/// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
+fn set_widened(end: &mut BoundEnd, limit_si: f64) {
+    let room = (limit_si - end.value_si).abs();
+    end.widened_si = limit_si;
+    // What was not found has no room beside the limit, and stays unknown.
+    if room.is_nan() {
+        return;
+    }
+    end.error.sampling_si = end.error.sampling_si.min(room);
+    end.error.surrogate_si = end.error.surrogate_si.min(room - end.error.sampling_si);
+    end.error.optimisation_si = room - end.error.sampling_si - end.error.surrogate_si;
+}
+
+/// What is possible to a higher degree is possible to a lower one: its bounds lie within.
+pub(super) fn nest_cuts(cuts: &mut [CutBounds]) {
+    let mut places: Vec<usize> = (0..cuts.len()).collect();
+    places.sort_by(|a, b| cuts[*b].alpha.total_cmp(&cuts[*a].alpha));
+    for pair in places.windows(2) {
+        let inner = cuts[pair[0]].bounds.clone();
+        cuts[pair[1]].bounds.iter_mut().zip(&inner).for_each(|(outer, inner)| hold_inner(outer, inner));
+    }
+}
+
+/// Percentiles of one statistic do not fall with their probability.
+pub(super) fn order_percentiles(percentiles: &mut [PercentileBounds]) {
+    let mut places: Vec<usize> = (0..percentiles.len()).collect();
+    places.sort_by(|a, b| percentiles[*a].percentile.total_cmp(&percentiles[*b].percentile));
+    for pair in places.windows(2) {
+        let smaller = percentiles[pair[0]].bounds.clone();
+        let larger = percentiles[pair[1]].bounds.iter_mut().zip(&smaller);
+        larger.for_each(|(larger, smaller)| widen_up(&mut larger.upper, smaller.upper.widened_si));
+    }
+    for pair in places.windows(2).rev() {
+        let larger = percentiles[pair[1]].bounds.clone();
+        let smaller = percentiles[pair[0]].bounds.iter_mut().zip(&larger);
+        smaller.for_each(|(smaller, larger)| widen_down(&mut smaller.lower, larger.lower.widened_si));
+    }
+}
+
+/// One value for all mechanisms is a distribution, and a distribution that is independent of the random inputs is one: by the reading that
+/// allows more, bounds are no narrower. `records` holds the same bounds by each reading.
+pub(super) fn nest_readings(records: &mut [Vec<BoundRecord>]) {
+    let rank = |reading: Reading| Reading::ALL.iter().position(|own| *own == reading);
+    let mut places: Vec<usize> = (0..records.len()).filter(|place| !records[*place].is_empty()).collect();
+    places.sort_by_key(|place| rank(records[*place][0].reading));
+    for pair in places.windows(2) {
+        let inner = records[pair[0]].clone();
+        records[pair[1]].iter_mut().zip(&inner).for_each(|(outer, inner)| hold_inner(outer, inner));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_result::study::{NumericalError, Witness};
+
+    fn end(value_si: f64, widened_si: f64) -> BoundEnd {
+        let error = NumericalError { sampling_si: (widened_si - value_si).abs(), ..NumericalError::default() };
+        BoundEnd { value_si, widened_si, witness: Witness::new(), error }
+    }
+
+    fn is_consistent(ends: &Ends) -> bool {
+        const ROUND_OFF: f64 = 1e-9;
+        ends.iter().all(|end| ((end.widened_si - end.value_si).abs() - end.error.total_si()).abs() < ROUND_OFF)
+    }
+
+    #[test]
+    fn analytic_a_magnitude_is_not_negative_and_its_error_is_what_is_left() {
+        let mut ends = [end(700.0, -2800.0), end(41_000.0, 87_000.0)];
+        cut_to_range(&mut ends, [0.0, f64::INFINITY]);
+        assert_eq!(ends.each_ref().map(|end| end.widened_si), [0.0, 87_000.0]);
+        assert_eq!(ends.each_ref().map(|end| end.error.total_si()), [700.0, 46_000.0]);
+        let mut unknown = [end(f64::NAN, f64::NEG_INFINITY), end(f64::NAN, f64::INFINITY)];
+        cut_to_range(&mut unknown, [0.0, f64::INFINITY]);
+        assert!(unknown[0].value_si.is_nan() && unknown[0].widened_si == 0.0 && unknown[1].widened_si == f64::INFINITY);
+    }
+
+    #[test]
+    fn analytic_order_widens_and_never_narrows() {
+        let (mut median, mut upper) = ([end(3.0, 2.5), end(5.0, 9.0)], [end(4.0, 2.0), end(6.0, 7.0)]);
+        let before = (median.clone(), upper.clone());
+        hold_larger(&mut median, &before.1);
+        hold_smaller(&mut upper, &before.0);
+        assert_eq!([median[0].widened_si, median[1].widened_si], [2.0, 9.0]);
+        assert_eq!([upper[0].widened_si, upper[1].widened_si], [2.0, 9.0]);
+        assert!(is_consistent(&median) && is_consistent(&upper));
+    }
+}
