@@ -16,11 +16,12 @@ use super::page::{Page, Section, cards, facts, sentences};
 use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
+use super::trust_words::TrustedRun;
 use super::wear_section::wear_section;
 use super::wording::{count, counted, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
-    SimulationRecord, StopReason, SwingCourse,
+    SimulationRecord, SimulationSettings, StopReason, SwingCourse,
 };
 use loosepin_text::units::SiUnit;
 
@@ -73,6 +74,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if let Some(kind) = kind_section(record, &writer) {
         sections.push(Section::new("kind", "Kind of motion", kind));
+    }
+    if let Some(trust) = trusted_run(record).section(&writer) {
+        sections.push(Section::new("trust", "How long the positions can be trusted", trust));
     }
     sections.push(Section::new("energy", "Energy balance", energy(record, &writer)));
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
@@ -175,6 +179,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
         "The energy balance has an error of {} of the largest energy exchanged.",
         writer.rounded(record.energy.relative_residual, &SiUnit::NONE, 2, Rounding::Up)
     ));
+    sentences.extend(trusted_run(record).sentences(writer));
     sentences.extend(bending_sentences(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
@@ -183,6 +188,11 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
     sentences.extend(quasi_static_sentence(&checks, writer));
     sentences
+}
+
+fn trusted_run(record: &SimulationRecord) -> TrustedRun<'_> {
+    let SimulationSettings { transient_turns, drive_speed_rad_s, .. } = record.settings;
+    TrustedRun { trust: &record.trust, subject: "Positions", has_start_up: transient_turns > 0.0, drive_speed_rad_s }
 }
 
 /// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.
@@ -586,7 +596,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Integration".to_owned(),
             html! {
-                (settings.method) ", position tolerance " (writer.value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
+                (settings.method) ", tolerance " (writer.value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
             },
         ),
         (
@@ -598,6 +608,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
                 (count(counters.contact_changes, writer)) " contact changes located"
             },
         ),
+        trusted_run(record).fact(writer),
         ("Version".to_owned(), html! { "loosepin " (record.version) }),
     ])
 }

@@ -6,6 +6,7 @@ mod life;
 mod measured;
 mod motion_kind;
 mod spectrum;
+mod trust;
 mod wear;
 
 use crate::repeat::Repeat;
@@ -20,6 +21,7 @@ pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
+pub use trust::{MeasuredTrust, Trust, TrustHorizon};
 pub use wear::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
@@ -55,6 +57,9 @@ pub struct SimulationRecord {
     /// The largest Lyapunov exponent, where it was asked for.
     #[serde(default)]
     pub lyapunov: Option<LyapunovRecord>,
+    /// How long its positions can be trusted.
+    #[serde(default)]
+    pub trust: Trust,
     /// The energy account at the end, and its history.
     pub energy: EnergyAccount,
     /// Units that pages and tables use.

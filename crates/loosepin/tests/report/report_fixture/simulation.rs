@@ -106,6 +106,7 @@ pub fn worn_pin() -> SimulationRecord {
                 deviation_si: vec![0.31e-3, -0.42e-3],
             }],
         }),
+        trust: Trust::NotMeasured,
         lyapunov: Some(LyapunovRecord {
             exponent_1_s: 378.2,
             standard_error_1_s: 11.4,

@@ -1,0 +1,149 @@
+//! How long the positions of a history can be trusted: sentences, facts and a chart.
+
+use maud::{Markup, html};
+
+use super::answer::turn_word;
+use super::chart::{Chart, Entry, EntryValues, Role};
+use super::number::{NumberWriter, Rounding};
+use super::wording::{count, listed};
+use loosepin_result::simulation::{MeasuredTrust, Trust, TrustHorizon};
+use loosepin_result::study::StudyResult;
+use loosepin_text::units::SiUnit;
+
+/// The run that sentences speak of.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TrustedRun<'r> {
+    /// What is known about it.
+    pub trust: &'r Trust,
+    /// The subject of the sentences: `Positions`, with what run they are of where that is not clear.
+    pub subject: &'r str,
+    /// Whether turns count from the end of a start-up.
+    pub has_start_up: bool,
+    /// Speed of the drive where it is constant: else cycles are counted.
+    pub drive_speed_rad_s: Option<f64>,
+}
+
+impl TrustedRun<'_> {
+    /// How long its positions can be trusted; nothing where they are not integrated.
+    pub fn sentences(&self, writer: &NumberWriter) -> Vec<String> {
+        match self.trust {
+            Trust::Solved => Vec::new(),
+            Trust::NotMeasured => vec!["It was not measured how long the positions can be trusted.".to_owned()],
+            Trust::Measured(measured) => self.measured_sentences(measured, writer),
+        }
+    }
+
+    fn measured_sentences(&self, measured: &MeasuredTrust, writer: &NumberWriter) -> Vec<String> {
+        let length = |length_m: f64| writer.rounded(length_m, &SiUnit::LENGTH, 1, Rounding::Up);
+        let whole = measured.whole_m.map(|whole_m| format!("to {} until the end of the run", length(whole_m)));
+        let until = |horizon: &TrustHorizon| {
+            let length = writer.value_trimmed(horizon.length_m, &SiUnit::LENGTH);
+            match horizon.until_s {
+                Some(until_s) => format!("to {length} until {}", self.instant(until_s, horizon.turns, writer)),
+                None => format!("to {length} not even at the start"),
+            }
+        };
+        // A length to which it is right to its end is larger than that to which all of it is.
+        let is_shown = |horizon: &&TrustHorizon| !horizon.is_end || whole.is_none();
+        let horizons = measured.horizons.iter().filter(is_shown).map(until);
+        let parts: Vec<String> = whole.iter().cloned().chain(horizons).collect();
+        let mut sentences = vec![format!("{} can be trusted {}.", self.subject, listed(&parts))];
+        match (&measured.failure, measured.time_s.last()) {
+            (Some(failure), Some(&last_s)) => sentences.push(format!(
+                "Nothing is known about its positions after {}: the second run that measures this did not come to its end ({failure}).",
+                writer.rounded(last_s, &SiUnit::TIME, 4, Rounding::Down)
+            )),
+            (Some(failure), None) => sentences.push(format!(
+                "Nothing is known about its positions: the second run that measures this did not come to its start ({failure})."
+            )),
+            (None, _) if measured.whole_m.is_none() => sentences.push(
+                "After that the errors of the steps have grown: the run shows one of many possible histories. Statistics over many turns do not \
+                 need exact positions."
+                    .to_owned(),
+            ),
+            (None, _) => {}
+        }
+        sentences
+    }
+
+    fn instant(&self, until_s: f64, turns: Option<f64>, writer: &NumberWriter) -> String {
+        let time = writer.rounded(until_s, &SiUnit::TIME, 4, Rounding::Down);
+        let Some(turns) = turns else { return time };
+        let recorded = if self.has_start_up { "recorded " } else { "" };
+        let turns = writer.rounded(turns, &SiUnit::NONE, 2, Rounding::Down);
+        format!("{time} ({turns} {recorded}{}s)", turn_word(self.drive_speed_rad_s))
+    }
+
+    /// The row of a table of facts: how that was measured.
+    pub fn fact(&self, writer: &NumberWriter) -> (String, Markup) {
+        let words = match self.trust {
+            Trust::Solved => html! { "positions follow from the drives at each instant; nothing is integrated" },
+            Trust::NotMeasured => html! { "not measured: there was no second run" },
+            Trust::Measured(measured) => html! {
+                "measured by a second run: " (measured.method) ", tolerance "
+                (writer.value_shortest(measured.tolerance_m, &SiUnit::LENGTH))
+                @if let Some(evaluations) = measured.evaluations {
+                    ", " (count(evaluations, writer)) " evaluations of the equations of motion"
+                }
+                ". A position counts as right to a length while it differs by at most "
+                (writer.percent(measured.share, Rounding::Nearest)) " of it between the two runs"
+            },
+        };
+        ("Accuracy of positions".to_owned(), words)
+    }
+
+    /// The section of the page; nothing where nothing was measured.
+    pub fn section(&self, writer: &NumberWriter) -> Option<Markup> {
+        let Trust::Measured(measured) = self.trust else { return None };
+        Some(html! {
+            @for sentence in self.sentences(writer) { p { (sentence) } }
+            @if measured.time_s.len() > 1 { (difference_chart(measured, writer)) }
+            p {
+                "A tolerance limits the error of each step, not that of the history: each impact amplifies it. So the run was made again, with \
+                a smaller tolerance and by a method of another order. The two part as fast as each parts from the exact motion."
+            }
+            p {
+                "Means and quantiles over many turns do not need exact positions: in a reference study they change by less than their stated \
+                errors between tolerances of 1e-6 m and 1e-10 m. Near a computed chaotic motion there mostly is an exact one from a slightly \
+                different start (shadowing)."
+            }
+        })
+    }
+}
+
+/// The run of a study with nominal dimensions, in a sentence and why its statistics do not need it; nothing where nothing was measured, or
+/// where positions are not integrated.
+pub(super) fn nominal_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
+    if !matches!(result.nominal_trust, Trust::Measured(_)) {
+        return Vec::new();
+    }
+    let run = TrustedRun {
+        trust: &result.nominal_trust,
+        subject: "In the run with nominal dimensions, positions",
+        has_start_up: result.cycle.transient_turns > 0.0,
+        drive_speed_rad_s: result.cycle.drive_speed_rad_s,
+    };
+    run.sentences(writer)
+}
+
+/// Differences of the runs over time, as powers of ten.
+fn difference_chart(measured: &MeasuredTrust, writer: &NumberWriter) -> Markup {
+    /// Below this, m, a difference is round-off.
+    const SMALLEST_M: f64 = 1e-16;
+    let powers: Vec<f64> =
+        measured.difference_m.iter().map(|&difference_m| libm::log10(difference_m.max(SMALLEST_M))).collect();
+    Chart {
+        y_label: "difference, powers of ten of a metre".to_owned(),
+        entries: vec![Entry::new("largest difference of a position", Role::First, false, EntryValues::line(&powers))],
+        height: 240,
+        caption: html! {
+            strong { "Largest difference of a position between the two runs, in powers of ten of a metre." }
+            " -6 is a thousandth of a millimetre."
+        },
+        alternative:
+            "Chart of the largest difference of a position between two runs over time, in powers of ten of a metre."
+                .to_owned(),
+        ..Chart::over("trust".to_owned(), "time", &measured.time_s, &SiUnit::TIME, writer)
+    }
+    .figure()
+}
