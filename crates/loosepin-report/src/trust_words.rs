@@ -50,11 +50,11 @@ impl TrustedRun<'_> {
         let mut sentences = vec![format!("{} can be trusted {}.", self.subject, listed(&parts))];
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
-                "Nothing is known about its positions after {}: the second run that measures this did not come to its end ({failure}).",
+                "Nothing is known about positions after {}: the second run that measures this did not come to its end ({failure}).",
                 writer.rounded(last_s, &SiUnit::TIME, 4, Rounding::Down)
             )),
             (Some(failure), None) => sentences.push(format!(
-                "Nothing is known about its positions: the second run that measures this did not come to its start ({failure})."
+                "Nothing is known about positions: the second run that measures this did not come to its start ({failure})."
             )),
             (None, _) if measured.whole_m.is_none() => sentences.push(
                 "After that the errors of the steps have grown: the run shows one of many possible histories. Statistics over many turns do not \
@@ -133,12 +133,12 @@ fn difference_chart(measured: &MeasuredTrust, writer: &NumberWriter) -> Markup {
     let powers: Vec<f64> =
         measured.difference_m.iter().map(|&difference_m| libm::log10(difference_m.max(SMALLEST_M))).collect();
     Chart {
-        y_label: "difference, powers of ten of a metre".to_owned(),
+        y_label: "powers of ten of a metre".to_owned(),
         entries: vec![Entry::new("largest difference of a position", Role::First, false, EntryValues::line(&powers))],
         height: 240,
         caption: html! {
             strong { "Largest difference of a position between the two runs, in powers of ten of a metre." }
-            " -6 is a thousandth of a millimetre."
+            " −6 is a thousandth of a millimetre."
         },
         alternative:
             "Chart of the largest difference of a position between two runs over time, in powers of ten of a metre."
@@ -146,4 +146,73 @@ fn difference_chart(measured: &MeasuredTrust, writer: &NumberWriter) -> Markup {
         ..Chart::over("trust".to_owned(), "time", &measured.time_s, &SiUnit::TIME, writer)
     }
     .figure()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_text::units::DisplayUnits;
+
+    fn horizon(length_m: f64, until_s: Option<f64>, is_end: bool) -> TrustHorizon {
+        TrustHorizon { length_m, until_s, turns: until_s.map(|until_s| until_s / 0.012), is_end }
+    }
+
+    fn measured(horizons: &[TrustHorizon], whole_m: Option<f64>, failure: Option<&str>) -> Trust {
+        Trust::Measured(MeasuredTrust {
+            tolerance_m: 1e-10,
+            method: "Tsitouras 5(4)".into(),
+            evaluations: None,
+            share: 0.2,
+            horizons: horizons.into(),
+            whole_m,
+            failure: failure.map(str::to_owned),
+            time_s: vec![0.0, 0.0199],
+            difference_m: vec![0.0, 1e-9],
+        })
+    }
+
+    fn words(trust: &Trust, has_start_up: bool) -> String {
+        let units = DisplayUnits::for_duration_s(0.024);
+        let run = TrustedRun { trust, subject: "Positions", has_start_up, drive_speed_rad_s: Some(523.6) };
+        run.sentences(&NumberWriter::for_terminal(&units)).join(" ").replace('\u{a0}', " ")
+    }
+
+    #[test]
+    fn horizons_are_told_by_length_with_time_and_turns() {
+        let parted =
+            [horizon(1e-5, Some(0.0151), false), horizon(1e-6, Some(0.0132), false), horizon(1e-7, None, false)];
+        assert_eq!(
+            words(&measured(&parted, None, None), true),
+            "Positions can be trusted to 0.01 mm until 15.10 ms (1.2 recorded turns), to 0.001 mm until 13.20 ms (1.1 recorded turns) and to \
+             0.0001 mm not even at the start. After that the errors of the steps have grown: the run shows one of many possible histories. \
+             Statistics over many turns do not need exact positions."
+        );
+    }
+
+    #[test]
+    fn what_holds_until_the_end_is_told_once() {
+        let most =
+            [horizon(1e-5, Some(0.024), true), horizon(1e-6, Some(0.024), true), horizon(1e-7, Some(0.0132), false)];
+        assert_eq!(
+            words(&measured(&most, Some(6.21e-7), None), false),
+            "Positions can be trusted to 0.0007 mm until the end of the run and to 0.0001 mm until 13.20 ms (1.1 turns)."
+        );
+        let all = most.map(|horizon| TrustHorizon { until_s: Some(0.024), is_end: true, ..horizon });
+        assert_eq!(
+            words(&measured(&all, Some(1e-9), None), false),
+            "Positions can be trusted to 1e-6 mm until the end of the run."
+        );
+    }
+
+    #[test]
+    fn what_is_not_known_is_told() {
+        let until = [horizon(1e-5, Some(0.0199), false)];
+        assert_eq!(
+            words(&measured(&until, None, Some("the limit of 1000 evaluations was reached")), false),
+            "Positions can be trusted to 0.01 mm until 19.90 ms (1.6 turns). Nothing is known about positions after 19.90 ms: the second \
+             run that measures this did not come to its end (the limit of 1000 evaluations was reached)."
+        );
+        assert_eq!(words(&Trust::NotMeasured, false), "It was not measured how long the positions can be trusted.");
+        assert_eq!(words(&Trust::Solved, false), "");
+    }
 }

@@ -15,7 +15,7 @@ use std::sync::{Mutex, PoisonError};
 /// Tolerances of the runs that count as exact, m, the smallest that is possible first: below some tolerance steps drown in round-off.
 const EXACT_M: [f64; 3] = [1e-13, 1e-12, 1e-11];
 /// Evaluations of the equations for such a run, at most.
-const MOST_EVALUATIONS: u64 = 8_000_000;
+const MOST_EVALUATIONS: u64 = 2_000_000;
 /// Share of a length within which runs at two tolerances agree where the finer counts as exact.
 const EXACT_SHARE: f64 = 0.1;
 
