@@ -130,6 +130,8 @@ pub struct MotionArguments {
 /// Simulate one mechanism with play and impacts
 #[derive(Debug, Args)]
 #[command(after_help = "Writes history.csv, impacts.csv, spectrum.csv, summary.json and report.html.\n\n\
+    A second run with a tenth of the tolerance, by a method of another order, measures how long the positions can be trusted. It ends \
+    where the two runs part.\n\n\
     Examples:\n  \
     loosepin simulate model.toml\n  \
     loosepin simulate model.toml --set joint.gudgeon.radial_clearance=0.3mm --turns 3\n  \
@@ -156,9 +158,12 @@ pub struct SimulateArguments {
     /// Measure the largest Lyapunov exponent over N turns, 20 to 1000000
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=1_000_000), allow_negative_numbers = true)]
     pub lyapunov: Option<u32>,
-    /// Position accuracy over the first half turn, with its unit
+    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
+    /// Leave out the second run, which measures how long the positions can be trusted
+    #[arg(long)]
+    pub no_second_run: bool,
     /// Kind of steps: explicit, or implicit for flexible bodies in absolute nodal coordinates that move slowly against the frequencies of
     /// their mesh
     #[arg(long, value_name = "KIND", value_enum, hide_possible_values = true, default_value_t = IntegratorKind::Explicit)]
@@ -200,7 +205,7 @@ pub struct WearArguments {
     /// Turns to run before the cycle [default: from the model]
     #[arg(long, value_name = "N", value_parser = transient_turns, allow_negative_numbers = true)]
     pub transient: Option<f64>,
-    /// Position accuracy over the first half turn, with its unit
+    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-9 m", allow_hyphen_values = true)]
     pub tolerance: String,
     #[command(flatten)]
@@ -309,7 +314,7 @@ pub struct SweepArguments {
     /// Turns to examine, 2 to 100000
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     pub turns: u32,
-    /// Position accuracy over the first half turn, with its unit
+    /// Length with its unit: a step may err by 0.5 % of it. Impacts amplify errors
     #[arg(long, value_name = "LENGTH", default_value = "1e-8 m", allow_hyphen_values = true)]
     pub tolerance: String,
     /// Number of threads, 1 to 1024 [default: all of the machine]

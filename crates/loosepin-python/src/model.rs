@@ -69,7 +69,7 @@ impl Model {
 
     /// Runs it once. `set` holds texts `path=value`; what is left out is as the file has it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
-    #[pyo3(signature = (turns, transient, samples, tolerance, states, set))]
+    #[pyo3(signature = (turns, transient, samples, tolerance, states, second_run, set))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -78,6 +78,7 @@ impl Model {
         samples: Option<i64>,
         tolerance: &str,
         states: bool,
+        second_run: bool,
         set: Vec<String>,
     ) -> PyResult<Simulation> {
         for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
@@ -106,6 +107,7 @@ impl Model {
             settings: Settings { tolerance_m, ..Settings::for_simulation() },
             with_states: states,
             lyapunov_turns: None,
+            second_run,
             overrides: Override::of_settings(&set),
         };
         let stop = AtomicBool::new(false);

@@ -87,6 +87,7 @@ mod terminal_table;
 mod ticks;
 mod together;
 mod told;
+mod trust_words;
 mod wear_picture;
 mod wear_section;
 mod wear_words;

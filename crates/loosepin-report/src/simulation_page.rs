@@ -18,11 +18,12 @@ use super::repeat_section::repeat_section;
 use super::spectrum_section::spectrum_section;
 use super::still_figures::orbit_figure;
 use super::tag::Tag;
+use super::trust_words::TrustedRun;
 use super::wear_section::wear_section;
 use super::wording::{capitalised, count, counted, deviation_words, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, DrawnJointKind, Extreme, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
-    SimulationRecord, StopReason, SwingCourse,
+    SimulationRecord, SimulationSettings, StopReason, SwingCourse,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::SiUnit;
@@ -76,6 +77,9 @@ pub fn simulation_page(record: &SimulationRecord) -> String {
     }
     if let Some(kind) = kind_section(record, &writer) {
         sections.push(Section::new("kind", "Kind of motion", kind));
+    }
+    if let Some(trust) = trusted_run(record).section(&writer) {
+        sections.push(Section::new("trust", "How long the positions can be trusted", trust));
     }
     sections.push(Section::new("energy", "Energy balance", energy(record, &writer)));
     sections.push(Section::new("method", "How this was computed", method(record, &writer)));
@@ -190,6 +194,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
             Rounding::Up
         )
     ));
+    sentences.extend(trusted_run(record).sentences(writer));
     sentences.extend(bending_sentences(&record.bending, writer));
     // Where neither play nor the motion moves an output, round-off is divided by round-off.
     let moves = |check: &&QuasiStaticShare| {
@@ -198,6 +203,11 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
     let checks: Vec<&QuasiStaticShare> = record.quasi_static_check.iter().filter(moves).collect();
     sentences.extend(quasi_static_sentence(record, &checks, writer));
     sentences
+}
+
+fn trusted_run(record: &SimulationRecord) -> TrustedRun<'_> {
+    let SimulationSettings { transient_turns, drive_speed_rad_s, .. } = record.settings;
+    TrustedRun { trust: &record.trust, subject: "Positions", has_start_up: transient_turns > 0.0, drive_speed_rad_s }
 }
 
 /// The outcome of the quasi-static check: the output that breaks it, or else the one that comes nearest.
@@ -671,7 +681,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
         (
             "Integration".to_owned(),
             html! {
-                (settings.method) ", position tolerance " (writer.about(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
+                (settings.method) ", tolerance " (writer.about(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH))
             },
         ),
         (
@@ -683,6 +693,7 @@ fn method(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
                 (count(counters.contact_changes, &writer.about(&Tag::Count("contact changes")))) " contact changes located"
             },
         ),
+        trusted_run(record).fact(writer),
         ("Version".to_owned(), html! { "loosepin " (record.version) }),
     ])
 }

@@ -198,8 +198,8 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Markup {
             },
         ),
         (
-            "Accuracy".to_owned(),
-            html! { (format!("{:e}", record.tolerance_m)) " m over the first half turn; contacts located as events" },
+            "Tolerance of a step".to_owned(),
+            html! { (format!("{:e}", record.tolerance_m)) " m; contacts located as events" },
         ),
         ("Version".to_owned(), html! { "loosepin " (record.version) }),
     ];

@@ -17,6 +17,7 @@ use super::spectrum_section::{dominant_words, oscillations};
 use super::surrogate_text::{band_words, surrogate_text};
 use super::tag::Tag;
 use super::terminal_table::{push_table, table, trimmed, wrapped};
+use super::trust_words::nominal_sentences;
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
 use super::wording::{
     EQUALLY_PROBABLE, WIDTH_DIGITS, band_error, count, counted, deviation_words, has_errors, has_lists, has_unknown,
@@ -118,6 +119,10 @@ pub fn study_text(result: &StudyResult) -> String {
         for sentence in treatment_sentences(comparison, &writer).into_iter().chain(of_lists) {
             text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
         }
+    }
+    let nominal = nominal_sentences(result, &writer);
+    if !nominal.is_empty() {
+        text.push_str(&format!("\n{}\n", wrapped(&nominal.join(" "), "")));
     }
     for failure in &result.failures {
         text.push_str(&format!(

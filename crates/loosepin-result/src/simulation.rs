@@ -6,6 +6,7 @@ mod life;
 mod measured;
 mod motion_kind;
 mod spectrum;
+mod trust;
 mod wear;
 
 use crate::contact_basis::{ContactBasis, LongPinForce};
@@ -22,6 +23,7 @@ pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 use serde::{Deserialize, Serialize};
 pub use spectrum::Spectrum;
+pub use trust::{MeasuredTrust, Trust, TrustHorizon};
 pub use wear::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};
 
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
@@ -57,6 +59,9 @@ pub struct SimulationRecord {
     /// The largest Lyapunov exponent, where it was asked for.
     #[serde(default)]
     pub lyapunov: Option<LyapunovRecord>,
+    /// How long its positions can be trusted.
+    #[serde(default)]
+    pub trust: Trust,
     /// The energy account at the end, and its history.
     pub energy: EnergyAccount,
     /// Units that pages and tables use.

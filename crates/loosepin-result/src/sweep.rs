@@ -29,7 +29,7 @@ pub struct SweepRecord {
     pub transient_turns: u32,
     /// Turns that are looked at.
     pub recorded_turns: u32,
-    /// Accuracy of positions over the first half turn, m.
+    /// Tolerance of a step, m: it may err by 0.5 % of it.
     pub tolerance_m: f64,
     /// Positions and angles that were looked at.
     pub outputs: Vec<SweptOutput>,

@@ -17,6 +17,7 @@ use super::report::RunReport;
 use super::search::{Peak, maximum_within, may_exceed};
 use super::sections::SectionRecorder;
 use super::settings::{Integrator, Settings, Window};
+use super::trust::{PositionHistory, measure_trust};
 use super::turns::Turns;
 use super::watched::Watched;
 use super::wear::{LifePlan, WearRecorder, worn_life};
@@ -27,7 +28,7 @@ use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
-    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason,
+    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason, Trust,
 };
 use loosepin_result::study::Deviation;
 use loosepin_text::units::DisplayUnits;
@@ -44,6 +45,8 @@ pub struct Plan {
     pub with_states: bool,
     /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
     pub lyapunov_turns: Option<u32>,
+    /// Whether a second run measures how long the positions can be trusted; that costs about as much again.
+    pub second_run: bool,
     /// Values set on the command line, for the record.
     pub overrides: Vec<Override>,
 }
@@ -52,7 +55,7 @@ impl Plan {
     /// The cycle that `model` states, with the accuracy of a single run and without further records.
     pub fn of_model(model: &Model) -> Self {
         let (cycle, settings) = (model.cycle.clone(), Settings::for_simulation());
-        Self { cycle, settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() }
+        Self { cycle, settings, with_states: false, lyapunov_turns: None, second_run: false, overrides: Vec::new() }
     }
 
     /// That the run comes to its end within the evaluations it may have, and that a history holds what it records. Nothing is run.
@@ -205,15 +208,21 @@ fn record_until(
         return Err(failure.into());
     }
     let wear = recorder.wear.records(mechanism, &report)?;
+    let positions = recorder.positions.take();
     let mut simulation = recorder.into_simulation(&sample, plan, report, wear);
     // All of it is kept: whoever asked may want to see what went wrong.
     if let Err(failure) = simulation.report.check_energy(&mechanism.model) {
         simulation.record.stop = StopReason::Failed { code: failure.code().to_owned(), words: failure.to_string() };
         simulation.failure = Some(failure);
     }
-    if let Some(turns) = plan.lyapunov_turns
-        && simulation.failure.is_none()
-    {
+    if simulation.failure.is_some() {
+        return Ok(simulation);
+    }
+    if let Some(positions) = &positions {
+        let (run, window) = ((mechanism, &sample), (&window, input.turn_s()));
+        simulation.record.trust = measure_trust(run, window, &plan.settings, (positions, &simulation.report), stop)?;
+    }
+    if let Some(turns) = plan.lyapunov_turns {
         let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
         let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
         simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent)?);
@@ -256,6 +265,8 @@ struct Recorder<'a> {
     sections: SectionRecorder,
     wear: WearRecorder,
     bending: BendingRecorder,
+    /// What a second run is compared with, where there is one.
+    positions: Option<PositionHistory>,
     with_forces: bool,
     has_dampers: bool,
 }
@@ -275,6 +286,8 @@ impl<'a> Recorder<'a> {
         let at =
             |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
         let (plays, contacts) = (mechanism.plays.len(), mechanism.contacts.len());
+        let positions = || PositionHistory::new(mechanism, values, *window, input.turn_s(), rows);
+        let positions = plan.second_run.then(positions);
         let sections = SectionRecorder::new(Turns::within(*window, input.turn_s()), plays, columns.len());
         let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
         Self {
@@ -315,6 +328,7 @@ impl<'a> Recorder<'a> {
             sections,
             wear: WearRecorder::new(mechanism, values),
             bending: BendingRecorder::new(mechanism),
+            positions,
             with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
             has_dampers: mechanism.has_dampers(),
             columns,
@@ -518,6 +532,7 @@ impl<'a> Recorder<'a> {
             joints,
             kind,
             lyapunov: None,
+            trust: Trust::NotMeasured,
             display_units: self.mechanism.model.shown_in(DisplayUnits::for_duration_s(self.window.end_s)),
             outputs,
             contact_forces: (0..self.contact_forces.len())
@@ -627,6 +642,9 @@ impl Observer for Recorder<'_> {
         self.note_peak_forces(step);
         self.wear.step(step);
         self.bending.step(step);
+        if let Some(positions) = &mut self.positions {
+            positions.step(step);
+        }
     }
 
     fn contact_begins(&mut self, onset: &Onset) {
@@ -703,6 +721,9 @@ fn repeat(model: &Model, plan: &Plan) -> Repeat {
     }
     if let Some(turns) = plan.lyapunov_turns {
         add("--lyapunov", turns.to_string());
+    }
+    if !plan.second_run {
+        arguments.push("--no-second-run".to_owned());
     }
     if plan.with_states {
         arguments.push("--states".to_owned());

@@ -56,6 +56,7 @@ mod slot_end;
 mod supports;
 mod swing;
 mod tables;
+mod trust;
 mod turns;
 mod watched;
 mod wear;
@@ -98,6 +99,7 @@ pub use resume::MotionState;
 pub use search::{Peak, maximum_within};
 pub use settings::{Integrator, LARGEST_ENERGY_RESIDUAL, STEP_SHARE, Settings, Window};
 pub use tables::{HistoryColumn, history_columns, history_csv, impacts_csv, spectrum_csv};
+pub use trust::{PositionHistory, SecondRun, compare_positions, measure_trust};
 pub use turns::Turns;
 pub use wear::{
     Cycle as WearCycle, Depths, JumpLength, Life, LifePlan, LifePoint, WearProfile, WearRecorder, WearingJoint,

@@ -6,8 +6,8 @@ use loosepin_mechanics::mechanism::Mechanism;
 /// Accuracy and limits of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Settings {
-    /// Error of the positions over the first half turn, m. The error allowed in one step is smaller by
-    /// [`STEP_SHARE`]: contact amplifies errors. Default: 1e-9 m for one simulation, 1e-8 m in a study.
+    /// Length that sets the error allowed in one step, m: the root mean square over all unknowns of the error estimates is at most
+    /// [`STEP_SHARE`] of it. Contact amplifies errors; a second run measures how far (`Plan::second_run`). Default: 1e-9 m for one simulation, 1e-8 m in a study.
     pub tolerance_m: f64,
     /// The embedded pair. Default: DOP853 (`docs/integrators.md` has the measurement).
     pub method: &'static Tableau,

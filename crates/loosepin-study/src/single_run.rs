@@ -34,7 +34,17 @@ pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Pla
     };
     let settings_of_run = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_simulation() };
     let overrides = Override::of_settings(&settings);
-    Some((settings, Plan { cycle, settings: settings_of_run, with_states: false, lyapunov_turns: None, overrides }))
+    Some((
+        settings,
+        Plan {
+            cycle,
+            settings: settings_of_run,
+            with_states: false,
+            lyapunov_turns: None,
+            second_run: true,
+            overrides,
+        },
+    ))
 }
 
 /// The hash of everything that a single run of `model` is computed from.
@@ -49,6 +59,9 @@ pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[M
     }
     if let Some(turns) = plan.lyapunov_turns {
         hasher.add("lyapunov_turns", turns.to_string());
+    }
+    if !plan.second_run {
+        hasher.add("second_run", "false");
     }
     if plan.settings.integrator == Integrator::Implicit {
         hasher.add("integrator", "implicit");

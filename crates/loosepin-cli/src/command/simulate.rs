@@ -82,6 +82,7 @@ fn plan(arguments: &SimulateArguments, model: &Model) -> Result<Plan, Failure> {
         settings: Settings { tolerance_m, integrator, ..Settings::for_simulation() },
         with_states: arguments.states,
         lyapunov_turns: arguments.lyapunov,
+        second_run: !arguments.no_second_run,
         overrides: Override::of_settings(&arguments.set),
     })
 }

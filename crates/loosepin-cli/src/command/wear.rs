@@ -33,6 +33,7 @@ pub fn run(arguments: &WearArguments) -> Ending {
         samples: None,
         lyapunov: None,
         measured: Vec::new(),
+        no_second_run: false,
         integrator: IntegratorKind::Explicit,
     };
     run_shown::<ShownWear>(&simulation)

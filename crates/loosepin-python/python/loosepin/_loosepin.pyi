@@ -81,6 +81,7 @@ class Model:
         samples: int | None,
         tolerance: str,
         states: bool,
+        second_run: bool,
         set: list[str],
     ) -> Simulation: ...
 

@@ -10,6 +10,7 @@ use crate::page::{cards, facts};
 use crate::simulation_page::speed_facts;
 use crate::still_figures::histogram_figure;
 use crate::tag::{Tag, read_the_same};
+use crate::trust_words::nominal_sentences;
 use crate::wording::{
     count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
 };
@@ -40,6 +41,8 @@ pub(super) fn runs(result: &StudyResult, writer: &NumberWriter) -> Markup {
                 }
             }
         }
+        @let nominal = nominal_sentences(result, writer);
+        @if !nominal.is_empty() { p { (nominal.join(" ")) } }
         @if !result.failures.is_empty() {
             (cards(["Reason", "#Runs", "Example"], result.failures.iter().map(|failure| [
                 html! { (failure.words) br; code.quiet { (failure.code) } },
@@ -249,7 +252,7 @@ fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<(String, Markup
         (
             "Integration".to_owned(),
             html! {
-                (result.cycle.method) ", position tolerance "
+                (result.cycle.method) ", tolerance "
                 (writer.about(&Tag::Given("tolerance")).value_shortest(result.cycle.tolerance_m, &SiUnit::LENGTH))
             },
         ),

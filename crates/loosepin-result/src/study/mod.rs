@@ -46,7 +46,7 @@ pub use requirement::{CountedMechanisms, RequirementOutcome};
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 pub use verdict::{KnownShare, Verdict};
 
-use crate::simulation::{Drawing, JournalOrbit};
+use crate::simulation::{Drawing, JournalOrbit, Trust};
 use loosepin_text::units::{DisplayUnits, extended};
 
 /// Bounds over what is possible to at least some degree, in the order of [`StudyResult::bounds`].
@@ -137,6 +137,9 @@ pub struct StudyResult {
     pub energy: Option<EnergyResiduals>,
     /// Impacts in each clearance joint.
     pub impacts: Vec<JointImpacts>,
+    /// How long the positions of the run with nominal dimensions, unknown values in the middle, can be trusted.
+    #[serde(default)]
+    pub nominal_trust: Trust,
     /// How it is made again; empty in records of older versions.
     #[serde(default, skip_serializing_if = "Repeat::is_empty")]
     pub repeat: Repeat,

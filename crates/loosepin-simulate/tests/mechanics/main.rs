@@ -17,4 +17,5 @@ mod outputs;
 mod slot_ends;
 mod slot_play;
 mod spectra;
+mod trust;
 mod wear;

@@ -275,6 +275,7 @@ fn identity_a_run_of_the_yoke_keeps_its_energy_and_stays_within_the_worst_case()
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     let simulation = simulate(&case.mechanism, &case.values, &plan).expect("the run is sound");

@@ -4,7 +4,7 @@ use super::material::Material;
 use crate::file::Study;
 use crate::file::{EpistemicInput, EpistemicSubject};
 use crate::response::StudyResponse;
-use loosepin_result::simulation::{Drawing, JournalOrbit};
+use loosepin_result::simulation::{Drawing, JournalOrbit, Trust};
 use loosepin_simulate::{Plan, simulate_poses, skeleton};
 
 /// Poses of the moving picture.
@@ -20,6 +20,8 @@ pub struct Pictures {
     pub orbits: Vec<JournalOrbit>,
     /// The row of the run with nominal dimensions and the epistemic inputs in the middle.
     pub nominal_row: Vec<f64>,
+    /// How long the positions of that run can be trusted.
+    pub nominal_trust: Trust,
 }
 
 /// Runs the nominal mechanism for the pictures. A picture whose run fails is left out: no finished study is lost for it.
@@ -34,10 +36,17 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
 
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
-    let plan =
-        Plan { cycle, settings: *response.settings(), with_states: false, lyapunov_turns: None, overrides: Vec::new() };
-    let run_at = |epistemic: &[f64]| {
+    let plan = Plan {
+        cycle,
+        settings: *response.settings(),
+        with_states: false,
+        lyapunov_turns: None,
+        second_run: false,
+        overrides: Vec::new(),
+    };
+    let run_at = |epistemic: &[f64], second_run: bool| {
         let values = response.values(&nominal, epistemic).ok()?;
+        let plan = Plan { second_run, ..plan.clone() };
         simulate_poses(&response.mechanisms[response.variant(epistemic)], &values, &plan).ok()
     };
     let offset_rad = recorded_offset_rad(study, response);
@@ -50,7 +59,9 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         orbits.append(&mut found);
     };
     let mut drawing = skeleton(response.mechanism(), &response.nominal);
-    if let Some(central) = run_at(&middle) {
+    let mut nominal_trust = Trust::NotMeasured;
+    if let Some(central) = run_at(&middle, true) {
+        nominal_trust = central.record.trust;
         drawing = central.record.drawing.clone();
         thin(&mut drawing, offset_rad);
         let has_lists = study.epistemic.iter().any(|input| input.interval().is_none());
@@ -69,12 +80,12 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         for value in input.variable.shown() {
             let mut epistemic = middle.clone();
             epistemic[index] = value;
-            if let Some(run) = run_at(&epistemic) {
+            if let Some(run) = run_at(&epistemic, false) {
                 add(format!("{} = {}", input.path, input.written(&study.model, value)), run.record.orbits);
             }
         }
     }
-    Pictures { drawing, orbits, nominal_row }
+    Pictures { drawing, orbits, nominal_row, nominal_trust }
 }
 
 /// Angle that the drive turned through before the recorded part in whole turns, rad: poses are shown without it.
@@ -134,7 +145,14 @@ mod tests {
         let nominal: Vec<f64> = study.random.iter().map(|input| response.nominal[input.quantity]).collect();
         let values = response.values(&nominal, &middle).unwrap();
         let (cycle, settings) = (study.cycle.clone(), *response.settings());
-        let plan = Plan { cycle, settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() };
+        let plan = Plan {
+            cycle,
+            settings,
+            with_states: false,
+            lyapunov_turns: None,
+            second_run: false,
+            overrides: Vec::new(),
+        };
         let mechanism = &response.mechanisms[response.variant(&middle)];
         let whole = simulate(mechanism, &values, &plan).unwrap();
         let mut poses = simulate_poses(mechanism, &values, &plan).unwrap();

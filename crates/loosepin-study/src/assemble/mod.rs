@@ -124,6 +124,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         display_units: material.study.model.shown_in(DisplayUnits::default()),
         curves: curves::curves(material, &pictures, &curve_bands),
         boxes: boxes::boxes(material),
+        nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
         drawing: pictures.drawing,
     };

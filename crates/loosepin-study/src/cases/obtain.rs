@@ -143,7 +143,14 @@ impl<'c> Runs<'c> {
         cycle.recorded_turns = span_s / turn_s;
         cycle.samples_per_turn = ((rows as f64 / cycle.recorded_turns).round() as usize).max(1);
         let settings = Settings::for_simulation();
-        let plan = Plan { cycle, settings, with_states: rows > 1, lyapunov_turns: None, overrides: Vec::new() };
+        let plan = Plan {
+            cycle,
+            settings,
+            with_states: rows > 1,
+            lyapunov_turns: None,
+            second_run: false,
+            overrides: Vec::new(),
+        };
         let simulation = simulate(&mechanism, &values, &plan).map_err(|failure| failure.complaint(model))?;
         let simulation = Rc::new(simulation);
         self.done.push((key, Rc::clone(&simulation)));

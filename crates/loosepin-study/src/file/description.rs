@@ -143,7 +143,7 @@ pub struct Sampling {
     pub inner: usize,
     /// Independent randomisations of the inner samples, for the sampling error.
     pub replicates: usize,
-    /// Accuracy of positions in a run, m.
+    /// Tolerance of a step, m: it may err by 0.5 % of it.
     pub tolerance_m: f64,
     /// The share of the runs of the double loop that may fail, in (0, 1]; where more do, the study ends after their round
     /// (default: 0.1). Results do not depend on it.

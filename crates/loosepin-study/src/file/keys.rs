@@ -51,7 +51,7 @@ pub(super) static SAMPLING_KEYS: Keys = Keys::new(
             "4",
             "independent randomisations, which tell the sampling error; 4 if left out",
         ),
-        optional("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "accuracy of positions in a run; 1e-8 m if left out"),
+        optional("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "a step may err by 0.5 % of it, in contacts that last by 10 %; 1e-8 m if left out"),
         optional(
             "most_failed",
             Kind::Number { rule: Rule::RequiredProbability },

@@ -107,6 +107,7 @@ fn analytic_a_four_bar_is_drawn_imported_filled_in_and_moved() {
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     let record = simulate(&mechanism, &values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record;

@@ -25,6 +25,7 @@ fn ideal_run(transient_turns: f64) -> SimulationRecord {
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     simulate(&mechanism, &set.values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record

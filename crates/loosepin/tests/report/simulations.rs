@@ -21,6 +21,7 @@ fn simulated(model: &Model, cycle: Cycle) -> SimulationRecord {
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     simulate(&mechanism, &values, &plan).unwrap_or_else(|failure| panic!("{failure}")).record

@@ -53,8 +53,14 @@ fn identity_a_section_is_what_a_simulation_shows_at_the_end_of_a_turn() {
         let mechanism = Mechanism::new(&model, &values).expect("the model compiles");
         let mut cycle = model.cycle.clone();
         (cycle.transient_turns, cycle.recorded_turns, cycle.samples_per_turn) = (0.0, 2.0, 1);
-        let plan =
-            Plan { cycle, settings: plan.settings, with_states: false, lyapunov_turns: None, overrides: Vec::new() };
+        let plan = Plan {
+            cycle,
+            settings: plan.settings,
+            with_states: false,
+            lyapunov_turns: None,
+            second_run: false,
+            overrides: Vec::new(),
+        };
         let simulation = simulate(&mechanism, &values, &plan).expect("the run is sound");
         let output = &simulation.record.outputs[0];
         assert_eq!((output.name.as_str(), record.outputs[0].name.as_str()), ("slider", "slider"));

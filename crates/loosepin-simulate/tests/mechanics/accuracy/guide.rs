@@ -174,6 +174,7 @@ fn simulated(built: &Built) -> SimulationRecord {
         settings: Settings::for_study(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     simulate(&built.mechanism, &built.values, &plan).expect("the run is sound").record

@@ -14,6 +14,7 @@ fn simulate_turns(built: &Built, turns: f64, samples_per_turn: usize) -> Simulat
         settings: Settings::for_study(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|error| panic!("{error}"))

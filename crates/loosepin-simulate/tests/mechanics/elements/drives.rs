@@ -200,6 +200,7 @@ fn identity_a_simulation_counts_periods() {
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     let record = simulate(&built.mechanism, &built.values, &plan).expect("it runs").record;

@@ -54,6 +54,7 @@ pub(super) fn simulated(built: &Built) -> Simulation {
         settings: Settings::for_simulation(),
         with_states: false,
         lyapunov_turns: None,
+        second_run: false,
         overrides: Vec::new(),
     };
     simulate(&built.mechanism, &built.values, &plan).unwrap_or_else(|failure| panic!("{failure}"))

@@ -121,6 +121,24 @@ pub fn worn_pin() -> SimulationRecord {
                 deviation_si: vec![0.31e-3, -0.42e-3],
             }],
         }),
+        trust: Trust::Measured(MeasuredTrust {
+            tolerance_m: 1e-10,
+            method: "Tsitouras 5(4)".to_owned(),
+            evaluations: None,
+            share: 0.2,
+            horizons: [(1e-5, 0.0151), (1e-6, 0.0132), (1e-7, 0.0098)]
+                .map(|(length_m, until_s)| TrustHorizon {
+                    length_m,
+                    until_s: Some(until_s),
+                    turns: Some(until_s * SPEED_RAD_S / TAU),
+                    is_end: false,
+                })
+                .into(),
+            whole_m: None,
+            failure: None,
+            time_s: vec![0.0, 0.0051, 0.0098, 0.0132, 0.0151, 0.0153],
+            difference_m: vec![0.0, 3e-10, 1.9e-8, 2e-7, 1.9e-6, 2.1e-6],
+        }),
         lyapunov: Some(LyapunovRecord {
             exponent_1_s: 378.2,
             standard_error_1_s: 11.4,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use loosepin::result::repeat::{InputRole, InputText, Repeat};
 use loosepin::result::{ContactBasis, ContactShape};
+use loosepin::simulate::record::Trust;
 use loosepin::study::result::*;
 use loosepin::study::runs::{RunColumn, RunData, RunsTable};
 use loosepin::units::{DisplayUnits, SiUnit};
@@ -158,6 +159,7 @@ pub fn worn_pin() -> StudyResult {
             },
         }],
         settled_share: Some(0.874),
+        nominal_trust: Trust::NotMeasured,
         requirements: requirements(&outers),
         allowances: allowances(),
         together: None,
