@@ -11,6 +11,7 @@
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
+//! | how far play goes without dynamics, and what of that is proven; the requirements judged so | `play_effect.rs`, `motion_verdicts.rs` |
 //! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs`; what that gains `identification_gain.rs` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | bounds that are promised for a share of the box | `promise_text.rs` |

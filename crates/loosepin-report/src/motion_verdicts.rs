@@ -62,7 +62,8 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             format!("Proven: with play anywhere and such parts it stays within {}. {share}", between(*proven_si))
         }
         MotionVerdict::NotMetInTheWorstCase => {
-            let side = usize::from(found_si[1] > requirement.upper_si);
+            let beyond = [requirement.lower_si - found_si[0], found_si[1] - requirement.upper_si];
+            let side = usize::from(beyond[1] >= beyond[0]);
             format!(
                 "It reaches {} at {} of {}, with play and parts at their worst. How often, loosepin study tells.",
                 writer.rounded(found_si[side], unit, 4, Rounding::Nearest),
@@ -78,6 +79,10 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             };
             let proven = match &requirement.reason {
                 Some(reason) => format!("nothing is proven: {reason}."),
+                None if is_proven && requirement.share_within_limits < requirement.probability_at_least => format!(
+                    "proven: it stays within {}, but for fewer mechanisms than asked for. {share}",
+                    between(*proven_si)
+                ),
                 None if is_proven => format!("proven: it stays within {}. {share}", between(*proven_si)),
                 None => "nothing is proven.".to_owned(),
             };

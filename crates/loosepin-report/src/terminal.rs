@@ -305,7 +305,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
         text.push_str(&format!("{}\n", wrapped(&sentence, "")));
     }
     let mut ranges = table(
-        &["output", "smallest", "largest", "most play", "at", "proven at most", "standard deviation"],
+        &["output", "smallest", "largest", "most play", "at", "proven", "standard deviation"],
         &[1, 2, 3, 4, 5, 6],
     );
     for output in &record.outputs {

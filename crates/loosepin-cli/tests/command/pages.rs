@@ -124,7 +124,7 @@ fn desk() -> Desk {
     let loosepin = format!(
         "#!/bin/sh\necho \"$*\" >> '{folder}/commands'\nsaid=$(mktemp)\n'{program}' \"$@\" > \"$said\"; status=$?\n\
          cat \"$said\" >> '{folder}/said'; cat \"$said\"; rm \"$said\"\n\
-         case \"$1 $status\" in 'study 1' | 'report 1') exit 0 ;; esac\nexit $status\n"
+         case \"$1 $status\" in 'study 1' | 'motion 1' | 'report 1') exit 0 ;; esac\nexit $status\n"
     );
     let cargo = "#!/bin/sh\n[ \"$1 $2 $3\" = 'run --release --' ] || exit 2\nshift 3\nexec loosepin \"$@\"\n";
     for (name, text) in [("bin/loosepin", loosepin.as_str()), ("bin/cargo", cargo)] {
