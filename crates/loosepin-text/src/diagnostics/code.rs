@@ -437,11 +437,6 @@ Outside it means nothing, so such a clearance is refused. In a study, a run with
 there is hardly a film at all; and the films `reynolds` and `finite-length` are computed down to 0.002 of the clearance. In a study, a \
 run outside of that fails by this reason."
 
-    LengthOutsideFilm "E0825" "a bearing that is too long for its film of oil"
-"The table of the film `reynolds` ends at bearings four times as long as their diameter. In longer ones the film would be whole nearly \
-all around the pin, and its force would depend on where the oil comes in, which is not computed. The films `finite-length` and \
-`pinkus-sternlicht` have no such limit. In a study, a run outside of that fails by this reason."
-
     NothingIsFree "E0812" "a motion has no Lyapunov exponent"
 "A Lyapunov exponent measures the growth of a small difference of the motion. A mechanism with ideal joints follows its drives \
 exactly, so there can be no difference."
@@ -502,6 +497,11 @@ of a length and samples of the other sign. Nothing is changed: ignore the warnin
 "The system refused memory while a command ran, and nothing could go on without it: the exit status is 4. Before a study starts its need is \
 compared with what is there (E0817); other programs may take that meanwhile. What was finished is kept. Raise the limit of memory (ulimit \
 -v, ulimit -d, or that of the container), or ask for fewer --threads or samples; --resume goes on with the saved runs of a study."
+
+    LengthOutsideFilm "E0825" "a bearing that is too long for its film of oil"
+"The table of the film `reynolds` ends at bearings four times as long as their diameter. In longer ones the film would be whole nearly \
+all around the pin, and its force would depend on where the oil comes in, which is not computed. The films `finite-length` and \
+`pinkus-sternlicht` have no such limit. In a study, a run outside of that fails by this reason."
 
     FolderHoldsOther "E0901" "a folder holds something else"
 "The folder holds results of other inputs, or other files. They are not overwritten. Give another folder, or leave out --out: then \

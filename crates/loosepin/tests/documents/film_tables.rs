@@ -84,7 +84,9 @@ fn laws() -> String {
     for row in rows(ROTATION).iter().filter(|row| shown.contains(&(row.ratio, row.width))) {
         let [ours, half] = ["reynolds", "finite-length"].map(|law| of_film(law, row, true));
         let share = |value: f64| {
-            format!("{} ({:+.1} %)", as_printed(value, row.texts[0]), 100.0 * (value / row.numbers[0] - 1.0))
+            // No minus before 0.0.
+            let percent = (1000.0 * (value / row.numbers[0] - 1.0)).round() / 10.0 + 0.0;
+            format!("{} ({percent:+.1} %)", as_printed(value, row.texts[0]))
         };
         lines.push(format!(
             "| {} | {} | {} | {} | {} | {}° | {:.2}° | {:.2}° |",

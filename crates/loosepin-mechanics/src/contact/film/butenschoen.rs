@@ -10,8 +10,9 @@ const SQUEEZE: &str = include_str!("butenschoen/squeeze.csv");
 /// Where Butenschön's load is not that of its neighbours, so that there is a misprint in it: ε, D/L, what stands there.
 const MISPRINTS: [[f64; 3]; 4] = [[-0.95, 8.0, 0.0085], [0.8, 2.5, 15.94], [0.96, 2.5, 492.49], [0.99, 6.0, 2331.0]];
 
-/// The thinnest films at L/D = 1: what refinement of our grid leaves is 0.01 %, and his loads are low by more, the thinner the film.
-const BEYOND: [[f64; 2]; 1] = [[0.99, 1.0]];
+/// The thinnest film at L/D = 1 in squeeze, ε and D/L: his loads are low by more, the thinner the film, and here by 0.71 %, where our
+/// grids leave 0.01 %.
+const BEYOND: [f64; 2] = [0.99, 1.0];
 
 /// A line of a table: ε, ε < 0 where the journal moves away, D/L, the load, half of its last digit, and the attitude if any.
 struct Row {
@@ -61,7 +62,7 @@ fn is_misprint(row: &Row) -> bool {
 }
 
 fn is_beyond(row: &Row) -> bool {
-    BEYOND.contains(&[row.ratio, row.width])
+    BEYOND == [row.ratio, row.width]
 }
 
 #[test]
@@ -71,7 +72,7 @@ fn published_loads_and_attitudes_of_a_journal_that_turns() {
         let [found, attitude_deg] =
             load(film(row.width).force(&FilmMotion { ratio: row.ratio, squeeze_1_s: 0.0, wedge_1_s: row.ratio }));
         let words = format!("ε = {}, L/D = 1/{}: {found} {attitude_deg}", row.ratio, row.width);
-        if row.ratio >= 0.4 && !is_beyond(&row) {
+        if row.ratio >= 0.4 {
             assert!((found - row.load).abs() < 5e-3 * row.load + row.rounding, "{words}, not {}", row.load);
             worst[0] = worst[0].max(((found - row.load).abs() - row.rounding) / row.load);
         }

@@ -288,8 +288,8 @@ mod tests {
 
     #[test]
     fn peer_forces_of_films_that_rupture() {
-        /// Of the force. The peer's own error, from two grids, is a tenth of that.
-        const RELATIVE: f64 = 2e-4;
+        /// Of the force: what two grids leave after extrapolation, in the peer and here.
+        const RELATIVE: f64 = 1e-4;
         // ε, Λ, ε̇, wε, then F_r and F_t: tools/film/ruptured.py.
         for [ratio, length_ratio, squeeze_1_s, wedge_1_s, radial, tangential] in [
             [0.3, 0.5, 0.8, 0.9, -2.713_235_14, 0.960_606_23],
