@@ -155,8 +155,8 @@ fn a_quantile_that_the_samples_do_not_reach_is_told() {
     let said = desk.succeed(&["check", "study.toml"]).messages;
     assert!(
         said.contains(
-            "warning[E0608]: the 99.9 % quantile is asked for, and of inner = 64 samples 0.06 lie beyond it on average: its bound will be \
-             too narrow\nhint: inner = 8192 bounds it from both sides"
+            "warning[E0608]: the 99.9 % quantile is asked for, and none of inner = 64 samples lies beyond it with a probability of \
+             94 %: its bound will be too narrow\nhint: inner = 8192 bounds it from both sides"
         ),
         "{said}"
     );

@@ -148,11 +148,12 @@ problems! {
             says("'{path}' is impossible with a probability of {:.1e}, and such runs fail: {error}", probability),
             hint("choose a distribution that stays in the range: truncated_normal, lognormal or beta");
         /// A quantile that the samples do not reach.
-        QuantileBeyondSamples { percent: f64, inner: usize, needed: u64 } => Code::AskNotPossible,
+        QuantileBeyondSamples { percent: f64, inner: usize, none_percent: f64, needed: u64 } => Code::AskNotPossible,
             says(
-                "the {} % quantile is asked for, and of inner = {inner} samples {} lie beyond it on average: its bound will be too narrow",
+                "the {} % quantile is asked for, and none of inner = {inner} samples lies beyond it with a probability of {:.0} %: its \
+                 bound will be too narrow",
                 format_number(*percent),
-                format_number((*inner as f64 * percent.min(100.0 - percent)).round() / 100.0)
+                none_percent
             ),
             hint("inner = {needed} bounds it from both sides; a probability_above of a limit that matters needs fewer");
         /// An output that the model does not have.

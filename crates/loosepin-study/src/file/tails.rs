@@ -55,12 +55,12 @@ impl StudyReader {
         first.map(|error| StudyProblem::ImpossibleTail { path: input.path.clone(), probability, error })
     }
 
-    /// Warns of quantiles beyond which fewer than one sample lies on average.
+    /// Warns of quantiles beyond which more likely than not no sample lies: pⁿ > ½ for one at p of n samples.
     pub(super) fn warn_of_quantiles(&mut self, root: &Table<'_>, asks: &[Ask], sampling: &Sampling) {
         let Some(written) = root.get("ask") else { return };
         let far = |ask: &Ask| {
             let beyond = |statistic: &Statistic| match statistic {
-                Statistic::Quantile(p) if sampling.inner as f64 * p.min(1.0 - p) < 1.0 => Some(*p),
+                Statistic::Quantile(p) if none_beyond(*p, sampling.inner) > 0.5 => Some(*p),
                 _ => None,
             };
             ask.statistics.iter().find_map(beyond)
@@ -68,9 +68,16 @@ impl StudyReader {
         for p in asks.iter().filter_map(far) {
             let inside = p.max(1.0 - p);
             let needed = ((BEYOND.ln() / inside.ln()).ceil() as u64).next_power_of_two();
-            let problem = StudyProblem::QuantileBeyondSamples { percent: 100.0 * p, inner: sampling.inner, needed };
+            let none_percent = 100.0 * none_beyond(p, sampling.inner);
+            let problem =
+                StudyProblem::QuantileBeyondSamples { percent: 100.0 * p, inner: sampling.inner, none_percent, needed };
             let place = Place::new(&self.reader.source, written.key_span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
     }
+}
+
+/// Probability that none of `samples` lies beyond the quantile at `p`, on its nearer side.
+fn none_beyond(p: f64, samples: usize) -> f64 {
+    (samples as f64 * p.max(1.0 - p).ln()).exp()
 }
