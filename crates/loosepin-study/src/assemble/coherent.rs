@@ -16,15 +16,18 @@ use loosepin_result::study::{BoundEnd, BoundRecord, CutBounds, PercentileBounds,
 type Ends = [BoundEnd; 2];
 
 /// Moves both ends into `[least, most]`, in which the number lies whatever the inputs are.
-pub(super) fn cut_to_range([lower, upper]: &mut Ends, [least, most]: [f64; 2]) {
-    for end in [lower, upper] {
-        // What is not a number stays none: `clamp` keeps it.
-        end.value_si = end.value_si.clamp(least, most);
-        // An end of the range is reached at most: what the error has beyond is none.
-        let widened_si = end.widened_si.clamp(least, most);
-        if widened_si.is_finite() && (widened_si == least || widened_si == most) {
-            set_widened(end, widened_si);
-        }
+pub(super) fn cut_to_range(ends: &mut Ends, range: [f64; 2]) {
+    ends.iter_mut().for_each(|end| cut_end_to_range(end, range));
+}
+
+/// Moves an end into `[least, most]`.
+pub(super) fn cut_end_to_range(end: &mut BoundEnd, [least, most]: [f64; 2]) {
+    // What is not a number stays none: `clamp` keeps it.
+    end.value_si = end.value_si.clamp(least, most);
+    // An end of the range is reached at most: what the error has beyond is none.
+    let widened_si = end.widened_si.clamp(least, most);
+    if widened_si.is_finite() && (widened_si == least || widened_si == most) {
+        set_widened(end, widened_si);
     }
 }
 

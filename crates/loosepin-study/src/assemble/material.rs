@@ -1,6 +1,6 @@
 //! What a result is made from, and the bounds in it as people are shown them.
 
-use super::coherent::{cut_to_range, hold_larger, hold_smaller, narrow};
+use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow};
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::file::{Deviation, EpistemicInput, Reduction, Study};
 use crate::outputs::Seen;
@@ -80,8 +80,9 @@ impl Material<'_> {
     fn ends_and_narrowed(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], bool)> {
         let mut ends = self.ordered(column, statistic)?;
         let limits = self.limits(column, statistic);
-        let narrowed = ends.each_mut().into_iter().zip(limits).map(|(end, limit)| narrow(end, limit));
-        let is_narrowed = narrowed.fold(false, |any, one| any || one);
+        let [lower, upper] = &mut ends;
+        // Both, whatever came of the first.
+        let is_narrowed = narrow(lower, limits[0]) | narrow(upper, limits[1]);
         Some((ends, is_narrowed))
     }
 
@@ -136,6 +137,14 @@ impl Material<'_> {
         let mut ends = [&pair.lower, &pair.upper].map(|bound| self.end(bound));
         cut_to_range(&mut ends, self.range(pair.column, pair.statistic));
         ends
+    }
+
+    /// An end of a range of values of a column, within what they can be.
+    pub fn end_of_values(&self, column: usize, bound: &Bound) -> BoundEnd {
+        let mut end = self.end(bound);
+        let least = if self.is_never_negative(column) { 0.0 } else { f64::NEG_INFINITY };
+        cut_end_to_range(&mut end, [least, f64::INFINITY]);
+        end
     }
 
     /// The least and the greatest value that a statistic of a column can have.
@@ -225,7 +234,7 @@ pub fn unknown_ends(statistic: Statistic) -> [BoundEnd; 2] {
 }
 
 /// The error of a bound, part by part.
-pub fn numerical_error(bound: &Bound) -> NumericalError {
+fn numerical_error(bound: &Bound) -> NumericalError {
     let error = &bound.error;
     NumericalError { sampling_si: error.sampling, optimisation_si: error.optimisation, surrogate_si: error.surrogate }
 }

@@ -1,6 +1,6 @@
 //! The three treatments side by side.
 
-use super::material::{Material, numerical_error};
+use super::material::Material;
 use loosepin_bounds::{Band, SurrogateBounds, SurrogatePlan};
 use loosepin_result::study::{CoveragePoint, TreatmentBand, TreatmentComparison, TreatmentEnd};
 
@@ -55,10 +55,11 @@ fn treatment_record(
 }
 
 fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_points: &[Vec<f64>]) -> TreatmentBand {
+    let [lower, upper] = [&band.lower, &band.upper].map(|end| material.end_of_values(column, end));
     TreatmentBand {
         treatment: band.treatment,
-        lower_si: material.possible(column, band.lower.value),
-        upper_si: material.possible(column, band.upper.value),
+        lower_si: lower.value_si,
+        upper_si: upper.value_si,
         coverage_minimum: band.coverage.minimum,
         coverage_maximum: band.coverage.maximum,
         coverage_error: band.coverage.minimum_error,
@@ -71,10 +72,7 @@ fn treatment_band(material: &Material<'_>, column: usize, band: &Band, outer_poi
                 coverage: point.lower,
             })
             .collect(),
-        ends: Some([&band.lower, &band.upper].map(|end| TreatmentEnd {
-            widened_si: material.possible(column, end.widened),
-            error: numerical_error(end),
-        })),
+        ends: Some([lower, upper].map(|end| TreatmentEnd { widened_si: end.widened_si, error: end.error })),
         is_by_surrogate: false,
     }
 }
