@@ -71,6 +71,7 @@ mod posterior_figure;
 mod posterior_text;
 mod promise_text;
 mod repeat_section;
+mod rounding;
 mod script_data;
 mod section_figure;
 mod short_answer;

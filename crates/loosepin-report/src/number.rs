@@ -3,6 +3,7 @@
 use loosepin_result::study::{InputDescription, InputKind, Witness, WitnessValue};
 use std::f64::consts::TAU;
 
+pub(super) use super::rounding::Rounding;
 use super::tag::{Tag, marked, read_the_same};
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
@@ -23,16 +24,6 @@ const REPRESENTATION_NOISE: f64 = 1e-12;
 
 /// Text for not-a-number, without a unit.
 const NOT_KNOWN: &str = "not known";
-
-/// Which way a number is rounded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Rounding {
-    Nearest,
-    /// Towards minus infinity: a lower bound.
-    Down,
-    /// Towards infinity: an upper bound.
-    Up,
-}
 
 /// Where the text goes, which decides on its characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

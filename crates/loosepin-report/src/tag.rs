@@ -11,7 +11,7 @@ use loosepin_result::study::{
 };
 use std::cell::RefCell;
 
-use super::number::Rounding;
+use super::rounding::Rounding;
 
 /// The first of the characters that begin a number: private use, plane 15.
 const FIRST: u32 = 0xF_0000;
