@@ -315,8 +315,7 @@ impl<T: Real> Geometry<T> {
                     geometry.own_angle_rad = centred.own_angle_rad + own_turn_rad;
                     geometry.parent_direction = direction(geometry.parent_angle_rad);
                     geometry.turn_from_parent = direction(geometry.parent_angle_rad - geometry.own_angle_rad);
-                    geometry.parent_arm_m =
-                        centred.parent_arm_m.plus(geometry.parent_direction.turned(), ordinate_m);
+                    geometry.parent_arm_m = centred.parent_arm_m.plus(geometry.parent_direction.turned(), ordinate_m);
                 }
                 _ => {}
             }
