@@ -15,7 +15,9 @@ fn from_new_to_report(name: &str) {
     assert!(!checked.messages.contains("warning"), "{}", checked.messages);
     let mut folders = vec!["simulation", "study"];
     if desk.read("it/model.toml").contains("\n[drive.") {
-        desk.succeed(&["motion", "it/study.toml", "--out", "motion"]);
+        // Play at its worst may break the requirement, or nothing be proven of it.
+        let said = desk.run(&["motion", "it/study.toml", "--out", "motion"]);
+        assert!(said.status <= 1, "{}", said.messages);
         folders.push("motion");
     } else {
         // Actuators move it: there is no ideal motion without its forces.

@@ -141,9 +141,10 @@ impl Asked<'_, '_> {
         }
         let bends = [-1.0, 1.0].into_iter().any(|sign| {
             let Some(moved) = self.with_dimensions(&[(limit.quantity, sign * limit.most_si)]) else { return true };
-            moved.0.iter().zip(&self.values.0).zip(&direction.derivatives.0).any(|((moved, value), slope)| {
+            DimensionDirection::shaping(self.mechanism).into_iter().any(|id| {
+                let (value, slope) = (self.values[id], direction.derivatives[id]);
                 let line = value + sign * limit.most_si * slope;
-                (moved - line).abs() > ROUND_OFF * (value.abs() + (slope * limit.most_si).abs())
+                (moved[id] - line).abs() > ROUND_OFF * (value.abs() + (slope * limit.most_si).abs())
             })
         });
         bends.then(|| format!("an expression of the model is not linear in {path}"))

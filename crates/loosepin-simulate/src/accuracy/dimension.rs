@@ -23,6 +23,11 @@ pub struct DimensionDirection {
 impl DimensionDirection {
     /// Whether nothing that shapes or drives the mechanism follows: no point, no angle of a joint, no coupling, no drive.
     pub fn leaves_motion_alone(&self, mechanism: &Mechanism) -> bool {
+        Self::shaping(mechanism).iter().all(|id| self.derivatives[*id] == 0.0)
+    }
+
+    /// The quantities that shape or drive a mechanism.
+    pub(super) fn shaping(mechanism: &Mechanism) -> Vec<QuantityId> {
         use loosepin_mechanics::model::JointKind;
         let model = &mechanism.model;
         let points = model.bodies.iter().flat_map(|body| body.points.iter().flat_map(|point| point.position_m));
@@ -34,7 +39,7 @@ impl DimensionDirection {
             JointKind::Rigid { angle_rad, .. } => vec![angle_rad],
         });
         let couplings = model.couplings.iter().flat_map(|coupling| coupling.law.quantities());
-        points.chain(drives).chain(angles).chain(couplings).all(|id| self.derivatives[id] == 0.0)
+        points.chain(drives).chain(angles).chain(couplings).collect()
     }
 }
 

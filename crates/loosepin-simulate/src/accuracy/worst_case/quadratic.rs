@@ -227,7 +227,7 @@ mod tests {
         for case in 0..40 {
             let scale = 10f64.powi(-(case as i32 % 4));
             let gradient: Vec<f64> = (0..5).map(|k| spread(case * 31 + k)).collect();
-            let mut hessian = vec![0.0; 25];
+            let mut hessian = [0.0; 25];
             for i in 0..5 {
                 for j in 0..=i {
                     let value = scale * spread(1000 + case * 37 + i * 5 + j);
