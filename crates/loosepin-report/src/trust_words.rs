@@ -158,7 +158,7 @@ fn difference_chart(measured: &MeasuredTrust, writer: &NumberWriter) -> Markup {
         alternative:
             "Chart of the largest difference of a position between two runs over time, in powers of ten of a metre."
                 .to_owned(),
-        ..Chart::over("trust".to_owned(), "time", &measured.time_s, &SiUnit::TIME, writer)
+        ..Chart::over("trust-difference".to_owned(), "time", &measured.time_s, &SiUnit::TIME, writer)
     }
     .figure()
 }
