@@ -74,7 +74,7 @@ fn a_study_of_a_force_is_offered_the_list_of_laws_until_it_has_it() {
     let (before, _) = study.split_once(asks).expect("it asks something");
     desk.write(
         "study.toml",
-        &format!("{before}{force}").replace("inner = 256", "inner = 4").replace("outer = 16", "outer = 3"),
+        &format!("{before}{force}").replace("inner = 256", "inner = 8").replace("outer = 16", "outer = 3"),
     );
     let offered = desk.succeed(&["check", "study.toml"]).output;
     assert!(offered.contains(&format!("  [epistemic] of the study: {LIST}\n")), "{offered}");

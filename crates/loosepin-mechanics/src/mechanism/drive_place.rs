@@ -5,7 +5,7 @@ use super::tree::Tree;
 use crate::model::{CycleSpan, Model};
 
 /// The drive that the cycle counts, or else the first one, at the `coordinates` of the tree. `None` without drives.
-pub fn drive_place(model: &Model, tree: &Tree, coordinates: &[f64]) -> Option<DrivePlace> {
+pub fn drive_place(model: &Model, tree: &Tree, coordinates: &[f64]) -> Option<Box<DrivePlace>> {
     let counted = match model.cycle.span {
         CycleSpan::Turns(drive) | CycleSpan::Periods(drive) => Some(drive),
         CycleSpan::Duration(_) => None,
@@ -13,5 +13,6 @@ pub fn drive_place(model: &Model, tree: &Tree, coordinates: &[f64]) -> Option<Dr
     let k = counted.and_then(|drive| tree.drives.iter().position(|own| *own == drive)).unwrap_or(0);
     let drive = &model.drives[tree.drives.get(k)?.0];
     let dimension = model.joints[drive.joint.0].kind.coordinate()?;
-    Some(DrivePlace { drive: drive.name.clone(), position_si: *coordinates.get(tree.free + k)?, dimension })
+    let position_si = *coordinates.get(tree.free + k)?;
+    Some(Box::new(DrivePlace { drive: drive.name.clone(), position_si, dimension }))
 }

@@ -52,15 +52,15 @@ problems! {
             hint("remove what holds the mechanism twice, or the friction");
         CannotClose {
             open: Opening,
-            at: Option<DrivePlace>,
+            at: Option<Box<DrivePlace>>,
             /// Starting positions from which the loops were to be closed.
             starts: usize,
             /// Bodies with the angles, rad, at which each of them began, by [assembly] guess.
-            guesses: Vec<(String, f64)>,
+            guesses: Box<[(String, f64)]>,
         } => Code::CannotClose,
             says(
                 "the links cannot close at the start{}: {open} at best, from {} tried{}",
-                at_words(at.as_ref()),
+                at_words(at.as_deref()),
                 counted(*starts, "position"),
                 guess_words(guesses)
             ),
@@ -285,8 +285,8 @@ problems! {
                 (1000.0 * length_ratio).round() / 1000.0
             ),
             hint("take the film \"finite-length\" or \"pinkus-sternlicht\" for so long a bearing");
-        CannotClose { open: Opening, time_s: f64, at: Option<DrivePlace> } => Code::CannotClose,
-            says("the links cannot close at {}{}: {open}", format_value(*time_s, Dimension::TIME), at_words(at.as_ref())),
+        CannotClose { open: Opening, time_s: f64, at: Option<Box<DrivePlace>> } => Code::CannotClose,
+            says("the links cannot close at {}{}: {open}", format_value(*time_s, Dimension::TIME), at_words(at.as_deref())),
             hint("the lengths do not allow the whole turn; check them, or drive another joint");
         StartContradicts { path: String, given_si: f64, found_si: f64, dimension: Dimension } => Code::StartNotPossible,
             says("{}", {
@@ -307,11 +307,11 @@ problems! {
                 format_value(*time_s, Dimension::TIME)
             ),
             hint("its expression leaves the range of log, sqrt, ^ or /: keep what stands there inside");
-        Singular { time_s: f64, at: Option<DrivePlace> } => Code::SingularPosition,
+        Singular { time_s: f64, at: Option<Box<DrivePlace>> } => Code::SingularPosition,
             says(
                 "singular position at {}{}: the drives no longer determine the motion",
                 format_value(*time_s, Dimension::TIME),
-                at_words(at.as_ref())
+                at_words(at.as_deref())
             ),
             hint("two ways of assembling the links meet there: change a length, keep the drive away from this position, or drive another joint");
     }

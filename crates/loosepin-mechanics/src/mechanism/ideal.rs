@@ -329,7 +329,7 @@ impl<'a> IdealMotion<'a> {
         SampleError::CannotClose { open, time_s: self.time_s, at: self.drive_place() }
     }
 
-    fn drive_place(&self) -> Option<DrivePlace> {
+    fn drive_place(&self) -> Option<Box<DrivePlace>> {
         drive_place(&self.mechanism.model, &self.mechanism.ideal, &self.coordinates)
     }
 }

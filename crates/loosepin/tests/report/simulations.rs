@@ -70,10 +70,10 @@ fn text_of_the_check() {
     );
     let check = &mut record.quasi_static_check[0];
     (check.is_exceeded, check.deviation_si) = (true, -5.5e-4);
-    // 4 ms at 5000 rpm are 120°.
+
     assert!(
         words(&record).contains(
-            "This run is wrong: the slider deviates by -0.5500 mm with crank at 120.0°, but clearances and penetrations allow only \
+            "This run is wrong: the slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations allow only \
              -0.5329 mm."
         ),
         "{}",
@@ -82,7 +82,7 @@ fn text_of_the_check() {
     record.quasi_static_check[0].samples_without_worst_case = 3;
     assert!(
         words(&record).contains(
-            "The slider deviates by -0.5500 mm with crank at 120.0°, but clearances and penetrations allow only -0.5329 mm as the \
+            "The slider deviates by -0.5500 mm at 4.000 ms, but clearances and penetrations allow only -0.5329 mm as the \
              links are assembled. A dead point lies within the clearances, where they can pass to the other way of assembling, or this \
              run is wrong: avoid the dead point to tell. 3 samples could not be checked: a dead point lies within the clearances, or a \
              slider overhangs its guide."

@@ -31,7 +31,7 @@ mod tests {
     fn analytic_the_law_of_a_pin_in_an_eye_in_plane_strain() {
         /// -1 in place of -(1 + ν/(1 - ν))/2 = -0.71 in a bracket of four to six: the tolerance of the comparison, and the gap to the other law.
         const SAME: f64 = 0.09;
-        const OTHER: f64 = 0.25;
+        const OTHER: f64 = 0.15;
         let (modulus_pa, ratio) = (207e9, 0.3);
         let compliance_1_pa = (1.0 - ratio * ratio) / modulus_pa;
         let compliances_1_pa = [compliance_1_pa; 2];
