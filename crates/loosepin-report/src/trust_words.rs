@@ -118,7 +118,7 @@ impl TrustedRun<'_> {
                 a smaller tolerance and by a method of another order. The two part as fast as each parts from the exact motion."
             }
             p {
-                "Means and quantiles over many turns do not need exact positions: in a reference study they change by less than their stated \
+                "Means and quantiles over many turns do not need exact positions: in a reference study most of their bounds change by less than their stated \
                 errors between tolerances of " (tolerance(COARSEST_M)) " and " (tolerance(FINEST_M)) ". Near a computed chaotic motion there mostly is an exact one from a slightly \
                 different start (shadowing)."
             }

@@ -146,7 +146,7 @@ mod tests {
             let place = x.rem_euclid(6.0);
             assert!((0.5 - ROUND_OFF..=5.0 + ROUND_OFF).contains(&value), "{x}: {value}");
             if (1.0..=2.0).contains(&place) || !(0.4..=5.5).contains(&place) {
-                let level = if place < 0.5 || place > 5.0 { 0.5 } else { 5.0 };
+                let level = if (0.5..=5.0).contains(&place) { 5.0 } else { 0.5 };
                 assert!((value - level).abs() < ROUND_OFF, "{x}: {value}");
                 // Second derivatives of up to a hundred beside it.
                 assert!(slope.abs() < 1e-11 && bend.abs() < 1e-11, "{x}: {slope} {bend}");
