@@ -32,6 +32,8 @@ pub(super) struct ForcesOf<'a> {
     has_impacts: bool,
     /// The fastest of them, where it is known, m/s.
     fastest_m_s: Option<f64>,
+    /// What distinguishes the ends of a range in tags; a single run has none.
+    ends: [&'static str; 2],
 }
 
 impl<'a> ForcesOf<'a> {
@@ -48,6 +50,7 @@ impl<'a> ForcesOf<'a> {
             contacts: joint.contacts,
             has_impacts: joint.impacts > 0,
             fastest_m_s: Some(joint.largest_speed_m_s),
+            ends: [""; 2],
         }
     }
 
@@ -63,6 +66,7 @@ impl<'a> ForcesOf<'a> {
             contacts: joint.floored_contacts,
             has_impacts: joint.impacts_per_turn[2] > 0.0,
             fastest_m_s: None,
+            ends: [" least", " most"],
         }
     }
 
@@ -99,16 +103,19 @@ impl<'a> ForcesOf<'a> {
 
     fn restitution_words(&self, writer: &NumberWriter) -> Option<String> {
         let range = |what: &str, [from, to]: [f64; 2]| {
-            let [from, to] = [(from, "least"), (to, "largest")].map(|(end, part)| {
-                writer.about(&self.tag(what, part)).shortest((end * 1e4).round() / 1e4, &SiUnit::NONE)
+            let [least, most] = self.ends;
+            let [from, to] = [(from, least), (to, most)].map(|(end, part)| {
+                writer
+                    .about(&self.tag("restitution", &format!("{what}{part}")))
+                    .shortest((end * 1e4).round() / 1e4, &SiUnit::NONE)
             });
             if from == to { from } else { format!("{from} to {to}") }
         };
         let (stated, delivered) = (self.restitution?, self.delivered?);
         Some(format!(
             "the stated restitution of {} acts as {} in a free impact",
-            range("stated restitution", stated),
-            range("delivered restitution", delivered)
+            range("stated", stated),
+            range("delivered", delivered)
         ))
     }
 
@@ -126,7 +133,7 @@ impl<'a> ForcesOf<'a> {
             match self.share_outside_validity {
                 Some(share) => format!(
                     "impacts up to {limit} ({} are faster)",
-                    self.percent("validity", "share beyond", share, writer)
+                    self.percent("impacts", "outside validity", share, writer)
                 ),
                 None => format!("impacts up to {limit}"),
             }
@@ -151,7 +158,7 @@ impl<'a> ForcesOf<'a> {
         let fastest = self.fastest_m_s.map_or(String::new(), |speed_m_s| {
             format!(
                 " (the fastest at {})",
-                writer.about(&self.tag("impact speed", "largest")).value(speed_m_s, &SiUnit::VELOCITY)
+                writer.about(&self.tag("impacts", "largest speed")).value(speed_m_s, &SiUnit::VELOCITY)
             )
         });
         Some(format!(

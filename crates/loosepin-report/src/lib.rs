@@ -59,6 +59,7 @@ mod mechanism_figure;
 mod mechanism_labels;
 mod mechanism_shapes;
 mod mechanism_signs;
+mod motion_angles;
 mod motion_identification_text;
 mod motion_kind_section;
 mod motion_page;

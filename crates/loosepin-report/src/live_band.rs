@@ -9,7 +9,8 @@ use serde::Serialize;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::figure::name_of;
-use super::motion_page::{largest, moved_words, turn_angle};
+use super::motion_angles::{largest, turn_angle};
+use super::motion_page::moved_words;
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::wording::named_words;
 use loosepin_result::motion::{MotionRecord, OutputMotion};

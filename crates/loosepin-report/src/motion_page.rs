@@ -1,13 +1,13 @@
 //! The page of the ideal motion: outputs, the quasi-static worst case and its contributors, the mechanism.
 
 use maud::{Markup, html};
-use std::f64::consts::TAU;
 
 use super::chart::{Chart, Entry, EntryValues, Role, scaled};
 use super::figure::name_of;
 use super::mechanism_figure::mechanism_figure;
+use super::motion_angles::{largest, told_rad, turn_angle};
 use super::motion_verdicts::{verdict_headline, verdict_sentences};
-use super::number::{NumberWriter, PLAIN_DIGITS, Rounding, within_turn_rad};
+use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::page::{Page, Section, cards, facts, sentences};
 use super::play_effect::{Shown, play_effect, unproven_sentences};
 use super::repeat_section::repeat_section;
@@ -158,32 +158,6 @@ pub(super) fn moved_words(output: &OutputMotion) -> String {
         // The quasi-static answer has no other parts.
         PathError::Magnitude | PathError::Contour => output.name.clone(),
     }
-}
-
-/// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
-pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
-    writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
-}
-
-/// An angle of the drive as it is told: within its turn where the record holds a whole one.
-pub(super) fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
-    const ROUND_OFF: f64 = 1e-9;
-    let span_rad = match record.drive_angle_rad[..] {
-        [first, .., last] => last - first,
-        _ => 0.0,
-    };
-    if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
-}
-
-/// Where over the cycle a history is largest, and how large.
-pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
-    record
-        .drive_angle_rad
-        .iter()
-        .copied()
-        .zip(values.iter().copied())
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .unwrap_or((f64::NAN, f64::NAN))
 }
 
 fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Chart {

@@ -1,6 +1,6 @@
 //! How far play moves an output without dynamics, and what was shown of that number, in words.
 
-use super::motion_page::{largest, told_rad, turn_angle};
+use super::motion_angles::{largest, told_rad, turn_angle};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::wording::listed;
 use loosepin_result::motion::{MotionRecord, OutputMotion};

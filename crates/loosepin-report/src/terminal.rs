@@ -24,7 +24,7 @@ use super::wording::{
     named_words, only_curves, output_unit, place_words, promise_word, reading_beside, response_words, share_words,
     statistic_words, treatment_words, unknown_words, without_round_off,
 };
-use super::{motion_page, simulation_page, sweep_page};
+use super::{motion_angles, motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason, WearLifeRecord};
 use loosepin_result::study::{BoundRecord, FailureGroup, ResponsePoint, StudyResult, Treatment};
@@ -314,7 +314,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
             Shown::UpTo(proven_si) => format!("±{}", writer.rounded(proven_si, &output.unit, 4, Rounding::Up)),
             Shown::FirstOrder | Shown::Found => "not proven".to_owned(),
         };
-        let (_, rim_si) = motion_page::largest(record, &output.clearance.rim_standard_deviation_si);
+        let (_, rim_si) = motion_angles::largest(record, &output.clearance.rim_standard_deviation_si);
         let smallest = output.value_si.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = output.value_si.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let where_known = |text: String| if worst_si.is_finite() { text } else { "-".to_owned() };
@@ -324,7 +324,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
             if output.value_si.is_empty() { "-".to_owned() } else { writer.value(smallest, &output.unit) },
             if output.value_si.is_empty() { "-".to_owned() } else { writer.value(largest, &output.unit) },
             where_known(format!("±{}", writer.rounded(worst_si, &output.unit, 4, Rounding::Up))),
-            where_known(motion_page::turn_angle(record, angle_rad, 4, &writer)),
+            where_known(motion_angles::turn_angle(record, angle_rad, 4, &writer)),
             where_known(proven),
             where_known(writer.rounded(rim_si, &output.unit, 4, Rounding::Up)),
         ]);
@@ -333,7 +333,7 @@ pub fn motion_text(record: &MotionRecord) -> String {
     push_table(&mut text, &effort_table(record, &writer));
     let mut contributors = table(&["output", "joint", "clearance", "effect, first order", "share"], &[2, 3, 4]);
     for output in &record.outputs {
-        let (angle_rad, worst_si) = motion_page::largest(record, &output.clearance.first_order_si);
+        let (angle_rad, worst_si) = motion_angles::largest(record, &output.clearance.first_order_si);
         let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
         // Where play moves nothing there is nothing to share.
         for joint in output.clearance.contributors.iter().filter(|_| worst_si > 0.0) {
@@ -413,9 +413,9 @@ fn effort_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
     let mut efforts = table(&["output", "smallest", "at", "largest", "at"], &[1, 2, 3, 4]);
     for effort in &record.efforts {
         let turned: Vec<f64> = effort.value_si.iter().map(|value| -value).collect();
-        let (low_rad, low_si) = motion_page::largest(record, &turned);
-        let (high_rad, high_si) = motion_page::largest(record, &effort.value_si);
-        let angle = |angle_rad: f64| motion_page::turn_angle(record, angle_rad, 4, writer);
+        let (low_rad, low_si) = motion_angles::largest(record, &turned);
+        let (high_rad, high_si) = motion_angles::largest(record, &effort.value_si);
+        let angle = |angle_rad: f64| motion_angles::turn_angle(record, angle_rad, 4, writer);
         efforts.add_row([
             named_words(&effort.name, &effort.words),
             writer.value(-low_si, &effort.unit),
@@ -434,14 +434,14 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
         if output.dimensional_standard_deviation_si.is_empty() {
             continue;
         }
-        let (angle_rad, total_si) = motion_page::largest(record, &output.dimensional_standard_deviation_si);
+        let (angle_rad, total_si) = motion_angles::largest(record, &output.dimensional_standard_deviation_si);
         let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
         let mut row = |name: &str, part_si: f64| {
             scatter.add_row([
                 output.name.clone(),
                 name.to_owned(),
                 writer.rounded(part_si, &output.unit, 4, Rounding::Up),
-                motion_page::turn_angle(record, angle_rad, 4, writer),
+                motion_angles::turn_angle(record, angle_rad, 4, writer),
                 writer.percent((part_si / total_si).powi(2), Rounding::Nearest),
             ]);
         };

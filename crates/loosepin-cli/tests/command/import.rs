@@ -64,7 +64,7 @@ fn measured_curves_enter_hash_page_and_summary() {
     let last = &summary["repeat"]["files"][1];
     assert_eq!((last["name"].as_str(), last["role"].as_str()), (Some("measured.csv"), Some("measured")));
     assert_eq!(last["text"], desk.read("measured.csv"));
-    assert!(!desk.read("bare/summary.json").contains("measured"));
+    assert!(!desk.read("bare/summary.json").contains("measured.csv"));
     // The same folder with other measured values holds something else.
     desk.write("measured.csv", "crank [deg], slider [mm]\n0, 170.2\n");
     assert_eq!(run(&["--out", "with", "--measured", "measured.csv"]).status, 2);

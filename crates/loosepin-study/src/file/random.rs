@@ -286,7 +286,9 @@ impl StudyReader {
         if !self.reader.measures(entry, tolerance.limits[0].dimension, dimension) {
             return None;
         }
-        if (tolerance.nominal.value_si - nominal_si).abs() > ROUND_OFF * nominal_si.abs() {
+        // What a clearance is in the model plays no part: no ideal motion depends on it.
+        let is_play = self.model.play_from(quantity).next().is_some();
+        if !is_play && (tolerance.nominal.value_si - nominal_si).abs() > ROUND_OFF * nominal_si.abs() {
             let [written, nominal] = format_apart([tolerance.nominal.value_si, nominal_si], dimension);
             let problem = StudyProblem::OtherNominal { entry: entry.path.describe(), written, nominal };
             return self.refused(&problem, entry.span);

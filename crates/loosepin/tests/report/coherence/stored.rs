@@ -1,6 +1,7 @@
 //! Numbers of `summary.json` and `bounds.csv`, with what they are.
 
 use loosepin::report::{ResultTag, Tag, among_cut, among_percentile};
+use loosepin::result::ContactBasis;
 use loosepin::study::result::*;
 use loosepin::units::SiUnit;
 
@@ -15,7 +16,8 @@ const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.r
     treatments[].bands[].coverage_maximum treatments[].bands[].coverage_error treatments[].bands[].ends[].error \
     treatments[].bands[].ends[].widened_si energy.median energy.quantile_90 energy.quantile_99 energy.maximum impacts[].impacts_per_turn[] \
     impacts[].nominal_restitution[] impacts[].delivered_restitution[] impacts[].share_outside_validity \
-    impacts[].largest_penetration_share impacts[].peak_force_n impacts[].floored_contacts curves[].centre curves[].numerical_error_si \
+    impacts[].largest_penetration_share impacts[].peak_force_n impacts[].laws[].basis.largest_valid_speed_m_s \
+    impacts[].laws[].basis.largest_valid_penetration_m impacts[].floored_contacts curves[].centre curves[].numerical_error_si \
     curves[].confidence curves[].random curves[].mixed boxes[].numerical_error failures[].count contributors[] cuts[].bounds[] \
     percentiles[].bounds[]";
 /// Keys of numbers that were given, that tell where another number stands, or that are drawn only.
@@ -24,7 +26,8 @@ const GIVEN: &str = "format seed inputs[] correlations[] cycle counts.replicates
     requirements[].promised bounds[].at bounds[].statistic bounds[].guarantee treatments[].promised_coverage treatments[].at \
     treatments[].bands[].coverage_at[] energy.histogram[] witness_commands[] display_units curves[].probabilities[] curves[].pose_rad[] \
     curves[].ideal_si[] curves[].nominal_si[] curves[].at_values[] curves[].simultaneous[] curves[].path boxes[] orbits[] drawing \
-    failures[].example failures[] cuts[].alpha percentiles[].percentile repeat";
+    failures[].example failures[] cuts[].alpha percentiles[].percentile repeat impacts[].laws[].basis.minimum_impact_speed_m_s \
+    impacts[].laws[].basis.shape";
 /// Keys of numbers that are not held against what is shown yet.
 const LEFT: &str = "allowances[] together allocation rare[] promise surrogate accuracy";
 
@@ -103,6 +106,15 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
         }
         if let Some(share) = joint.share_outside_validity {
             found.add(tag("impacts", "outside validity"), 100.0 * share);
+        }
+        let least = |limit: fn(&ContactBasis) -> Option<f64>| {
+            joint.laws.iter().filter_map(|own| limit(&own.basis)).min_by(f64::total_cmp)
+        };
+        if let Some(speed_m_s) = least(|basis| basis.largest_valid_speed_m_s) {
+            found.value(tag("validity", "fastest"), speed_m_s, &SiUnit::VELOCITY);
+        }
+        if let Some(depth_m) = least(|basis| basis.largest_valid_penetration_m) {
+            found.value(tag("validity", "deepest"), depth_m, &SiUnit::LENGTH);
         }
         found.add(tag("penetration", "largest share"), 100.0 * joint.largest_penetration_share);
         found.add(tag("impacts", "very slow"), joint.floored_contacts as f64);

@@ -1,0 +1,32 @@
+//! Where in the cycle of a motion something is.
+
+use super::number::{NumberWriter, Rounding, within_turn_rad};
+use loosepin_result::motion::MotionRecord;
+use loosepin_text::units::SiUnit;
+use std::f64::consts::TAU;
+
+/// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
+pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
+    writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
+}
+
+/// An angle of the drive as it is told: within its turn where the record holds a whole one.
+pub(super) fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
+    const ROUND_OFF: f64 = 1e-9;
+    let span_rad = match record.drive_angle_rad[..] {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
+    if (span_rad / TAU - 1.0).abs() < ROUND_OFF { within_turn_rad(angle_rad) } else { angle_rad }
+}
+
+/// Where over the cycle a history is largest, and how large.
+pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
+    record
+        .drive_angle_rad
+        .iter()
+        .copied()
+        .zip(values.iter().copied())
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or((f64::NAN, f64::NAN))
+}
