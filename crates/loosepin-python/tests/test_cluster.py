@@ -36,7 +36,7 @@ tolerance = "1e-6 m"
 [random]
 "parameter.crank_length" = { normal = { mean = "50 mm", standard_deviation = "3 mm" } }
 [epistemic]
-"parameter.rod_length" = { interval = ["51.5 mm", "56 mm"] }
+"parameter.rod_length" = { interval = ["51.5 mm", "120 mm"] }
 [[ask]]
 output = "slider"
 of = "clearance"

@@ -149,10 +149,12 @@ def test_accuracy_and_budget_are_those_of_the_command(desk):
     with pytest.raises(lp.LoosepinError) as refused:
         study.run(accuracy=["rocker=1 um"])
     ended = command("study", "study.toml", "--accuracy", "rocker=1 um", cwd=desk)
-    assert str(refused.value) == ended.stderr.strip()
+    # The command says first what looks like an oversight in the file; here that is a warning of Python.
+    assert ended.stderr.strip().endswith(str(refused.value))
     with pytest.raises(lp.LoosepinError) as refused:
         study.run(budget="10 runs")
-    assert str(refused.value) == command("study", "study.toml", "--budget", "10 runs", cwd=desk).stderr.strip()
+    ended = command("study", "study.toml", "--budget", "10 runs", cwd=desk)
+    assert ended.stderr.strip().endswith(str(refused.value))
 
 
 def test_no_threads_are_refused(desk):

@@ -95,7 +95,7 @@ fn a_study_ends_where_too_many_runs_fail_and_goes_on_from_there() {
     assert!(desk.path("bounds/runs.parquet").exists() && desk.path("bounds/runs.sqlite").exists());
     let resumed = desk.run(&["study", "study.toml", "--out", "bounds", "--resume", "--most-failed", "0.3"]);
     assert_eq!(resumed.status, 0, "{}", resumed.messages);
-    assert!(resumed.messages.contains("\ncontinuing with "), "{}", resumed.messages);
+    assert!(resumed.messages.contains("continuing with "), "{}", resumed.messages);
     let summary: serde_json::Value = serde_json::from_str(&desk.read("bounds/summary.json")).expect("JSON");
     let share =
         summary["counts"]["failed"].as_f64().expect("a count") / summary["counts"]["runs"].as_f64().expect("a count");

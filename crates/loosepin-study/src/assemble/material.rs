@@ -93,7 +93,8 @@ impl Material<'_> {
         for (other, reduced) in self.of_same_curve(column) {
             for pair in self.pairs_of(other) {
                 let (own, its) = (statistic, pair.statistic);
-                if (other, its) == (column, own) {
+                // What was computed on the way and is shown nowhere widens nothing.
+                if (other, its) == (column, own) || !self.is_asked(other, its) {
                     continue;
                 }
                 let is_never_above = |a: Statistic, b: Statistic| a == b || a.never_exceeds(b);
@@ -131,6 +132,13 @@ impl Material<'_> {
             }
         }
         found
+    }
+
+    /// Whether somebody asked for `statistic` of `column`.
+    fn is_asked(&self, column: usize, statistic: Statistic) -> bool {
+        let asks = self.plan().asks.iter();
+        asks.filter(|planned| planned.columns.contains(&column))
+            .any(|planned| planned.ask.statistics.contains(&statistic))
     }
 
     fn within_range(&self, pair: &BoundPair) -> [BoundEnd; 2] {

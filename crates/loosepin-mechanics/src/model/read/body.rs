@@ -5,7 +5,7 @@ use crate::model::ids::BodyId;
 use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
 use crate::model::quantity::QuantityId;
 use crate::model::topology::{Body, Point};
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{DocumentProblem, Entry, Table};
 
 /// What a rigid body needs to be run.
 const MASS_KEYS: [&str; 3] = ["mass", "inertia", "centre_of_mass"];
@@ -49,7 +49,7 @@ impl ModelReader {
                 }
                 if let Some(entry) = table.get("beam") {
                     for key in MASS_KEYS {
-                        self.refuse_beside(&table, key, "beam");
+                        self.refuse_both(&table, [key, "beam"]);
                     }
                     self.refuse_beside(&table, "thermal_expansion", "beam");
                     self.beam(&entry, &mut body);
@@ -62,6 +62,15 @@ impl ModelReader {
             }
             self.body_of_name.insert(body.name.clone(), id);
             self.bodies.push(body);
+        }
+    }
+
+    /// Complains where two keys stand of which each excludes the other.
+    fn refuse_both(&mut self, table: &Table<'_>, keys: [&'static str; 2]) {
+        if let Some(entry) = table.get(keys[1]).filter(|_| table.has(keys[0])) {
+            let (table, given) = (table.path.describe(), keys.to_vec());
+            self.reader
+                .complain(&DocumentProblem::MoreThanOneOf { table, given: given.clone(), keys: given }, entry.key_span);
         }
     }
 
