@@ -6,7 +6,7 @@ use loosepin_text::units::{ReadableUnit, SiUnit, UNITS, format_value, parse_quan
 
 impl Study {
     /// Settings `path=value` of what is uncertain and decides a clearance: each at the end where that is larger, of its interval or list, or
-    /// of the limits to which its distribution is taken ([`Self::input_limits`]).
+    /// of the limits to which its distribution is taken (`input_limits`).
     ///
     /// A quantity behind several clearances is taken where their sum is larger, the other quantities as they stand in the model;
     /// an end that the model cannot take is none. Clearances that do not change with it leave it as it stands.

@@ -13,7 +13,7 @@ const RATIOS: usize = 20;
 const DIRECTIONS: usize = 33;
 
 /// Bearing of any length, half-Sommerfeld: the solution of the Reynolds equation of a film that may pull, without its negative pressure
-/// (`HalfSommerfeld`), as a [`FilmQuotient`] that is made for Λ = L/D when the numbers of a run are laid out, with l between 0.05 and 5.
+/// (`HalfSommerfeld`), as a `FilmQuotient` that is made for Λ = L/D when the numbers of a run are laid out, with l between 0.05 and 5.
 ///
 /// Error of the sums against the solution up to ε = 0.9, for Λ from 0.02 to 200: 0.08 % of the force on approach and under a steady
 /// load, 0.22 % where the journal moves away. From there up to ε = 0.998: 2 % on approach (Λ = 0.1; 0.7 % for Λ >= 0.2), 0.1 % of the

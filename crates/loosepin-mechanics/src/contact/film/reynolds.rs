@@ -14,7 +14,7 @@ const LEAST_REACH: f64 = 0.05;
 
 /// Bearing of any length up to Λ = L/D = 4 under the Reynolds condition (Swift 1932, Stieber 1933): the pressure is nowhere negative, and
 /// where the film ruptures pressure and slope vanish together. The problem is nonlinear in the velocity; its solution (`RupturedFilm` of
-/// the tests) was fitted once by a [`FilmQuotient`] with l² = κΛ² + 0.05² at 24 eccentricities and 41 directions of the velocity for each
+/// the tests) was fitted once by a `FilmQuotient` with l² = κΛ² + 0.05² at 24 eccentricities and 41 directions of the velocity for each
 /// of 16 lengths. The sums for any Λ are interpolated in Λ/(1 + Λ) by the polynomial through these and Ocvirk's film (Λ = 0).
 ///
 /// Error of the sums against the solution, between lengths, eccentricities and directions, up to ε = 0.9: 0.05 % of the force on approach and
