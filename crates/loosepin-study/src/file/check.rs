@@ -132,11 +132,10 @@ impl StudyReader {
             ))
         };
         let found: Vec<(&str, String, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, path, problem, may_be_beside) in found {
+        for (table, path, problem, _) in found {
             let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
             let place = Some(Place::new(&self.reader.source, span));
-            let complain = if may_be_beside { Complaint::warning } else { Complaint::error };
-            self.reader.complaints.push(complain(&problem, place));
+            self.reader.complaints.push(Complaint::warning(&problem, place));
         }
     }
 
