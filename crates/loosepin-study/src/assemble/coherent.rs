@@ -1,12 +1,14 @@
 //! Bounds that do not contradict each other: ranges, order, inner within outer.
 //!
 //! Each bound holds by itself with the confidence of the study. Two bounds of numbers of which one never exceeds the other may still be out of
-//! order, since each has its own error. They are brought into order by widening the one, never by narrowing the other: that would take both to
-//! hold, and misses add.
+//! order, since each has its own error:
 //!
 //! ```text
-//! S <= T:  lower(S) <= lower(T), upper(S) <= upper(T)      by  lower(S) := min(lower(S), lower(T)),  upper(T) := max(upper(S), upper(T))
+//! S <= T:  upper(S) <= upper(T), lower(S) <= lower(T)      by  upper(S) := min(upper(S), upper(T)),  lower(T) := max(lower(S), lower(T))
 //! ```
+//!
+//! What is known better stays as it is. The narrowed end holds where both do, so that misses add: [`super::Material::confidence`]. No end is
+//! narrowed beyond the value that was found; where values themselves are out of order, the other end is widened.
 //!
 //! What is beyond the range of a number is cut off, which takes no other bound to hold.
 
@@ -31,14 +33,24 @@ pub(super) fn cut_end_to_range(end: &mut BoundEnd, [least, most]: [f64; 2]) {
     }
 }
 
-/// Widens the bounds of a number by those of one that never exceeds it.
-pub(super) fn hold_smaller(of: &mut Ends, smaller: &Ends) {
-    widen_up(&mut of[1], smaller[1].widened_si);
+/// Brings the bounds of a number into order with those of one that never exceeds it: gives what the lower end may be narrowed to, and widens
+/// the upper end where it lies below the value found for the smaller one.
+pub(super) fn hold_smaller(of: &mut Ends, smaller: &Ends) -> f64 {
+    let is_in_order = smaller[1].value_si <= of[1].widened_si;
+    if !is_in_order {
+        widen_up(&mut of[1], smaller[1].widened_si);
+    }
+    smaller[0].widened_si
 }
 
-/// Widens the bounds of a number by those of one that it never exceeds.
-pub(super) fn hold_larger(of: &mut Ends, larger: &Ends) {
-    widen_down(&mut of[0], larger[0].widened_si);
+/// Brings the bounds of a number into order with those of one that it never exceeds: gives what the upper end may be narrowed to, and widens
+/// the lower end where it lies above the value found for the larger one.
+pub(super) fn hold_larger(of: &mut Ends, larger: &Ends) -> f64 {
+    let is_in_order = larger[0].value_si >= of[0].widened_si;
+    if !is_in_order {
+        widen_down(&mut of[0], larger[0].widened_si);
+    }
+    larger[1].widened_si
 }
 
 /// Widens outer bounds by inner ones.
@@ -149,13 +161,20 @@ mod tests {
     }
 
     #[test]
-    fn analytic_order_widens_and_never_narrows() {
+    fn analytic_order_narrows_what_is_known_less_exactly_and_widens_only_where_values_are_out_of_order() {
         let (mut median, mut upper) = ([end(3.0, 2.5), end(5.0, 9.0)], [end(4.0, 2.0), end(6.0, 7.0)]);
         let before = (median.clone(), upper.clone());
-        hold_larger(&mut median, &before.1);
-        hold_smaller(&mut upper, &before.0);
-        assert_eq!([median[0].widened_si, median[1].widened_si], [2.0, 9.0]);
-        assert_eq!([upper[0].widened_si, upper[1].widened_si], [2.0, 9.0]);
+        assert_eq!(hold_larger(&mut median, &before.1), 7.0);
+        assert_eq!(hold_smaller(&mut upper, &before.0), 2.5);
+        assert_eq!((&median, &upper), (&before.0, &before.1), "nothing is widened");
+        assert!(narrow(&mut median[1], 7.0) && narrow(&mut upper[0], 2.5));
+        assert_eq!([median[0].widened_si, median[1].widened_si], [2.5, 7.0]);
+        assert_eq!([upper[0].widened_si, upper[1].widened_si], [2.5, 7.0]);
         assert!(is_consistent(&median) && is_consistent(&upper));
+        // The median was found beyond all that the larger quantile allows.
+        let median = [end(3.0, 2.5), end(8.0, 9.0)];
+        hold_smaller(&mut upper, &median);
+        assert_eq!(upper[1].widened_si, 9.0);
+        assert!(!narrow(&mut median.clone()[1], 7.0) && is_consistent(&upper));
     }
 }

@@ -23,6 +23,19 @@ pub struct Material<'m> {
     pub rare: &'m [Rare],
 }
 
+/// What the end of a bound may be narrowed to.
+#[derive(Clone, Copy)]
+struct Limit {
+    value_si: f64,
+    /// Bounds of other numbers that it rests on: all of them must hold.
+    rests_on: usize,
+}
+
+impl Limit {
+    const NONE: [Self; 2] =
+        [Self { value_si: f64::NEG_INFINITY, rests_on: 0 }, Self { value_si: f64::INFINITY, rests_on: 0 }];
+}
+
 impl Material<'_> {
     /// The columns.
     pub fn plan(&self) -> &ColumnPlan {
@@ -66,34 +79,37 @@ impl Material<'_> {
     /// Both ends of the bounds of `statistic` of `column`: within its range, in order with the bounds of the same output, and narrowed to
     /// [`Material::limits`]. This is the one place where bounds become what is shown and stored.
     pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
-        self.ends_and_narrowed(column, statistic).map(|(ends, _)| ends)
+        self.ends_and_narrowings(column, statistic).map(|(ends, _)| ends)
     }
 
-    /// Confidence in the sampling errors of the bounds of `statistic` of `column`: where they are narrowed by a bound of another column both
-    /// must hold, and misses add (Bonferroni).
+    /// Confidence in the sampling errors of the bounds of `statistic` of `column`: where other bounds have narrowed them all must hold, and
+    /// misses add (Bonferroni).
     pub fn confidence(&self, column: usize, statistic: Statistic) -> f64 {
         let one: f64 = Sampling::default().confidence;
-        let is_narrowed = self.ends_and_narrowed(column, statistic).is_some_and(|(_, is_narrowed)| is_narrowed);
-        if is_narrowed { (1.0 - 2.0 * (1.0 - one)).max(0.0) } else { one }
+        let narrowings = self.ends_and_narrowings(column, statistic).map_or(0, |(_, narrowings)| narrowings);
+        if narrowings == 0 { one } else { (1.0 - (1 + narrowings) as f64 * (1.0 - one)).max(0.0) }
     }
 
-    fn ends_and_narrowed(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], bool)> {
-        let mut ends = self.ordered(column, statistic)?;
-        let limits = self.limits(column, statistic);
-        let [lower, upper] = &mut ends;
-        // Both, whatever came of the first.
-        let is_narrowed = narrow(lower, limits[0]) | narrow(upper, limits[1]);
-        Some((ends, is_narrowed))
+    /// The ends, and how many bounds of other numbers have narrowed them.
+    fn ends_and_narrowings(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], usize)> {
+        let (mut ends, mut narrowings) = self.ordered(column, statistic)?;
+        for (end, limit) in ends.iter_mut().zip(self.limits(column, statistic)) {
+            if narrow(end, limit.value_si) {
+                narrowings += limit.rests_on;
+            }
+        }
+        Some((ends, narrowings))
     }
 
     /// Both ends within their range, in order with bounds of numbers that never exceed this one, or that it never exceeds: other statistics of
-    /// the column, and other reductions of the same curve.
-    fn ordered(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
+    /// the column, and other reductions of the same curve. And how many of them have narrowed an end.
+    fn ordered(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], usize)> {
         let mut ends = self.within_range(self.pair(column, statistic)?);
+        let mut limits = [f64::NEG_INFINITY, f64::INFINITY];
         for (other, reduced) in self.of_same_curve(column) {
             for pair in self.pairs_of(other) {
                 let (own, its) = (statistic, pair.statistic);
-                // What was computed on the way and is shown nowhere widens nothing.
+                // What was computed on the way and is shown nowhere changes nothing.
                 if (other, its) == (column, own) || !self.is_asked(other, its) {
                     continue;
                 }
@@ -107,14 +123,18 @@ impl Material<'_> {
                     ],
                 };
                 if is_smaller {
-                    hold_smaller(&mut ends, &self.within_range(pair));
+                    let limit_si = hold_smaller(&mut ends, &self.within_range(pair));
+                    limits[0] = limits[0].max(limit_si);
                 }
                 if is_larger {
-                    hold_larger(&mut ends, &self.within_range(pair));
+                    let limit_si = hold_larger(&mut ends, &self.within_range(pair));
+                    limits[1] = limits[1].min(limit_si);
                 }
             }
         }
-        Some(ends)
+        let [lower, upper] = &mut ends;
+        let narrowings = usize::from(narrow(lower, limits[0])) + usize::from(narrow(upper, limits[1]));
+        Some((ends, narrowings))
     }
 
     /// The column, and other reductions of its curve: whether they never exceed it, and whether it never exceeds them.
@@ -164,7 +184,7 @@ impl Material<'_> {
     /// `statistic` of `column` with the epistemic inputs in their middle, as low and as high as failed runs allow, narrowed like the bounds:
     /// it lies between their widened ends.
     pub fn central(&self, column: usize, statistic: Statistic) -> Option<[f64; 2]> {
-        let [least, most] = self.limits(column, statistic);
+        let [least, most] = self.limits(column, statistic).map(|limit| limit.value_si);
         let central = self.pair(column, statistic)?.central?;
         // What is not a number stays none: `max` and `min` would make it a limit.
         let within = |value: f64| if value.is_nan() { value } else { value.max(least).min(most) };
@@ -173,18 +193,24 @@ impl Material<'_> {
 
     /// What is known of `statistic` of `column` from the largest deviation of the whole recorded part: no pose departs further, so
     /// |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
-    fn limits(&self, column: usize, statistic: Statistic) -> [f64; 2] {
+    fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
         let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
         let largest = self.plan().columns.iter().position(|known| *known == largest);
         let (Some(largest), Spot::Pose { .. }) = (largest, planned.spot) else {
-            return [f64::NEG_INFINITY, f64::INFINITY];
+            return Limit::NONE;
         };
-        let most = |statistic| self.ordered(largest, statistic).map_or(f64::INFINITY, |[_, upper]| upper.widened_si);
+        let most = |statistic| match self.ordered(largest, statistic) {
+            Some(([_, upper], narrowings)) => Limit { value_si: upper.widened_si, rests_on: 1 + narrowings },
+            None => Limit { value_si: f64::INFINITY, rests_on: 0 },
+        };
+        let opposite = |limit: Limit| Limit { value_si: -limit.value_si, ..limit };
         match statistic {
-            Statistic::Mean => [-most(statistic), most(statistic)],
-            Statistic::Quantile(probability) => [-most(Statistic::Quantile(1.0 - probability)), most(statistic)],
-            _ => [f64::NEG_INFINITY, f64::INFINITY],
+            Statistic::Mean => [opposite(most(statistic)), most(statistic)],
+            Statistic::Quantile(probability) => {
+                [opposite(most(Statistic::Quantile(1.0 - probability))), most(statistic)]
+            }
+            _ => Limit::NONE,
         }
     }
 
@@ -269,7 +295,7 @@ mod tests {
                    statistics = [\"mean\", { quantile = 0.5 }, { quantile = 0.99 }]\n";
         let runs = FewRuns::asking(0, ask);
         let column = runs.response.shared.plan.asks[0].columns[0];
-        // The median has been found less exactly than the 99 % quantile.
+        // The median has been found less exactly than the 99 % quantile, which it never exceeds.
         let pairs = widened(&runs, |statistic| match statistic {
             Statistic::Quantile(0.5) => [-3100.0, 9.5e5],
             _ => [-2800.0, 8.7e5],
@@ -277,8 +303,11 @@ mod tests {
         let material = runs.material(&pairs);
         let ends = |statistic| material.ends(column, statistic).unwrap().map(|end| end.widened_si);
         assert_eq!(ends(Statistic::Mean), [0.0, 8.7e5]);
-        assert_eq!(ends(Statistic::Quantile(0.5)), [0.0, 9.5e5]);
-        assert_eq!(ends(Statistic::Quantile(0.99)), [0.0, 9.5e5], "it is at least the median");
+        assert_eq!(ends(Statistic::Quantile(0.5)), [0.0, 8.7e5]);
+        assert_eq!(ends(Statistic::Quantile(0.99)), [0.0, 8.7e5], "what is known better is not widened");
+        let confidence = |statistic| material.confidence(column, statistic);
+        assert!((confidence(Statistic::Quantile(0.5)) - 0.98).abs() < 1e-12, "both must hold");
+        assert_eq!([confidence(Statistic::Mean), confidence(Statistic::Quantile(0.99))], [0.99; 2]);
         for statistic in [Statistic::Mean, Statistic::Quantile(0.5), Statistic::Quantile(0.99)] {
             for end in material.ends(column, statistic).unwrap() {
                 let error = (end.widened_si - end.value_si).abs();
