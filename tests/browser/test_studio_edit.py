@@ -1,5 +1,6 @@
 """Links, joints and names of a mechanism that is there already, changed in the studio by mouse, by keys and by lists: what counts stands in the files."""
 
+import re
 import subprocess
 
 import pytest
@@ -73,6 +74,8 @@ def open_small(studio, template):
     subprocess.run([PROGRAM, "new", template, folder], check=True, capture_output=True)
     study = folder / "study.toml"
     text = study.read_text().replace("inner = 1024", "inner = 32").replace("inner = 128", "inner = 32").replace("outer = 16", "outer = 4")
+    # So few runs show a share of 80 %, and none that is larger.
+    text = re.sub("probability_at_least = 0.9[0-9]*", "probability_at_least = 0.8", text)
     study.write_text(text)
     studio.open()
     studio.click("a, button", text.split('name = "')[1].split('"')[0])
