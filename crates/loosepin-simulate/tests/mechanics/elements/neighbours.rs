@@ -1,6 +1,6 @@
 //! The largest Lyapunov exponent against systems whose exponent is known.
 
-use super::{Built, build};
+use super::{Built, build, file};
 use loosepin_simulate::record::{LyapunovRecord, NeighbourKind};
 use loosepin_simulate::{ExponentPlan, Settings, largest_exponent};
 
@@ -14,40 +14,7 @@ fn exponent(built: &Built, transient_turns: f64, turns: u32) -> LyapunovRecord {
 /// exp(-d t/(2 m)).
 #[test]
 fn analytic_exponent_of_a_linear_oscillator() {
-    let built = build(
-        r#"
-name = "oscillator"
-gravity = "0 m/s^2"
-[body.ground]
-points = { o = ["0 mm", "0 mm"], anchor = ["-100 mm", "0 mm"] }
-[body.slider]
-mass = "0.7 kg"
-inertia = "1.3e-4 kg m^2"
-centre_of_mass = ["7 mm", "2 mm"]
-points = { pin = ["0 mm", "0 mm"] }
-[joint.rail]
-kind = "prismatic"
-guide = { point = "ground.o", angle = "0 deg" }
-slider = "slider.pin"
-[spring.coil]
-kind = "linear"
-first = "ground.anchor"
-second = "slider.pin"
-stiffness = "350 N/m"
-free_length = "90 mm"
-damping = "4 N s/m"
-[load.shaker]
-kind = "force"
-point = "slider.pin"
-direction = "0 deg"
-force = { mean = "0.2 N", amplitude = "3 N", frequency = "2.9 Hz", phase = "20 deg" }
-[initial.joint.rail]
-position = "12 mm"
-velocity = "0.3 m/s"
-[cycle]
-duration = "0.3 s"
-"#,
-    );
+    let built = build(&file("oscillator.toml"));
     let record = exponent(&built, 0.0, 40);
     let expected_1_s = -4.0 / (2.0 * 0.7);
     assert!(record.lower_1_s < expected_1_s && expected_1_s < record.upper_1_s, "{record:?}");

@@ -3,7 +3,7 @@
 mod drawn;
 
 use self::drawn::{CHOSEN_ON, DrawnRun, SHOWN_ON, drawn_run};
-use super::elements::build;
+use super::elements::{Built, build, file};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::record::{MeasuredTrust, Trust};
 use loosepin_simulate::{
@@ -223,37 +223,13 @@ fn identity_two_loose_pins_break_the_tolerance_in_half_a_turn_and_the_run_says_s
 }
 
 /// A block between spring and damper under a swinging force: no contact, so that errors stay those of the steps.
-const OSCILLATOR: &str = r#"
-name = "oscillator"
-gravity = "0 m/s^2"
-[body.ground]
-points = { o = ["0 mm", "0 mm"], anchor = ["-100 mm", "0 mm"] }
-[body.slider]
-mass = "0.7 kg"
-inertia = "1.3e-4 kg m^2"
-centre_of_mass = ["7 mm", "2 mm"]
-points = { pin = ["0 mm", "0 mm"] }
-[joint.rail]
-kind = "prismatic"
-guide = { point = "ground.o", angle = "0 deg" }
-slider = "slider.pin"
-[spring.coil]
-kind = "linear"
-first = "ground.anchor"
-second = "slider.pin"
-stiffness = "350 N/m"
-free_length = "90 mm"
-damping = "4 N s/m"
-[initial.joint.rail]
-position = "12 mm"
-velocity = "0.3 m/s"
-[cycle]
-duration = "0.3 s"
-"#;
+fn oscillator() -> Built {
+    build(&file("oscillator.toml"))
+}
 
 #[test]
 fn identity_a_motion_without_contact_can_be_trusted_to_its_end() {
-    let built = build(OSCILLATOR);
+    let built = oscillator();
     let record = simulate(&built.mechanism, &built.values, &plan(&built.mechanism, 1.0)).expect("it runs").record;
     let Trust::Measured(told) = &record.trust else { panic!("{:?}", record.trust) };
     assert!(told.horizons.iter().all(|horizon| horizon.is_end && horizon.until_s == Some(0.3)), "{told:?}");
@@ -264,7 +240,7 @@ fn identity_a_motion_without_contact_can_be_trusted_to_its_end() {
 
 #[test]
 fn without_a_second_run_nothing_is_said_to_be_measured() {
-    let built = build(OSCILLATOR);
+    let built = oscillator();
     let plan = Plan { second_run: false, ..plan(&built.mechanism, 1.0) };
     let record = simulate(&built.mechanism, &built.values, &plan).expect("it runs").record;
     assert_eq!(record.trust, Trust::NotMeasured);
@@ -282,7 +258,7 @@ fn a_motion_that_its_drives_determine_is_solved() {
 
 #[test]
 fn a_second_run_that_is_given_up_says_how_far_it_came() {
-    let built = build(OSCILLATOR);
+    let built = oscillator();
     let sample: Sample<f64> = built.sample();
     let window = Window { start_s: 0.0, end_s: 0.3 };
     let drawn = DrawnRun { name: "oscillator", mechanism: built.mechanism, values: built.values, sample, turn_s: 0.3 };
