@@ -97,9 +97,8 @@ impl StudyReader {
         }
     }
 
-    /// Refuses distributions of lengths and angles that are elsewhere in the model: one dimension has one nominal value. A measured sample,
-    /// and an interval in which the value of one mechanism is known to lie (as `identify` finds it), may lie beside it, which is warned of.
-    /// A clearance changes no ideal motion, and what it is in the model plays no part.
+    /// Refuses distributions of lengths and angles that are elsewhere in the model: one dimension has one nominal value. A measured sample, and an
+    /// interval in which the value of one mechanism is known to lie (as `identify` finds it), may lie beside it, which is warned of. A clearance changes no ideal motion, and what it is in the model plays no part.
     fn check_model_values(&mut self, root: &Table<'_>) {
         // A specimen may be anywhere in its series, and the model stays that of the series.
         let is_series = root.get("specimen").is_none();
@@ -133,11 +132,10 @@ impl StudyReader {
             ))
         };
         let found: Vec<(&str, String, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, path, problem, may_be_beside) in found {
+        for (table, path, problem, _) in found {
             let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
             let place = Some(Place::new(&self.reader.source, span));
-            let complain = if may_be_beside { Complaint::warning } else { Complaint::error };
-            self.reader.complaints.push(complain(&problem, place));
+            self.reader.complaints.push(Complaint::warning(&problem, place));
         }
     }
 
