@@ -292,7 +292,7 @@ mechanism is symmetric. An angle between two limits is an interval, not periodic
 "The model has a length or an angle outside the range of the study (for a normal distribution: more than six standard deviations \
 from the mean), or a tolerance with another nominal value. Deviations are from the ideal motion of the model, so they would include this \
 difference. One dimension has one nominal value: correct one of the two, leave the mean out, or write the deviations of a tolerance alone. \
-A measured sample, or an interval, beside the value of the model is warned of."
+Only a tolerance with another nominal value is refused; the rest is warned of."
 
     RequirementRuns "E0617" "the planned runs cannot show a required share"
 "A share that must be at least p is shown by counting only where N runs at each value leave less than 1 - p open: with none of them outside, N is \
