@@ -172,7 +172,7 @@ def test_from_the_gallery_to_a_report_by_eight_clicks(studio):
     studio.take("rank, rod and slider")
     before = studio.browser.evaluate(BAND)
     studio.type_number("crank_length", "55 mm")
-    # A dimension has one nominal value: the study states it as well, and is refused until it says the same.
+    # A dimension has one nominal value: the study states it as well, and is warned of until it says the same.
     studio.wait(f"({PROBLEMS}).includes('E0616')")
     studio.type_number("mean", "55 mm")
     studio.wait(f"({BAND}) !== {before!r}")

@@ -33,24 +33,20 @@ pub(super) fn cut_end_to_range(end: &mut BoundEnd, [least, most]: [f64; 2]) {
     }
 }
 
-/// Brings the bounds of a number into order with those of one that never exceeds it: gives what the lower end may be narrowed to, and widens
-/// the upper end where it lies below the value found for the smaller one.
-pub(super) fn hold_smaller(of: &mut Ends, smaller: &Ends) -> f64 {
+/// Widens the upper end of the bounds of a number where it lies below the value found for one that never exceeds it.
+pub(super) fn hold_smaller(of: &mut Ends, smaller: &Ends) {
     let is_in_order = smaller[1].value_si <= of[1].widened_si;
     if !is_in_order {
         widen_up(&mut of[1], smaller[1].widened_si);
     }
-    smaller[0].widened_si
 }
 
-/// Brings the bounds of a number into order with those of one that it never exceeds: gives what the upper end may be narrowed to, and widens
-/// the lower end where it lies above the value found for the larger one.
-pub(super) fn hold_larger(of: &mut Ends, larger: &Ends) -> f64 {
+/// Widens the lower end of the bounds of a number where it lies above the value found for one that it never exceeds.
+pub(super) fn hold_larger(of: &mut Ends, larger: &Ends) {
     let is_in_order = larger[0].value_si >= of[0].widened_si;
     if !is_in_order {
         widen_down(&mut of[0], larger[0].widened_si);
     }
-    larger[1].widened_si
 }
 
 /// Widens outer bounds by inner ones.
@@ -81,6 +77,16 @@ pub(super) fn narrow(end: &mut BoundEnd, limit_si: f64) -> bool {
         set_widened(end, limit_si);
     }
     is_narrowed
+}
+
+/// [`narrow`]s to the nearest of `limits_si`. Gives how many of them the narrowed end rests on: the nearest of several misses where any of those
+/// within the end does.
+pub(super) fn narrow_to_nearest(end: &mut BoundEnd, limits_si: &[f64]) -> usize {
+    let outward = if end.widened_si >= end.value_si { 1.0 } else { -1.0 };
+    let within = limits_si.iter().filter(|limit_si| outward * (end.widened_si - **limit_si) > 0.0);
+    let rests_on = within.clone().count();
+    let nearest = within.copied().min_by(|a, b| (outward * a).total_cmp(&(outward * b)));
+    if nearest.is_some_and(|limit_si| narrow(end, limit_si)) { rests_on } else { 0 }
 }
 
 /// Moves the widened end of a bound to `limit`, and makes its error what is left between them.
@@ -164,8 +170,8 @@ mod tests {
     fn analytic_order_narrows_what_is_known_less_exactly_and_widens_only_where_values_are_out_of_order() {
         let (mut median, mut upper) = ([end(3.0, 2.5), end(5.0, 9.0)], [end(4.0, 2.0), end(6.0, 7.0)]);
         let before = (median.clone(), upper.clone());
-        assert_eq!(hold_larger(&mut median, &before.1), 7.0);
-        assert_eq!(hold_smaller(&mut upper, &before.0), 2.5);
+        hold_larger(&mut median, &before.1);
+        hold_smaller(&mut upper, &before.0);
         assert_eq!((&median, &upper), (&before.0, &before.1), "nothing is widened");
         assert!(narrow(&mut median[1], 7.0) && narrow(&mut upper[0], 2.5));
         assert_eq!([median[0].widened_si, median[1].widened_si], [2.5, 7.0]);
@@ -176,5 +182,19 @@ mod tests {
         hold_smaller(&mut upper, &median);
         assert_eq!(upper[1].widened_si, 9.0);
         assert!(!narrow(&mut median.clone()[1], 7.0) && is_consistent(&upper));
+    }
+
+    #[test]
+    fn analytic_the_nearest_of_several_limits_rests_on_all_within() {
+        // The least of three upper ends holds where all three do; the fourth lies beyond the bound and plays no part.
+        let mut upper = end(5.0, 9.0);
+        assert_eq!(narrow_to_nearest(&mut upper, &[8.0, 6.5, 7.0, 12.0]), 3);
+        assert_eq!(upper.widened_si, 6.5);
+        let mut lower = end(5.0, 1.0);
+        assert_eq!(narrow_to_nearest(&mut lower, &[2.0, 0.5, 4.0]), 2);
+        assert_eq!(lower.widened_si, 4.0);
+        // What lies beyond the value that was found narrows nothing.
+        assert_eq!(narrow_to_nearest(&mut end(5.0, 9.0), &[8.0, 4.0]), 0);
+        assert_eq!(narrow_to_nearest(&mut end(5.0, 9.0), &[]), 0);
     }
 }

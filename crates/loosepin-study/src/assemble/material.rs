@@ -1,6 +1,6 @@
 //! What a result is made from, and the bounds in it as people are shown them.
 
-use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow};
+use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::file::{Deviation, EpistemicInput, Reduction, Study};
 use crate::outputs::Seen;
@@ -105,7 +105,7 @@ impl Material<'_> {
     /// the column, and other reductions of the same curve. And how many of them have narrowed an end.
     fn ordered(&self, column: usize, statistic: Statistic) -> Option<([BoundEnd; 2], usize)> {
         let mut ends = self.within_range(self.pair(column, statistic)?);
-        let mut limits = [f64::NEG_INFINITY, f64::INFINITY];
+        let (mut lower_limits, mut upper_limits) = (Vec::new(), Vec::new());
         for (other, reduced) in self.of_same_curve(column) {
             for pair in self.pairs_of(other) {
                 let (own, its) = (statistic, pair.statistic);
@@ -123,17 +123,19 @@ impl Material<'_> {
                     ],
                 };
                 if is_smaller {
-                    let limit_si = hold_smaller(&mut ends, &self.within_range(pair));
-                    limits[0] = limits[0].max(limit_si);
+                    let smaller = self.within_range(pair);
+                    hold_smaller(&mut ends, &smaller);
+                    lower_limits.push(smaller[0].widened_si);
                 }
                 if is_larger {
-                    let limit_si = hold_larger(&mut ends, &self.within_range(pair));
-                    limits[1] = limits[1].min(limit_si);
+                    let larger = self.within_range(pair);
+                    hold_larger(&mut ends, &larger);
+                    upper_limits.push(larger[1].widened_si);
                 }
             }
         }
         let [lower, upper] = &mut ends;
-        let narrowings = usize::from(narrow(lower, limits[0])) + usize::from(narrow(upper, limits[1]));
+        let narrowings = narrow_to_nearest(lower, &lower_limits) + narrow_to_nearest(upper, &upper_limits);
         Some((ends, narrowings))
     }
 
