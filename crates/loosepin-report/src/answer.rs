@@ -4,6 +4,7 @@ use super::force_words::{ForcesOf, study_sentences};
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::tag::Tag;
 use super::told::{SENTENCE_DIGITS, Told, between, largest, smallest, told};
+use super::turn_words::turns_sentence;
 use super::wording::{
     capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
     verdict_words,
@@ -74,23 +75,12 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
             joint.joint
         ))
     });
-    let settled = result.settled_share.filter(|share| *share < 1.0).map(|share| {
-        format!(
-            "In {} the motion does not repeat itself from turn to turn: other turns than the recorded ones may deviate more. \
-             Record more turns (recorded_turns) to see how much.",
-            share_of_runs(
-                1.0 - share,
-                result.counts.runs - result.counts.failed,
-                &writer.about(&Tag::whole("settled", "not"))
-            )
-        )
-    });
     let of_forces = |joint| {
         let of = ForcesOf::study(joint);
         [of.warning(writer), of.slow(writer)].into_iter().flatten()
     };
     let soft = result.impacts.iter().flat_map(of_forces);
-    beyond.chain(soft).chain(settled).collect()
+    beyond.chain(soft).chain(turns_sentence(result, writer)).collect()
 }
 
 /// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.

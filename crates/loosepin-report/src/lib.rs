@@ -91,6 +91,7 @@ mod ticks;
 mod together;
 mod told;
 mod trust_words;
+mod turn_words;
 mod wear_picture;
 mod wear_section;
 mod wear_words;

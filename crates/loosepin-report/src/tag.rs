@@ -6,8 +6,8 @@
 
 use loosepin_result::simulation::Extreme;
 use loosepin_result::study::{
-    BoundRecord, Contributors, Deviation, DeviationCurve, ProbabilityBox, RequirementOutcome, ResponsePoint, Statistic,
-    TreatmentBand, TreatmentComparison,
+    BoundRecord, Contributors, Deviation, DeviationCurve, FurtherOutput, ProbabilityBox, RequirementOutcome,
+    ResponsePoint, Statistic, TreatmentBand, TreatmentComparison,
 };
 use std::cell::RefCell;
 
@@ -93,6 +93,16 @@ impl Tag {
         Self::Result(Box::new(ResultTag {
             output: response(&curve.output, curve.of, ResponsePoint::Whole),
             statistic: format!("curve {} {}", curve.probabilities[0], curve.probabilities[1]),
+            part: part.to_owned(),
+            ..ResultTag::default()
+        }))
+    }
+
+    /// A number of turns after the recorded ones.
+    pub fn further_turns(further: &FurtherOutput, part: &str) -> Self {
+        Self::Result(Box::new(ResultTag {
+            output: response(&further.output, further.of, ResponsePoint::Reduced { reduction: further.reduction }),
+            statistic: "further turns".to_owned(),
             part: part.to_owned(),
             ..ResultTag::default()
         }))

@@ -9,6 +9,7 @@ use super::draft::Drafting;
 use super::elsewhere::RunMaker;
 use super::error::StudyError;
 use super::file::Study;
+use super::further_turns::further_turns;
 use super::goals::goals;
 use super::keep::Keeping;
 use super::learned::{LearnedBounds, SurrogateQuestion};
@@ -242,6 +243,7 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
     let drawn = pool.install(|| pictures(&material));
     progress.stage(Stage::Assembling);
     let curve_bands = bands;
+    let further_turns = further_turns(sheet)?;
     let answers = Answers {
         plan,
         ended,
@@ -252,6 +254,7 @@ fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Resu
         together,
         allocation,
         curve_bands,
+        further_turns,
         beside,
         pictures: drawn,
     };

@@ -27,6 +27,7 @@ pub mod files;
 mod folder;
 mod foresee;
 mod further_outputs;
+mod further_turns;
 mod goals;
 mod ideal_motion;
 mod ideal_tables;
@@ -74,7 +75,7 @@ pub use file::{
     MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem, RareMethod,
     ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
     Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study,
-    signed_parts, study_schema,
+    signed_parts, states_nominal, study_schema, takes_mean_of_model,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::{Foreseen, ForeseenPromise, foresee};

@@ -7,6 +7,7 @@ mod contributors;
 mod deviation;
 mod draft;
 mod figures;
+mod further_turns;
 mod inputs;
 mod path_error;
 mod promise;
@@ -32,6 +33,7 @@ pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
     SimultaneousCurve, StudiedLaw, TreatmentBand, TreatmentComparison, TreatmentEnd, ValueBand,
 };
+pub use further_turns::{FurtherOutput, FurtherTurns};
 pub use inputs::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, ExampleRun, FailureGroup,
     InputDescription, InputKind, OutputDescription, PathOutput, PurposeRuns, RunCounts,
@@ -100,6 +102,9 @@ pub struct StudyResult {
     /// Share of the runs whose motion had settled into a period, 0 to 1; absent where it was not examined.
     #[serde(with = "extended")]
     pub settled_share: Option<f64>,
+    /// What turns after the recorded ones change, where the motion does not repeat itself in every run; absent where it was not examined.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub further_turns: Option<FurtherTurns>,
     /// Requirements and whether they are met.
     pub requirements: Vec<RequirementOutcome>,
     /// How far inputs may be loosened, one at a time.

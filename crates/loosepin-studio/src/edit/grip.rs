@@ -7,7 +7,7 @@ use std::sync::Arc;
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::parse_toml;
 use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId, describe_path};
-use loosepin::study::number_and_unit;
+use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
 
 use super::behind::{Setting, behind};
 use super::guide::turned;
@@ -254,7 +254,8 @@ pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Ran
     Some((range, written))
 }
 
-/// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay.
+/// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay. A
+/// distribution without a nominal value of its own follows the model as it is.
 fn shifted<'a>(
     study: &'a Arc<Source>,
     moved: &BTreeMap<String, f64>,
@@ -267,28 +268,33 @@ fn shifted<'a>(
         let path: &str = path.get_ref().as_ref();
         let Some(by_si) = moved.get(path) else { continue };
         let mut open = vec![entry];
-        let mut is_moved = false;
+        let mut follows = false;
         while let Some(table) = open.pop().and_then(|value| value.get_ref().as_table()) {
             for (key, value) in table {
                 let key: &str = key.get_ref().as_ref();
-                if value.get_ref().as_table().is_some() {
+                if let Some(family) = value.get_ref().as_table() {
+                    follows |= takes_mean_of_model(key) && family.get("mean").is_none();
                     open.push(value);
                 }
                 let range = unquoted(study, value.span().into());
                 let whole = &study.text()[range.clone()];
-                // `120 ± 0.1 mm` begins with the value that moves; its unit stands at the end.
                 let new = match key {
+                    TOLERANCE if !states_nominal(whole) => {
+                        follows = true;
+                        None
+                    }
+                    // `120 ± 0.1 mm` begins with the value that moves; its unit stands at the end.
                     TOLERANCE => nominal_moved(whole, *by_si),
                     _ if PLACES.contains(&key) => Written::read(whole).map(|written| written.moved_by_si(*by_si)),
                     _ => None,
                 };
                 if let Some(new) = new {
                     text.replace(range, new);
-                    is_moved = true;
+                    follows = true;
                 }
             }
         }
-        if !is_moved {
+        if !follows {
             stays.push(path.to_owned());
         }
     }

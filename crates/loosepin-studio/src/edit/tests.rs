@@ -135,11 +135,47 @@ fn lengths_become_round_and_the_tolerances_follow() {
     let written = format!("{:.0} mm", rod_mm);
     assert_eq!(drag.reshaped.words, [format!("rod_length {written}")]);
     assert!(drag.model.unwrap().contains(&format!("rod_length = \"{written}\"")));
-    // Comments and all else stay: one number of the model changes, and its place in the study.
+    // Comments and all else stay: one number of the model changes. The study states no mean of its own, and follows as it is.
     let InputFile::Study(study) = texts.read().unwrap() else { panic!("a study") };
-    let is_scattered = study.random.iter().any(|input| input.path == "parameter.rod_length");
-    assert_eq!(drag.study.is_some(), is_scattered);
-    assert_eq!(drag.reshaped.changes.len(), if is_scattered { 2 } else { 1 });
+    assert!(study.random.iter().any(|input| input.path == "parameter.rod_length"));
+    assert_eq!((drag.study, drag.reshaped.changes.len()), (None, 1));
+}
+
+#[test]
+fn what_the_study_states_of_a_dragged_length_moves_along_or_is_told() {
+    let entry = "{ normal = { standard_deviation = \"0.03 mm\" } }";
+    let follows: [(&str, Option<&str>); 4] = [
+        ("{ normal = { mean = \"120 mm\", standard_deviation = \"0.05 mm\" } }", Some("mean = ")),
+        ("{ tolerance = \"120 ± 0.05 mm\" }", Some(" ± 0.05 mm")),
+        ("{ tolerance = \"-0.01 -0.02 mm\" }", None),
+        ("{ tolerance = \"+0.02 -0.01 mm\" }", None),
+    ];
+    for (stated, kept) in follows {
+        let (_desk, folder) = served();
+        let template = find_template("slider-crank").unwrap();
+        let own = template.study.replace(entry, stated);
+        assert!(own.contains(stated), "{own}");
+        let texts = texts(&folder, template.model, &own);
+        let old = record(&texts).unwrap();
+        let model = Model::from_text("model.toml", template.model).unwrap();
+        let pose = POSITIONS / 4;
+        let index = model.joints.iter().position(|joint| joint.name == "gudgeon").unwrap();
+        let [x, y] = at_mm(&old, index, pose);
+        let poses = poses(&old, pose);
+        let drag = gripped(
+            &model,
+            &texts,
+            &Grip { held: pin("gudgeon"), to_mm: [x + 10.2, y], step_mm: 1.0, is_free: false, poses },
+        );
+        assert_eq!(drag.reshaped.words.len(), 1, "{:?}", drag.reshaped.words);
+        match kept {
+            None => assert_eq!(drag.study, None, "{stated}"),
+            Some(kept) => {
+                let study = drag.study.unwrap();
+                assert!(study.contains(kept) && !study.contains(stated), "{study}");
+            }
+        }
+    }
 }
 
 #[test]

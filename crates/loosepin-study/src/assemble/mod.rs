@@ -24,6 +24,7 @@ pub(super) use bounds::asked_bounds;
 pub(super) use drawing::pictures;
 pub(super) use material::Material;
 pub(super) use requirements::requirements;
+pub(super) use summary::SETTLED;
 pub(super) use surrogate::saved_surrogates;
 
 use super::contributors::ContributorPlan;
@@ -35,7 +36,7 @@ use super::promise::Promised;
 use super::simultaneous::CurveBand;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::{
-    AllocationRecord, AllowanceRecord, Contributors, FORMAT, StudyResult, SurrogateRecord, TogetherRecord,
+    AllocationRecord, AllowanceRecord, Contributors, FORMAT, FurtherTurns, StudyResult, SurrogateRecord, TogetherRecord,
 };
 use loosepin_text::units::DisplayUnits;
 
@@ -54,6 +55,8 @@ pub(super) struct Answers {
     pub together: Option<TogetherRecord>,
     pub allocation: Option<AllocationRecord>,
     pub curve_bands: Vec<CurveBand>,
+    /// What turns after the recorded ones change.
+    pub further_turns: Option<FurtherTurns>,
     /// Bounds by the other readings of intervals.
     pub beside: Vec<Bounds>,
     /// What is drawn from runs with nominal dimensions.
@@ -72,6 +75,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         together,
         allocation,
         curve_bands,
+        further_turns,
         beside,
         pictures,
     } = answers;
@@ -105,6 +109,7 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         accuracy: accuracy::accuracy(material, &ended),
         failures: failures(material.study, material.response, material.table),
         settled_share: summary::settled_share(material),
+        further_turns,
         requirements,
         allowances,
         together,

@@ -8,7 +8,7 @@ use loosepin_result::study::{EnergyResiduals, HistogramBin, JointImpacts, Purpos
 use loosepin_simulate::contact_basis;
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
-const SETTLED: f64 = 1e-6;
+pub const SETTLED: f64 = 1e-6;
 
 /// Bars of the histogram of energy residuals in a decade.
 const BARS_PER_DECADE: f64 = 2.0;

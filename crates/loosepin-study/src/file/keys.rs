@@ -223,6 +223,15 @@ pub(super) const FAMILIES: [&str; 11] = [
     "discrete",
 ];
 
+/// Whether a distribution of the family `name` has the value in the model for its mean where that is left out.
+pub fn takes_mean_of_model(name: &str) -> bool {
+    let mean = match RANDOM_KEYS.find(name).map(|key| key.kind) {
+        Some(Kind::Table(keys)) => keys.find("mean"),
+        _ => None,
+    };
+    mean.is_some_and(|mean| !mean.is_required)
+}
+
 /// Families that are fitted to samples.
 pub(super) const FITTED: [&str; 6] = ["normal", "lognormal", "weibull", "gamma", "gumbel", "exponential"];
 

@@ -46,7 +46,7 @@ pub use description::{
     RandomInput, RareMethod, Requirement, Sampling, SpecimenRows, StatedCorrelation, Study, StudySurrogate,
     UncertainParameter, Where,
 };
-pub use keys::{MOST_POSES, MOST_RUNS};
+pub use keys::{MOST_POSES, MOST_RUNS, takes_mean_of_model};
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
 pub use measured::MeasuredProblem;
@@ -59,7 +59,7 @@ use reader::{Parameters, StudyReader};
 pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
 pub use specimen_problem::SpecimenProblem;
 pub use target::AccuracyTarget;
-pub use tolerance::{number_and_unit, signed_parts};
+pub use tolerance::{number_and_unit, signed_parts, states_nominal};
 use words::READINGS;
 pub(super) use words::statistic_name;
 

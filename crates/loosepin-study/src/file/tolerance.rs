@@ -14,17 +14,8 @@ pub struct Tolerance {
 /// Reads a value with its tolerance; `None` if the text is none. A part without a unit has that of the last part with one. Where the text
 /// begins with its deviations, the nominal value is `in_model`.
 pub fn parse_tolerance(text: &str, in_model: Measured) -> Option<Tolerance> {
-    let text = text.replace('−', "-").replace("+/-", "±").replace("+-", "±");
-    let parts: Vec<(bool, &str)> = if let Some((nominal, half)) = text.split_once('±') {
-        let half = half.trim();
-        if half.starts_with(['+', '-']) {
-            return None;
-        }
-        vec![(false, nominal), (true, half), (false, half)]
-    } else {
-        let [nominal, first, second] = signed_parts(&text).or_else(|| deviations(&text))?;
-        vec![(false, nominal), (false, first), (false, second)]
-    };
+    let text = plain_signs(text);
+    let parts = nominal_and_deviations(&text)?;
     let is_relative = parts[0].1.trim().is_empty();
     let split: Vec<(bool, &str, &str)> = parts
         .into_iter()
@@ -49,6 +40,25 @@ pub fn parse_tolerance(text: &str, in_model: Measured) -> Option<Tolerance> {
         limits.swap(0, 1);
     }
     Some(Tolerance { nominal, limits })
+}
+
+/// Whether a tolerance states its nominal value: deviations alone, such as `+0.02 -0.01 mm`, count from the model.
+pub fn states_nominal(text: &str) -> bool {
+    nominal_and_deviations(&plain_signs(text)).is_none_or(|parts| !parts[0].1.trim().is_empty())
+}
+
+fn plain_signs(text: &str) -> String {
+    text.replace('−', "-").replace("+/-", "±").replace("+-", "±")
+}
+
+/// The nominal value, empty where there is none, and two deviations: whether each is to be negated, and how it is written.
+fn nominal_and_deviations(text: &str) -> Option<[(bool, &str); 3]> {
+    if let Some((nominal, half)) = text.split_once('±') {
+        let half = half.trim();
+        return (!half.starts_with(['+', '-'])).then_some([(false, nominal), (true, half), (false, half)]);
+    }
+    let parts = signed_parts(text).or_else(|| deviations(text))?;
+    Some(parts.map(|part| (false, part)))
 }
 
 /// `50 +0.02 -0.01 mm`: the nominal value and two deviations with their signs.
@@ -90,7 +100,7 @@ pub fn number_and_unit(part: &str) -> Option<(&str, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::parse_tolerance;
+    use super::{parse_tolerance, states_nominal};
     use loosepin_text::units::{Dimension, Measured};
 
     /// What the model has where the text has no nominal value.
@@ -138,6 +148,16 @@ mod tests {
         assert_eq!(limits_um("-0.01 -0.02 mm"), Some([71_280.0, 71_290.0]));
         let nominal = |text: &str| parse_tolerance(text, IN_MODEL).map(|tolerance| tolerance.nominal.value_si);
         assert_eq!((nominal("± 0.05 mm"), nominal("50 ± 0.05 mm")), (Some(0.0713), Some(0.05)));
+    }
+
+    #[test]
+    fn deviations_alone_state_no_nominal_value() {
+        for text in ["± 0.05 mm", "+/- 0.05 mm", "+0.02 -0.01 mm", "-0.01 −0.02 mm", "+0.05/-0.05 mm"] {
+            assert!(!states_nominal(text), "{text}");
+        }
+        for text in ["50 ± 0.05 mm", "-3 ± 0.5 mm", "50 +0.02 -0.01 mm", "-20 −0.007 +0.021 mm", "50 mm"] {
+            assert!(states_nominal(text), "{text}");
+        }
     }
 
     #[test]

@@ -8,10 +8,10 @@ use loosepin::report::{motion_page, motion_text, simulation_text, study_page, st
 use loosepin::result::ContactShape;
 use loosepin::simulate::record::StopReason;
 use loosepin::study::result::{
-    AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, Guarantee, InputDescription, InputKind,
-    NumericalError, PathCurve, PathError, PathOutput, PercentileBounds, PromiseRecord, PromisedEnd, Purpose,
-    PurposeRuns, Reduction, ResponsePoint, Side, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison,
-    TreatmentEnd, Verdict,
+    AllocationStop, CountedMechanisms, CoveragePoint, CutBounds, Deviation, FurtherOutput, FurtherTurns, Guarantee,
+    InputDescription, InputKind, NumericalError, PathCurve, PathError, PathOutput, PercentileBounds, PromiseRecord,
+    PromisedEnd, Purpose, PurposeRuns, Reduction, ResponsePoint, Side, Statistic, StudyResult, Treatment,
+    TreatmentBand, TreatmentComparison, TreatmentEnd, Verdict,
 };
 use loosepin::units::SiUnit;
 
@@ -294,6 +294,22 @@ fn what_may_overturn_a_verdict_stands_with_it() {
         ),
     );
     result.impacts[0].share_outside_validity = Some(0.0);
+    let excess = |of, mean_excess_si, largest_excess_si| FurtherOutput {
+        output: "slider".to_owned(),
+        of,
+        reduction: Reduction::MaximumAbsolute,
+        mean_excess_si,
+        largest_excess_si,
+    };
+    let outputs = vec![excess(Deviation::Clearance, 2e-6, 3e-6), excess(Deviation::Total, 8.74e-6, 4.11e-5)];
+    result.further_turns =
+        Some(FurtherTurns { turns: 5, runs: 64, outputs, broken_later: vec![Some(0), Some(3), None] });
+    result.requirements = worn_pin().requirements;
+    assert_says(
+        &result,
+        "does not repeat itself from turn to turn. In 5 turns after the recorded ones, 64 of these runs exceed the largest deviation of slider \
+         by 0.0087 mm on average and 0.042 mm at most. None of them leaves the limit of slider only then.",
+    );
     result.settled_share = Some(1.0);
     let text = one_line(&study_text(&result));
     assert!(!text.contains("valid for") && !text.contains("is periodic"), "{text}");

@@ -9,6 +9,7 @@ mod drafts;
 mod efforts;
 mod epistemic_inputs;
 mod exact_bounds;
+mod further_turns;
 mod inner_bands;
 mod kept_runs;
 mod paths;

@@ -8,7 +8,7 @@ use loosepin::units::SiUnit;
 use super::shown::Shown;
 
 /// Keys of numbers that are held against what is shown.
-const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds settled_share requirements[].probability[] \
+const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds settled_share further_turns requirements[].probability[] \
     bounds[].lower.widened_si bounds[].upper.widened_si bounds[].lower.error.sampling_si bounds[].lower.error.optimisation_si \
     bounds[].lower.error.surrogate_si bounds[].upper.error.sampling_si bounds[].upper.error.optimisation_si \
     bounds[].upper.error.surrogate_si bounds[].lower.witness bounds[].upper.witness bounds[].lower.value_si bounds[].upper.value_si \
@@ -44,6 +44,20 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     if let Some(settled) = result.settled_share {
         found.add(Tag::whole("settled", ""), 100.0 * settled);
         found.add(Tag::whole("settled", "not"), 100.0 * (1.0 - settled));
+    }
+    if let Some(further) = &result.further_turns {
+        found.add(Tag::Count("continued runs"), further.runs as f64);
+        for one in &further.outputs {
+            let unit = result.outputs.iter().find(|output| output.name == one.output).map(|output| output.unit.clone());
+            let unit = unit.unwrap_or(SiUnit::NONE);
+            found.value(Tag::further_turns(one, "mean excess"), one.mean_excess_si, &unit);
+            found.value(Tag::further_turns(one, "largest excess"), one.largest_excess_si, &unit);
+        }
+        for (requirement, broken) in result.requirements.iter().zip(&further.broken_later) {
+            if let Some(broken) = broken {
+                found.add(Tag::requirement(requirement, "broken later"), *broken as f64);
+            }
+        }
     }
     for failure in &result.failures {
         found.add(Tag::whole("failed runs", &failure.code), failure.count as f64);

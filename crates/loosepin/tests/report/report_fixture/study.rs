@@ -159,6 +159,7 @@ pub fn worn_pin() -> StudyResult {
             },
         }],
         settled_share: Some(0.874),
+        further_turns: None,
         nominal_trust: Trust::NotMeasured,
         requirements: requirements(&outers),
         allowances: allowances(),

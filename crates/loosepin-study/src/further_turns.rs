@@ -1,0 +1,166 @@
+//! What turns after the recorded ones change, where the motion does not repeat itself.
+//!
+//! Statistics are those of the recorded turns. Where a motion never repeats itself, later turns may go further: some of the runs are made
+//! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
+
+use super::assemble::SETTLED;
+use super::columns::{Spot, StudyColumn};
+use super::error::StudyError;
+use super::evaluate::{Row, Work, evaluate};
+use super::file::{Ask, Limit, Study, Where};
+use super::response::StudyResponse;
+use super::sheet::Sheet;
+use loosepin_bounds::RunInputs;
+use loosepin_mechanics::model::CycleSpan;
+use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction, Statistic};
+use std::sync::atomic::Ordering;
+
+/// Turns after the recorded ones.
+const TURNS: u32 = 5;
+/// They take this share of the turns that the study has taken, or as many as the fewest runs need.
+const SHARE_OF_STUDY: f64 = 0.05;
+const FEWEST_RUNS: usize = 8;
+const MOST_RUNS: usize = 64;
+
+/// What more turns change in the study of `sheet`; nothing where every motion repeats itself, where no largest or smallest value is asked
+/// for, and where the recorded turns are not a part of many equal ones.
+///
+/// # Errors
+/// The study was interrupted.
+pub fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
+    let (study, table, plan) = (sheet.study, &sheet.table, &sheet.response.shared.plan);
+    // A life of wear is extrapolated from its cycles.
+    if matches!(study.cycle.span, CycleSpan::Duration(_)) || study.model.wear.is_some() {
+        return Ok(None);
+    }
+    let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();
+    let is_restless = |run: &usize| {
+        table.failure(*run).is_none() && sheet.response.extras(table.values(*run)).change_over_last_turn >= SETTLED
+    };
+    let restless: Vec<usize> = (0..table.len()).filter(is_restless).collect();
+    if columns.is_empty() || restless.is_empty() {
+        return Ok(None);
+    }
+    let runs = spread(&restless, number_of_runs(study, table.len()));
+    let mut longer = study.clone();
+    longer.asks = columns.iter().map(|&(column, reduction)| ask(plan.columns[column], reduction)).collect();
+    longer.requirements.clear();
+    longer.cycle.recorded_turns += f64::from(TURNS);
+    // More turns than a run may have.
+    let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
+    let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
+    let batch: Vec<RunInputs> = runs.iter().map(|&run| table.inputs()[run].clone()).collect();
+    let (stop, is_waiting) = (sheet.runner.stop, vec![true; batch.len()]);
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    let work = Work { batch: &batch, is_waiting: &is_waiting, response: &response, stop };
+    let rows =
+        sheet.runner.pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &|_: usize, _: &Row| {}));
+    if rows.iter().any(Option::is_none) {
+        return Err(StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs: sheet.most_runs });
+    }
+    let continued: Vec<(&[f64], Vec<f64>)> = runs
+        .iter()
+        .zip(rows.into_iter().flatten())
+        .filter_map(|(&run, row)| {
+            let later = row.ok()?;
+            Some((table.values(run), later_column.iter().map(|&column| later[column]).collect()))
+        })
+        .collect();
+    if continued.is_empty() {
+        return Ok(None);
+    }
+    let outputs = columns.iter().enumerate().map(|(place, &(column, reduction))| {
+        let excesses: Vec<f64> =
+            continued.iter().map(|(recorded, later)| excess(reduction, recorded[column], later[place])).collect();
+        let known = plan.columns[column];
+        FurtherOutput {
+            output: plan.outputs[known.output].name.clone(),
+            of: known.deviation,
+            reduction,
+            mean_excess_si: excesses.iter().sum::<f64>() / excesses.len() as f64,
+            largest_excess_si: excesses.iter().copied().fold(0.0, f64::max),
+        }
+    });
+    let broken_later = plan.requirements.iter().map(|planned| {
+        let is_whole = planned.requirement.location == Where::Cycle;
+        let place = columns.iter().position(|(column, _)| is_whole && planned.columns == [*column])?;
+        let is_kept = |value: f64| keeps(planned.requirement.limit, value);
+        let breaks =
+            continued.iter().filter(|(recorded, later)| is_kept(recorded[columns[place].0]) && !is_kept(later[place]));
+        Some(breaks.count() as u64)
+    });
+    Ok(Some(FurtherTurns {
+        turns: TURNS,
+        runs: continued.len() as u64,
+        broken_later: broken_later.collect(),
+        outputs: outputs.collect(),
+    }))
+}
+
+/// A column that more turns can only move one way.
+fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)> {
+    match column.spot {
+        Spot::Reduced(
+            reduction @ (Reduction::Maximum | Reduction::Minimum | Reduction::MaximumAbsolute | Reduction::Range),
+        ) => Some((index, reduction)),
+        Spot::Reduced(Reduction::RootMeanSquare | Reduction::Mean) | Spot::Pose { .. } => None,
+    }
+}
+
+fn ask(column: StudyColumn, reduction: Reduction) -> Ask {
+    Ask {
+        output: column.output,
+        deviation: column.deviation,
+        location: Where::Reduced(reduction),
+        statistics: vec![Statistic::Mean],
+        contributors: false,
+        rare: Vec::new(),
+        simultaneous_bands: Vec::new(),
+        promised: Vec::new(),
+    }
+}
+
+/// By how much more turns exceed what was recorded. Where the recorded turns end a step ends, so that both differ by its error.
+fn excess(reduction: Reduction, recorded_si: f64, later_si: f64) -> f64 {
+    let sign = if reduction == Reduction::Minimum { -1.0 } else { 1.0 };
+    (sign * (later_si - recorded_si)).max(0.0)
+}
+
+fn keeps(limit: Limit, value_si: f64) -> bool {
+    let [lower, upper] = limit.ends();
+    (lower..=upper).contains(&value_si)
+}
+
+/// So many runs that they take a small share of the turns of the study.
+fn number_of_runs(study: &Study, made: usize) -> usize {
+    let own = study.cycle.transient_turns + study.cycle.recorded_turns;
+    let affordable = SHARE_OF_STUDY * made as f64 * own / (own + f64::from(TURNS));
+    (affordable as usize).clamp(FEWEST_RUNS, MOST_RUNS)
+}
+
+/// `count` of `runs`, spread evenly; all of them where there are no more.
+fn spread(runs: &[usize], count: usize) -> Vec<usize> {
+    let count = count.min(runs.len());
+    (0..count).map(|k| runs[(2 * k + 1) * runs.len() / (2 * count)]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{excess, spread};
+    use loosepin_result::study::Reduction;
+
+    #[test]
+    fn runs_are_spread_evenly_and_each_is_taken_once() {
+        let runs: Vec<usize> = (0..100).map(|run| 3 * run).collect();
+        assert_eq!(spread(&runs, 4), [36, 111, 186, 261]);
+        assert_eq!(spread(&runs, 100), runs);
+        assert_eq!(spread(&runs[..3], 8), [0, 3, 6]);
+    }
+
+    #[test]
+    fn analytic_more_turns_move_each_extreme_its_way() {
+        assert_eq!(excess(Reduction::Maximum, 1.0, 1.5), 0.5);
+        assert_eq!(excess(Reduction::Minimum, -1.0, -1.5), 0.5);
+        assert_eq!(excess(Reduction::MaximumAbsolute, 2.0, 2.0 - 1e-12), 0.0);
+    }
+}

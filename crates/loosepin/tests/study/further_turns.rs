@@ -1,0 +1,85 @@
+//! Turns after the recorded ones: what a study says of them, against the same runs with more turns recorded.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::silent::Silent;
+use loosepin::model::Model;
+use loosepin::study::result::Reduction;
+use loosepin::study::runs::{RunData, RunsTable};
+use loosepin::study::{Conducted, Means, RunRows, Study, conduct};
+use loosepin::templates::find_template;
+
+/// Largest magnitude that is allowed, m: some of the runs reach it in six turns and not in one.
+const LIMIT_M: f64 = 0.6e-3;
+
+/// The slider-crank with play, which never repeats itself, recorded for so many turns.
+fn study(turns: u32, play: &str) -> Study {
+    let limit = format!("{} mm", 1e3 * LIMIT_M);
+    let text = format!(
+        "name = \"few runs\"\nmodel = \"model.toml\"\nseed = 4\n[cycle]\ntransient_turns = 1\nrecorded_turns = {turns}\n[sampling]\ninner = 8\nreplicates = 2\n\
+         [random]\n\"parameter.rod_length\" = {{ normal = {{ standard_deviation = \"0.03 mm\" }} }}\n\
+         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n\
+         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"minimum\"\nstatistics = [\"mean\"]\n\
+         [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n\
+         [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"{limit}\"\nover = \"cycle\"\nprobability_at_least = 0.5\n"
+    );
+    let template = find_template("slider-crank").expect("the template");
+    let model = template.model.replace("radial_clearance = \"0.5 mm\"", &format!("radial_clearance = \"{play}\""));
+    let model = Model::from_text("model.toml", &model).expect("a model");
+    Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+fn conducted(study: &Study) -> Conducted {
+    let stop = AtomicBool::new(false);
+    conduct(study, "", &Means { threads: 2, progress: &Silent, stop: &stop, store: None }).expect("a result")
+}
+
+/// The first column of `runs` whose name ends so.
+fn column<'r>(runs: &'r RunsTable, end: &str) -> &'r [f64] {
+    let column = runs.columns.iter().find(|column| column.name.ends_with(end));
+    match column.map(|column| &column.data) {
+        Some(RunData::F64(values)) => values,
+        other => panic!("{end}: {other:?} in {:?}", runs.columns.iter().map(|column| &column.name).collect::<Vec<_>>()),
+    }
+}
+
+#[test]
+fn identity_later_turns_are_those_of_the_same_runs_with_more_of_them_recorded() {
+    let short = conducted(&study(1, "0.5 mm"));
+    let further = short.result.further_turns.as_ref().expect("turns after the recorded ones");
+    let changes = column(&short.runs, "change_over_last_turn");
+    assert!(changes.iter().all(|change| *change > 1e-6), "{changes:?}");
+    // The middle of each eighth of the runs, made anew by themselves.
+    let chosen: Vec<usize> = (0..8).map(|k| (2 * k + 1) * changes.len() / 16).collect();
+    assert_eq!((further.turns, further.runs), (5, 8));
+    let rod_m = column(&short.runs, "rod_length");
+    let long = RunRows::new(study(6, "0.5 mm"), 1).expect("runs");
+    let rows = long.make(&[], chosen.iter().map(|&run| [vec![rod_m[run]], Vec::new()])).expect("rows");
+    let own_column = |place: usize| long.asked_columns().expect("columns")[place][0];
+    for (place, reduction, sign) in [(0, Reduction::Maximum, 1.0), (1, Reduction::Minimum, -1.0)] {
+        let one = column(&short.runs, &format!(" {}", reduction.word()));
+        let six = rows.iter().map(|row| row.as_ref().expect("a finished run")[own_column(place)]);
+        let excess: Vec<f64> = chosen.iter().zip(six).map(|(&run, six)| sign * (six - one[run])).collect();
+        assert!(excess.iter().all(|excess| *excess > -1e-8), "{excess:?}");
+        let told = further.outputs.iter().find(|one| one.reduction == reduction).expect("an extreme");
+        let mean = excess.iter().sum::<f64>() / excess.len() as f64;
+        let largest = excess.iter().copied().fold(0.0, f64::max);
+        assert!(largest > 1e-5, "{excess:?}");
+        assert!((told.mean_excess_si - mean).abs() < 1e-8, "{mean} {told:?}");
+        assert!((told.largest_excess_si - largest).abs() < 1e-8, "{largest} {told:?}");
+    }
+    // The magnitude of six turns follows from both extremes.
+    let one = column(&short.runs, " maximum_absolute");
+    let broken = chosen.iter().zip(&rows).filter(|(run, row)| {
+        let row = row.as_ref().expect("a finished run");
+        one[**run] <= LIMIT_M && row[own_column(0)].max(-row[own_column(1)]) > LIMIT_M
+    });
+    let broken = broken.count() as u64;
+    assert_eq!(further.broken_later, [Some(broken)]);
+    assert!(broken > 0 && broken < further.runs, "{broken}");
+}
+
+#[test]
+fn nothing_is_told_where_every_motion_repeats_itself() {
+    assert_eq!(conducted(&study(1, "0 mm")).result.further_turns, None);
+}
