@@ -1,17 +1,18 @@
 //! The answer of a study in sentences that need no training to read, every number rounded so that the claim stays true.
 
+use super::error_words::error_sentence;
 use super::force_words::{ForcesOf, study_sentences};
 use super::number::{NumberWriter, Rounding, plain_name};
 use super::tag::Tag;
-use super::told::{SENTENCE_DIGITS, Told, between, largest, smallest, told};
+use super::told::{SENTENCE_DIGITS, between, largest, smallest, told};
 use super::turn_words::turns_sentence;
 use super::wording::{
-    capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part, place_words,
-    verdict_words,
+    band_error, capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part,
+    place_words, verdict_words,
 };
 use loosepin_result::study::{
-    BoundRecord, CountedMechanisms, Deviation, DeviationCurve, Guarantee, InputKind, PathError, PromiseRecord,
-    RequirementOutcome, Statistic, StudyResult, Treatment, TreatmentBand, TreatmentComparison, Verdict,
+    CountedMechanisms, Deviation, DeviationCurve, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
+    Treatment, TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -81,21 +82,6 @@ fn caveats(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
     };
     let soft = result.impacts.iter().flat_map(of_forces);
     beyond.chain(soft).chain(turns_sentence(result, writer)).collect()
-}
-
-/// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.
-pub(super) fn share_of_runs(share: f64, runs: u64, writer: &NumberWriter) -> String {
-    const NEAR_AN_END: f64 = 0.01;
-    let counted_runs = (share * runs as f64).round() as u64;
-    if counted_runs == runs {
-        return "all runs".to_owned();
-    }
-    if share < NEAR_AN_END || 1.0 - share < NEAR_AN_END {
-        let of = counted(runs, "run", &writer.about(&Tag::Count("finished runs")));
-        let tag = writer.tag().map(|tag| tag.part("runs"));
-        return format!("{} of the {of}", super::wording::count(counted_runs, &writer.about_maybe(tag.as_ref())));
-    }
-    format!("{} of the runs", writer.percent(share, Rounding::Nearest))
 }
 
 /// The verdict over all requirements as a headline.
@@ -316,56 +302,6 @@ pub(super) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: 
     }
 }
 
-fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWriter) -> String {
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
-    let headline = answers.first();
-    let error_text = headline.and_then(|told| {
-        let (error_si, unit) = told.error_si()?;
-        let error = writer.about(&told.error_tag()).error(error_si, unit);
-        Some(format!("Numerical error of {}: at most {error}, included in it.", told.limit_words()))
-    });
-    let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
-    let mut sentence = match error_text {
-        Some(error) if answers.len() > 1 => {
-            format!("{error} The table shows those of the other answers, which are included as well.")
-        }
-        Some(error) => error,
-        None => "The table shows the numerical error of each bound.".to_owned(),
-    };
-    if inner > 0 {
-        let is_answer = headline.is_some_and(|told| told.is_unconfirmed());
-        let some = super::wording::count(inner as u64, &writer.about(&Tag::Count("unconfirmed bounds")));
-        let all = super::wording::count(mixed().count() as u64, &writer.about(&Tag::Count("bounds")));
-        let subject = match (is_answer, mixed().count()) {
-            (true, _) if inner == 1 => "This answer".to_owned(),
-            (true, _) => format!("{some} of {all} bounds, this answer included,"),
-            (false, 1) => "The only bound".to_owned(),
-            (false, _) => format!("{some} of {all} bounds"),
-        };
-        let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
-        let them = if inner == 1 { "it" } else { "them" };
-        let reason = match needed.filter(|needed| *needed > result.counts.inner) {
-            _ if is_by_surrogate(result) => format!("direct runs do not confirm {them}"),
-            Some(needed) => {
-                let needed = needed.next_power_of_two();
-                let needed = super::wording::count(needed, &writer.about(&Tag::Count("random samples needed")));
-                format!("increase 'inner' to {needed} or more")
-            }
-            None => "increase 'inner'".to_owned(),
-        };
-        sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
-    }
-    sentence
-}
-
-/// Mechanisms of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
-fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
-    const BEYOND: f64 = 0.005;
-    let Statistic::Quantile(probability) = bound.statistic else { return None };
-    let inside = probability.max(1.0 - probability);
-    (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
-}
-
 fn runs_sentence(result: &StudyResult, writer: &NumberWriter) -> String {
     let runs = counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")));
     let failed = match result.counts.failed {
@@ -407,8 +343,6 @@ pub(super) fn turn_word(drive_speed_rad_s: Option<f64>) -> &'static str {
 
 /// One paragraph a treatment: its assumption, the share of mechanisms that its band holds, its width beside the mixed band.
 pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &NumberWriter) -> Vec<String> {
-    let is_mixed = |band: &&TreatmentBand| band.treatment == Treatment::Mixed;
-    let mixed_width = comparison.bands.iter().find(is_mixed).map(TreatmentBand::width_si);
     let sentence = |band: &TreatmentBand| {
         let assumption = match band.treatment {
             Treatment::ProbabilityOnly => "Probability only takes every unknown value as random.",
@@ -416,8 +350,7 @@ pub(super) fn treatment_sentences(comparison: &TreatmentComparison, writer: &Num
             Treatment::Mixed => "Mixed keeps random inputs random and unknown values unknown.",
         };
         let held = share_sentence(band, comparison, writer);
-        let tag = Tag::band(comparison, band, "width beside the mixed band");
-        format!("{assumption} {held}{}", width_sentence(band, mixed_width, &writer.about(&tag)))
+        format!("{assumption} {held}{}", width_sentence(band, comparison, writer))
     };
     comparison.bands.iter().map(sentence).collect()
 }
@@ -461,16 +394,25 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
     format!("At all unknown values tested, at least {least} of mechanisms lie inside the band; {promise} are promised.")
 }
 
-/// How much wider or narrower than the mixed band; nothing where that hardly differs.
-fn width_sentence(band: &TreatmentBand, mixed_width: Option<f64>, writer: &NumberWriter) -> String {
-    let Some(mixed) = mixed_width.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {
+/// How much wider or narrower than the mixed band, as far as its error lets that be told; nothing where both hardly differ.
+fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
+    let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
+    let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && *mixed > 0.0) else {
         return String::new();
     };
     let wider = (100.0 * (band.width_si() / mixed - 1.0)).round() / 100.0;
-    let by = writer.percent(wider.abs(), Rounding::Nearest);
-    match wider {
-        0.02.. => format!(" The band is {by} wider than the mixed band."),
-        ..=-0.02 => format!(" The band is {by} narrower than the mixed band."),
-        _ => String::new(),
+    let tag = Tag::band(comparison, band, "width beside the mixed band");
+    let by = writer.about(&tag).percent(wider.abs(), Rounding::Nearest);
+    let compared = match wider {
+        0.02.. => format!("{by} wider than the mixed band"),
+        ..=-0.02 => format!("{by} narrower than the mixed band"),
+        _ => return String::new(),
+    };
+    if band.error_si().is_some_and(|error_si| error_si > (band.width_si() - mixed).abs()) {
+        let error = band_error(band, comparison, writer);
+        return format!(
+            " As found, the band is {compared}; the numerical error of its ends, {error}, is larger than that."
+        );
     }
+    format!(" The band is {compared}.")
 }

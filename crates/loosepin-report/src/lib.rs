@@ -41,6 +41,7 @@ mod compare;
 mod contributors_text;
 mod draft_band;
 mod draft_text;
+mod error_words;
 mod figure;
 mod force_words;
 mod glossary;

@@ -1,6 +1,5 @@
 //! Motions that do not repeat themselves: how many, and how much further they go in later turns.
 
-use super::answer::share_of_runs;
 use super::number::{NumberWriter, Rounding};
 use super::tag::Tag;
 use super::wording::{count, counted, deviation_of, listed, output_unit, output_words};
@@ -86,4 +85,19 @@ fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
         Some(format!(" {who} of them {leaves} the limit of {} only then.", requirement.output))
     };
     result.requirements.iter().zip(&further.broken_later).filter_map(of_one).collect()
+}
+
+/// A share of runs that were counted: all of them, or in percent without digits that pretend to more, and the count where it is near an end.
+pub(super) fn share_of_runs(share: f64, runs: u64, writer: &NumberWriter) -> String {
+    const NEAR_AN_END: f64 = 0.01;
+    let counted_runs = (share * runs as f64).round() as u64;
+    if counted_runs == runs {
+        return "all runs".to_owned();
+    }
+    if share < NEAR_AN_END || 1.0 - share < NEAR_AN_END {
+        let of = counted(runs, "run", &writer.about(&Tag::Count("finished runs")));
+        let tag = writer.tag().map(|tag| tag.part("runs"));
+        return format!("{} of the {of}", count(counted_runs, &writer.about_maybe(tag.as_ref())));
+    }
+    format!("{} of the runs", writer.percent(share, Rounding::Nearest))
 }

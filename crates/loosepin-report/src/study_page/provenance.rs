@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::answer::{share_of_runs, turn_word, turns};
+use crate::answer::{turn_word, turns};
 use crate::force_words::ForcesOf;
 use crate::glossary::glossary;
 use crate::number::{NumberWriter, Rounding};
@@ -11,6 +11,7 @@ use crate::simulation_page::speed_facts;
 use crate::still_figures::histogram_figure;
 use crate::tag::{Tag, read_the_same};
 use crate::trust_words::nominal_sentences;
+use crate::turn_words::share_of_runs;
 use crate::wording::{
     count, counted, guarantee_words, has_unknown, is_by_surrogate, listed, reading_words, unknown_words,
 };

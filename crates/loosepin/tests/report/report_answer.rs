@@ -57,6 +57,30 @@ fn analytic_headline_rounds_the_bound_outwards() {
     );
 }
 
+#[test]
+fn analytic_runs_that_would_halve_a_large_error() {
+    let shown = |sampling_si: f64, optimisation_si: f64| {
+        let mut result = quantile_bound_m(6e-4, 0.0);
+        let upper = &mut result.bounds[0].upper;
+        upper.error = NumericalError { sampling_si, optimisation_si, surrogate_si: 0.0 };
+        result.accuracy = None;
+        one_line(&study_text(&result))
+    };
+    let says = |text: &str, words: &str| assert!(text.contains(words), "'{words}' is not in: {text}");
+    // s/sqrt(k) + o = (s + o)/2 with o = s/5 holds for k = (2 s/(s - o))^2 = 6.25, the next power of two of 256 k is 2048.
+    says(
+        &shown(1e-4, 2e-5),
+        "at most 0.2 mm, included in it. More random samples would halve it: inner = 2048, about 150000 runs.",
+    );
+    says(
+        &shown(4e-5, 6e-5),
+        "included in it. Of it 0.06 mm comes from the search over the unknown values, which falls slowly with more runs (outer), and 0.04 mm \
+         from random samples: inner = 1024, about 71000 runs would halve this part.",
+    );
+    says(&shown(1e-6, 9e-5), "which falls slowly with more runs (outer). - 17536 runs");
+    assert!(!shown(1e-5, 1e-5).contains("halve"));
+}
+
 /// The headline and what follows it up to the details, on one line.
 fn told(result: &StudyResult) -> String {
     let text = one_line(&study_text(result));
@@ -412,6 +436,15 @@ fn analytic_treatments_of_a_normal_plus_an_interval() {
     assert_says(
         &result,
         "At all unknown values tested, at least 97.4 % of mechanisms lie inside the band; 95 % are promised.",
+    );
+    // Where the ends are less well known than the bands differ, that is said of what was found only.
+    let mut unsure = result.clone();
+    let error = NumericalError { sampling_si: 0.0, optimisation_si: 5e-3, surrogate_si: 0.0 };
+    unsure.treatments[0].bands[1].ends =
+        Some([-9.0, 9.0].map(|widened| TreatmentEnd { widened_si: 1e-3 * widened, error }));
+    assert_says(
+        &unsure,
+        "As found, the band is 35 % wider than the mixed band; the numerical error of its ends, 5 mm, is larger than that.",
     );
     assert_says(&result, "Probability only -2.26 mm to 2.26 mm 4.51 mm 89.5 % to 97.6 % broken");
     assert_says(&result, "Mixed -2.96 mm to 2.96 mm 5.92 mm 97.4 % to 99.69 % kept");

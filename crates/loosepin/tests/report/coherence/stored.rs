@@ -197,6 +197,10 @@ impl Found<'_> {
             for (part, error_si) in parts {
                 self.of_bound(tag(&format!("error {part}")), error_si, bound);
             }
+            for (end, error) in [("lower", lower.error), ("upper", upper.error)] {
+                self.of_bound(tag(&format!("{end} error sampling")), error.sampling_si, bound);
+                self.of_bound(tag(&format!("{end} error search")), error.optimisation_si, bound);
+            }
             self.witness(&tag("lower witness"), &lower.witness);
             self.witness(&tag("upper witness"), &upper.witness);
         }
