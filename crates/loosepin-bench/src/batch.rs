@@ -2,7 +2,7 @@
 
 use crate::compiled;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{JointKind, PlayId, QuantityId};
+use loosepin::model::{PlayId, QuantityId};
 use loosepin::simulate::{
     Arms, Counters, Execution, Follow, FollowedRun, Observer, Queue, Reading, Run, RunFailure, RunReport, Settings,
     Step, Window, columns, conduct,
@@ -64,10 +64,7 @@ impl Case {
                 PlayId::Joint(joint) => Some(&model.joints[joint.0].kind),
                 PlayId::Coupling(_) => None,
             })
-            .filter_map(|kind| match kind {
-                JointKind::Revolute { clearance: Some(clearance), .. } => Some(clearance.radial_clearance_m),
-                _ => None,
-            })
+            .filter_map(|kind| Some(kind.pin_clearance()?.radial_clearance_m))
             .map(|quantity| (quantity, nominal[quantity]))
             .collect();
         let position = columns(&mechanism.model).into_iter().find(|column| column.reading.is_position());

@@ -91,7 +91,7 @@ fn halving_words(result: &StudyResult, told: Told<'_>, writer: &NumberWriter) ->
     // sampling/sqrt(times) + search = (sampling + search)/2.
     let times = (2.0 * sampling_si / (sampling_si - search_si)).powi(2);
     if sampling_si > search_si && times <= MAX_TIMES {
-        return Some(format!(" More random samples would halve it: {}.", more(times)));
+        return Some(format!(" More random samples should halve it: {}.", more(times)));
     }
     let part = |part: &str, error_si: f64| {
         writer.about(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
@@ -102,7 +102,7 @@ fn halving_words(result: &StudyResult, told: Told<'_>, writer: &NumberWriter) ->
     );
     if sampling_si > LARGE_SHARE * total_si {
         words.push_str(&format!(
-            ", and {} from random samples: {} would halve this part",
+            ", and {} from random samples: {} should halve this part",
             part("sampling", sampling_si),
             more(4.0)
         ));

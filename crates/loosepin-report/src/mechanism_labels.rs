@@ -7,7 +7,7 @@ use super::mechanism_shapes::{
     support_points,
 };
 use super::mechanism_signs::{ARROW_PINS, drive_sign};
-use loosepin_result::simulation::{Drawing, DrawnJointKind, PoseTable};
+use loosepin_result::simulation::{Drawing, DrawnPin, PoseTable};
 
 /// Poses at which places are compared.
 const MOST_POSES: usize = 48;
@@ -126,7 +126,7 @@ pub(super) fn labels(drawing: &Drawing, poses: &PoseTable, frame: &Frame, sizes:
             wanted.push(Label { kind: Kind::Drive, text: drive.name.clone(), body, at_mm, place: blank });
         }
     }
-    for joint in drawing.joints.iter().filter(|joint| joint.kind == DrawnJointKind::RevoluteWithClearance) {
+    for joint in drawing.joints.iter().filter(|joint| joint.kind.pin() == Some(DrawnPin::InBearing)) {
         if let Some(at_mm) = point_mm(drawing, joint.first) {
             let body = joint.first.body;
             wanted.push(Label { kind: Kind::Play, text: joint.name.clone(), body, at_mm, place: blank });

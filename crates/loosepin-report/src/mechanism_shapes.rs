@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, PointReference, PoseTable};
+use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPin, PointReference, PoseTable};
 
 /// Millimetres, in which the picture is drawn.
 pub(super) const MM_PER_M: f64 = 1e3;
@@ -137,7 +137,7 @@ pub(super) fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f
 
 /// Whether a joint has a line along which it slides.
 pub(super) fn has_rails(joint: &DrawnJoint) -> bool {
-    matches!(joint.kind, DrawnJointKind::Prismatic | DrawnJointKind::Slot)
+    joint.kind.has_line()
 }
 
 /// How far a slider moves along its guide, mm from the guide's point, in all poses; none where the record names no such point.
@@ -198,7 +198,7 @@ pub(super) fn outline(drawing: &Drawing, index: usize, poses: &PoseTable, frame:
     let block = drawing
         .joints
         .iter()
-        .find(|joint| joint.kind == DrawnJointKind::Prismatic && joint.second.body == index)
+        .find(|joint| joint.kind.has_block() && joint.second.body == index)
         .and_then(|joint| Some((points.get(joint.second.point)?, joint)));
     html! {
         @if let Some(((x, y), joint)) = block {
@@ -278,7 +278,7 @@ pub(super) fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64
     let at = |point: usize| point_mm(drawing, PointReference { body: index, point });
     html! {
         @for joint in &drawing.joints {
-            @if joint.kind == DrawnJointKind::RevoluteWithClearance {
+            @if joint.kind.pin() == Some(DrawnPin::InBearing) {
                 @if layer == PinLayer::Bearings && joint.first.body == index {
                     @if let Some((x, y)) = at(joint.first.point) {
                         @let clearance_mm = joint.radial_clearance_m * MM_PER_M;
@@ -297,7 +297,7 @@ pub(super) fn pins(drawing: &Drawing, index: usize, pin: f64, magnification: f64
                     }
                 }
             } @else if layer == PinLayer::Journals
-                && matches!(joint.kind, DrawnJointKind::Revolute | DrawnJointKind::Slot)
+                && joint.kind.pin() == Some(DrawnPin::Solid)
                 && joint.second.body == index
             {
                 @if let Some((x, y)) = at(joint.second.point) {

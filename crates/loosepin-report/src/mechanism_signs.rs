@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::mechanism_shapes::{Frame, RAIL_PINS, point_mm, way};
 use super::ticks::{tick_text, ticks};
-use loosepin_result::simulation::{Drawing, DrawnDrive, DrawnJointKind, DriveSense, PoseTable};
+use loosepin_result::simulation::{Drawing, DrawnDrive, DriveSense, PoseTable};
 
 /// Radius of the arrow around a driven pin, in pins: outside of bearings.
 pub(super) const ARROW_PINS: f64 = 5.0;
@@ -91,21 +91,19 @@ pub(super) fn drive_sign(drawing: &Drawing, drive: &DrawnDrive, poses: &PoseTabl
         (DriveSense::Backward, true) => DriveSense::Forward,
         (sense, _) => sense,
     };
-    match joint.kind {
-        DrawnJointKind::Revolute | DrawnJointKind::RevoluteWithClearance => {
-            let end = if is_ground(joint.second.body) { joint.second } else { joint.first };
-            Some(DriveSign::Curved { body: end.body, at_mm: point_mm(drawing, end)?, sense })
-        }
-        DrawnJointKind::Prismatic | DrawnJointKind::Slot => {
-            let (from, to) = way(drawing, joint, poses)?;
-            let (x, y) = point_mm(drawing, joint.first)?;
-            let (sine, cosine) = joint.guide_angle_rad.sin_cos();
-            let (along, aside) = (0.5 * (from + to), ARROW_OFFSET_PINS * pin);
-            let at_mm = (x + along * cosine - aside * sine, y + along * sine + aside * cosine);
-            Some(DriveSign::Straight { body: joint.first.body, at_mm, angle_rad: joint.guide_angle_rad, sense })
-        }
-        DrawnJointKind::Rigid => None,
+    if joint.kind.turns() {
+        let end = if is_ground(joint.second.body) { joint.second } else { joint.first };
+        return Some(DriveSign::Curved { body: end.body, at_mm: point_mm(drawing, end)?, sense });
     }
+    if !joint.kind.has_line() {
+        return None;
+    }
+    let (from, to) = way(drawing, joint, poses)?;
+    let (x, y) = point_mm(drawing, joint.first)?;
+    let (sine, cosine) = joint.guide_angle_rad.sin_cos();
+    let (along, aside) = (0.5 * (from + to), ARROW_OFFSET_PINS * pin);
+    let at_mm = (x + along * cosine - aside * sine, y + along * sine + aside * cosine);
+    Some(DriveSign::Straight { body: joint.first.body, at_mm, angle_rad: joint.guide_angle_rad, sense })
 }
 
 /// A bar of a round length at the lower left, and at the lower right by how much play is magnified, where there is any. y points

@@ -22,7 +22,7 @@ use super::trust_words::TrustedRun;
 use super::wear_section::wear_section;
 use super::wording::{capitalised, count, counted, deviation_words, listed, named_words, without_round_off};
 use loosepin_result::simulation::{
-    ControlHistory, DrawnJointKind, Extreme, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
+    ControlHistory, Extreme, ExtremePoint, ImpactRecord, JointSummary, OutputHistory, QuasiStaticShare,
     SimulationRecord, SimulationSettings, StopReason, SwingCourse,
 };
 use loosepin_result::study::Deviation;
@@ -135,9 +135,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
                 }
                 None => ("backlash", value("backlash", 2.0 * joint.radial_clearance_m)),
                 // In a guide or a slot it lies between faces.
-                Some(DrawnJointKind::Prismatic | DrawnJointKind::Slot) => {
-                    ("clearance", value("radial", joint.radial_clearance_m))
-                }
+                Some(kind) if kind.has_line() => ("clearance", value("radial", joint.radial_clearance_m)),
                 Some(_) => ("radial clearance", value("radial", joint.radial_clearance_m)),
             };
             format!("a {kind} of {clearance} in {}", joint.joint)

@@ -47,7 +47,9 @@ impl TrustedRun<'_> {
             let length =
                 writer.about(&Tag::Given("length of a horizon")).value_trimmed(horizon.length_m, &SiUnit::LENGTH);
             match horizon.until_s {
-                Some(until_s) => format!("to {length} until {}", self.instant(&length, until_s, horizon.turns, writer)),
+                Some(until_s) => {
+                    format!("to {length} until {}", self.instant(horizon.length_m, until_s, horizon.turns, writer))
+                }
                 None => format!("to {length} not even at the start"),
             }
         };
@@ -74,8 +76,8 @@ impl TrustedRun<'_> {
         sentences
     }
 
-    fn instant(&self, length: &str, until_s: f64, turns: Option<f64>, writer: &NumberWriter) -> String {
-        let tag = |part: &str| trust_tag("horizon", part).at(length);
+    fn instant(&self, length_m: f64, until_s: f64, turns: Option<f64>, writer: &NumberWriter) -> String {
+        let tag = |part: &str| trust_tag("horizon", part).at(&length_m.to_string());
         let time = writer.about(&tag("time")).rounded(until_s, &SiUnit::TIME, 4, Rounding::Down);
         let Some(turns) = turns else { return time };
         let recorded = if self.has_start_up { "recorded " } else { "" };

@@ -2,6 +2,7 @@
 
 mod control;
 mod drawing;
+mod drawn_joint;
 mod life;
 mod measured;
 mod motion_kind;
@@ -15,9 +16,10 @@ use crate::study::Deviation;
 use crate::study::accuracy::is_zero_count;
 pub use control::{ControlHistory, Swing, SwingCourse};
 pub use drawing::{
-    Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
-    JournalOrbit, PointReference, PoseTable,
+    Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnOutput, DrawnPoint, DriveSense, JournalOrbit,
+    PointReference, PoseTable,
 };
+pub use drawn_joint::{DrawnJointKind, DrawnPin};
 pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};

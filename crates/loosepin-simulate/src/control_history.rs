@@ -3,7 +3,7 @@
 use super::swing::swing;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointId, JointKind};
+use loosepin_mechanics::model::JointId;
 use loosepin_result::simulation::ControlHistory;
 use loosepin_text::units::SiUnit;
 
@@ -22,8 +22,7 @@ impl ControlRecorder {
     /// For the controls of `mechanism`, run with `tolerance_m`.
     pub fn new(mechanism: &Mechanism, tolerance_m: f64) -> Self {
         let model = &mechanism.model;
-        let is_prismatic =
-            |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. } | JointKind::Slot { .. });
+        let is_prismatic = |joint: JointId| model.joints[joint.0].kind.slides();
         let histories = model.controls.iter().map(|control| ControlHistory {
             name: control.name.clone(),
             joint: model.joints[control.joint.0].name.clone(),

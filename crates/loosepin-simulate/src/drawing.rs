@@ -5,7 +5,7 @@ use loosepin_mechanics::mechanism::{
     BeamGeometry, Drives, Kinematics, Mechanism, Sample, Tree, TreeBeam, TreeNodalBeam,
 };
 use loosepin_mechanics::model::{
-    Derivative, Drive, DriveId, JointKind, Model, Output, OutputKind, PointId, Position, Values,
+    Derivative, Drive, DriveId, Joint, Model, Output, OutputKind, PointId, Position, Values,
 };
 use loosepin_result::simulation::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
@@ -44,23 +44,7 @@ pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
         .iter()
         .map(|joint| {
             let [first, second] = joint.kind.points().map(reference);
-            let (kind, guide_angle_rad, radial_clearance_m) = match &joint.kind {
-                JointKind::Revolute { clearance, .. } => {
-                    let clearance_m = clearance.as_ref().map_or(0.0, |c| values[c.radial_clearance_m]);
-                    let kind = if clearance_m > 0.0 {
-                        DrawnJointKind::RevoluteWithClearance
-                    } else {
-                        DrawnJointKind::Revolute
-                    };
-                    (kind, 0.0, clearance_m)
-                }
-                JointKind::Prismatic { guide_angle_rad, .. } => {
-                    (DrawnJointKind::Prismatic, values[*guide_angle_rad], 0.0)
-                }
-                JointKind::Slot { slot_angle_rad, .. } => (DrawnJointKind::Slot, values[*slot_angle_rad], 0.0),
-                JointKind::Rigid { .. } => (DrawnJointKind::Rigid, 0.0, 0.0),
-            };
-            DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
+            drawn_joint(joint, [first, second], values)
         })
         .collect();
     Drawing {
@@ -220,4 +204,13 @@ mod tests {
         assert_eq!(sense(&[-2.0, 0.0, 1.0]), DriveSense::ToAndFro);
         assert_eq!(sense(&[0.0, f64::NAN]), DriveSense::Still);
     }
+}
+
+/// A joint as it is drawn between two points.
+pub fn drawn_joint(joint: &Joint, [first, second]: [PointReference; 2], values: &Values) -> DrawnJoint {
+    // Only in a hole does the clearance leave room to draw it in.
+    let radial_clearance_m = joint.kind.pin_clearance().map_or(0.0, |pin| values[pin.radial_clearance_m]);
+    let guide_angle_rad = joint.kind.line().map_or(0.0, |line| values[line.angle_rad]);
+    let kind = DrawnJointKind::of(joint.kind.word(), radial_clearance_m > 0.0);
+    DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
 }

@@ -10,7 +10,7 @@ use loosepin_math::integrate::System;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
-use loosepin_mechanics::model::{JointKind, PlayId, SlidingVelocity};
+use loosepin_mechanics::model::{PlayId, SlidingVelocity};
 
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
 const ACCOUNT: usize = 3;
@@ -401,10 +401,7 @@ pub fn tolerances(
         layout.error_integrals.iter().zip(&mechanism.model.controls).zip(&sample.controls)
     {
         if let (Some(place), Some(_)) = (place, numbers.integral) {
-            let is_length = matches!(
-                mechanism.model.joints[control.measured.0].kind,
-                JointKind::Prismatic { .. } | JointKind::Slot { .. }
-            );
+            let is_length = mechanism.model.joints[control.measured.0].kind.slides();
             tolerances[*place] = if is_length { local_m } else { local_rad } / rate_1_s;
         }
     }

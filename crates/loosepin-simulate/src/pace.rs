@@ -2,16 +2,13 @@
 
 use super::motion::Motion;
 use loosepin_mechanics::mechanism::{CouplingGeometry, Mechanism, Sample};
-use loosepin_mechanics::model::{Coupling, DriveId, JointId, JointKind};
+use loosepin_mechanics::model::{Coupling, DriveId, JointId};
 
 /// Rate of the fastest drive or reference between time zero and `end_s`, rad/s; driven lengths count as angles over the size of the
 /// mechanism.
 pub fn fastest_drive_rad_s(mechanism: &Mechanism, sample: &Sample<f64>, end_s: f64) -> f64 {
     let model = &mechanism.model;
-    let scale = |joint: JointId| match model.joints[joint.0].kind {
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } => mechanism.size_m,
-        _ => 1.0,
-    };
+    let scale = |joint: JointId| if model.joints[joint.0].kind.slides() { mechanism.size_m } else { 1.0 };
     let drives = model.drives.iter().enumerate();
     let drives = drives.map(|(index, drive)| sample.drives.pace_1_s(&drive.law, index, end_s, scale(drive.joint)));
     let controls =

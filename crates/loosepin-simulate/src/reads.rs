@@ -4,7 +4,7 @@ use super::column::{Arms, Reading};
 use super::motion::Motion;
 use loosepin_math::{KnownAngle, Real};
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointKind, PlayId};
+use loosepin_mechanics::model::{JointKind, PlayId, PlayParts};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -32,19 +32,18 @@ impl ReadLayout {
             PlayId::Joint(joint) => Some(&mechanism.model.joints[joint.0].kind),
             PlayId::Coupling(_) => None,
         };
-        let is_slot = |play: &PlayId| matches!(kind(play), Some(JointKind::Slot { .. }));
-        let has_ends = |play: &PlayId| match kind(play) {
-            Some(JointKind::Prismatic { clearance: Some(clearance), .. }) => clearance.ends_m.is_some(),
-            _ => false,
-        };
+        let has_shares = |play: &PlayId| kind(play).is_some_and(JointKind::has_shares);
+        let has_ends = |play: &PlayId| kind(play).is_some_and(JointKind::has_ends);
+        let is_in_slot =
+            |play: &PlayId| kind(play).is_some_and(|kind| matches!(kind.play_parts(), Some(PlayParts::Slot { .. })));
         let is_worn = mechanism.model.has_worn_geometry();
         Self {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_shares: is_worn || mechanism.plays.iter().any(|play| is_slot(play) || has_ends(play)),
+            has_shares: is_worn || mechanism.plays.iter().any(has_shares),
             has_ends: mechanism.plays.iter().any(has_ends),
-            has_slots: mechanism.plays.iter().any(is_slot),
+            has_slots: mechanism.plays.iter().any(is_in_slot),
             turning: mechanism.real.turning_slots().count(),
         }
     }

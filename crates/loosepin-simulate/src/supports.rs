@@ -12,7 +12,7 @@
 //! A section that a drive or a rigid joint holds is clamped. An end beside a clamped one counts as held sideways where its joint is to the body of the clamp, or to one that slides
 //! on that along the beam; on a link that moves otherwise it counts as free, which is the lower load.
 
-use loosepin_mechanics::model::{BodyId, JointKind, Model, PointId, Values};
+use loosepin_mechanics::model::{BodyId, Model, PointId, Values};
 use std::f64::consts::PI;
 
 /// Least positive solution of tan β = β.
@@ -60,18 +60,12 @@ fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Opt
     if hold.to == base.to {
         return Some(Held::Sideways);
     }
-    let guides = model.joints.iter().filter_map(|joint| match joint.kind {
-        JointKind::Prismatic { guide, slider, guide_angle_rad, .. }
-            if [guide, slider].map(|p| p.body) == [base.to, hold.to] =>
-        {
-            Some(values[guide_angle_rad])
-        }
-        JointKind::Prismatic { guide, slider, slider_angle_rad, .. }
-            if [slider, guide].map(|p| p.body) == [base.to, hold.to] =>
-        {
-            Some(values[slider_angle_rad])
-        }
-        _ => None,
+    // Guides between both bodies, with their direction in the frame of the first one.
+    let guides = model.joints.iter().filter(|joint| joint.kind.line().is_some() && joint.kind.rows().holds_angle);
+    let guides = guides.filter_map(|joint| {
+        let own = joint.kind.bodies().into_iter().position(|body| body == base.to)?;
+        let is_between = joint.kind.bodies()[1 - own] == hold.to;
+        joint.kind.angles_rad()[own].filter(|_| is_between).map(|angle_rad| values[angle_rad])
     });
     let held = |guide_rad: f64| {
         let is_along = base.beam_rad.is_some_and(|beam_rad| (guide_rad - beam_rad).sin().abs() <= ALONG_RAD.sin());
@@ -87,13 +81,9 @@ fn holds_at(model: &Model, values: &Values, end: PointId, ends: [PointId; 2]) ->
     let hold = |(index, joint): (usize, &loosepin_mechanics::model::Joint)| {
         let points = joint.kind.points();
         let own = points.into_iter().position(|point| point == end)?;
-        let beam_rad = match joint.kind {
-            // The second body is turned by this angle from the first.
-            JointKind::Rigid { angle_rad, .. } => {
-                Some(axis_rad + if own == 1 { values[angle_rad] } else { -values[angle_rad] })
-            }
-            _ => None,
-        };
+        // The second body is turned by this angle from the first.
+        let turned_rad = joint.kind.held_turn_rad(&|id| values[id]).filter(|_| joint.kind.line().is_none());
+        let beam_rad = turned_rad.map(|turned_rad| axis_rad + if own == 1 { turned_rad } else { -turned_rad });
         Some(Hold { is_clamp: model.holds_sections(index), to: points[1 - own].body, beam_rad })
     };
     model.joints.iter().enumerate().filter_map(hold).collect()

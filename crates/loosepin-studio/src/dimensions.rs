@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use loosepin::model::{JointKind, Model, PointId, QuantityId, Values};
+use loosepin::model::{Line, Model, PointId, QuantityId, Values};
 use loosepin::units::{Dimension, format_value};
 
 use crate::centres::{Centres, SAME_CENTRE_M};
@@ -29,11 +29,7 @@ pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
     };
     let lengths = (1..model.bodies.len()).flat_map(|body| lengths(model, &values, body, &held[body], &number));
     let angles = model.joints.iter().filter_map(|joint| {
-        let (point, angle) = match joint.kind {
-            JointKind::Prismatic { guide, guide_angle_rad, .. } => (guide, guide_angle_rad),
-            JointKind::Slot { slot, slot_angle_rad, .. } => (slot, slot_angle_rad),
-            JointKind::Revolute { .. } | JointKind::Rigid { .. } => return None,
-        };
+        let Line { point, angle_rad: angle } = joint.kind.line()?;
         let [x, y] = in_body_m(model, &values, point).map(|m| m * MM_PER_M);
         let (sine, cosine) = values[angle].sin_cos();
         Some(SeenDimension {
@@ -125,7 +121,7 @@ mod tests {
             let length_m = nominal[model.quantities.id(&path).unwrap()];
             assert_eq!(length.written, format_value(length_m, Dimension::LENGTH));
         }
-        let guide = model.joints.iter().find(|joint| matches!(joint.kind, JointKind::Prismatic { .. })).unwrap();
+        let guide = model.joints.iter().find(|joint| joint.kind.line().is_some()).unwrap();
         assert_eq!(of(&guide.name).kind, "angle");
     }
 }

@@ -8,7 +8,7 @@ use loosepin::diagnostics::{Complaint, Complaints};
 use loosepin::model::Model;
 use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
 use loosepin::result::motion::MotionRecord;
-use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnJointKind, DrawnPoint};
+use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
@@ -213,17 +213,11 @@ fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outlin
 
 fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> SeenJoint {
     let has_play = joint.radial_clearance_m > 0.0;
-    let is_pin = matches!(joint.kind, DrawnJointKind::Revolute | DrawnJointKind::RevoluteWithClearance);
+    let is_pin = joint.kind.turns();
     let point = drawing.bodies.get(joint.first.body).and_then(|body| body.points.get(joint.first.point));
     SeenJoint {
         name: joint.name.clone(),
-        kind: match joint.kind {
-            DrawnJointKind::Revolute => "revolute joint",
-            DrawnJointKind::RevoluteWithClearance => "revolute joint with play",
-            DrawnJointKind::Prismatic => "sliding joint",
-            DrawnJointKind::Slot => "pin in a slot",
-            DrawnJointKind::Rigid => "rigid connection",
-        },
+        kind: joint.kind.words(),
         play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
         pin: point.filter(|_| is_pin).map(|point| SeenPin {
             body: joint.first.body,

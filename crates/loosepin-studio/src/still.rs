@@ -3,11 +3,11 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
-use loosepin::model::{Derivative, Drive, JointKind, Model, OutputKind, PointId, Position, Values};
+use loosepin::model::{Derivative, Drive, Model, OutputKind, PointId, Position, Values};
 use loosepin::result::simulation::{
-    Drawing, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense, PointReference,
-    PoseTable,
+    Drawing, DrawnBody, DrawnDrive, DrawnOutput, DrawnPoint, DriveSense, PointReference, PoseTable,
 };
+use loosepin::simulate::drawn_joint;
 
 const M_PER_MM: f64 = 1e-3;
 /// Nobody draws further, mm.
@@ -102,12 +102,9 @@ pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
             (None, Some(pose)) => (second, pose, first, -1.0),
             _ => continue,
         };
-        let angle_rad = match joint.kind {
-            JointKind::Rigid { angle_rad, .. } => pose.angle_rad + sense * values[angle_rad],
-            JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
-                pose.angle_rad + sense * (values[guide_angle_rad] - values[slider_angle_rad])
-            }
-            _ => {
+        let angle_rad = match joint.kind.held_turn_rad(&|id| values[id]) {
+            Some(turned_rad) => pose.angle_rad + sense * turned_rad,
+            None => {
                 let drive = drives.get(&next);
                 let start = drive.and_then(|drive| model.quantities.id(&format!("drive.{}.start_angle", drive.name)));
                 let driven = start.map(|start| pose.angle_rad + sense * values[start]);
@@ -140,18 +137,7 @@ pub fn still_drawing(model: &Model, poses: &[Pose]) -> Drawing {
     });
     let joints = model.joints.iter().map(|joint| {
         let [first, second] = joint.kind.points().map(reference);
-        let radial_clearance_m = match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => values[clearance.radial_clearance_m],
-            _ => 0.0,
-        };
-        let (kind, guide_angle_rad) = match &joint.kind {
-            JointKind::Revolute { .. } if radial_clearance_m > 0.0 => (DrawnJointKind::RevoluteWithClearance, 0.0),
-            JointKind::Revolute { .. } => (DrawnJointKind::Revolute, 0.0),
-            JointKind::Prismatic { guide_angle_rad, .. } => (DrawnJointKind::Prismatic, values[*guide_angle_rad]),
-            JointKind::Slot { slot_angle_rad, .. } => (DrawnJointKind::Slot, values[*slot_angle_rad]),
-            JointKind::Rigid { .. } => (DrawnJointKind::Rigid, 0.0),
-        };
-        DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
+        drawn_joint(joint, [first, second], &values)
     });
     let drives = model.drives.iter().map(|drive| DrawnDrive {
         name: drive.name.clone(),

@@ -17,7 +17,7 @@ mod carried;
 mod newton;
 
 use crate::mechanism::{JointFriction, Kinematics, Mechanism, Sample};
-use crate::model::{JointId, JointKind};
+use crate::model::JointId;
 use loosepin_math::{Real, Vec2};
 
 /// Components of the force that a joint carries: at both its ends, or in both directions.
@@ -103,7 +103,7 @@ impl<T: Real> JointFrictions<T> {
                     if cut.joint == joint {
                         carrier = Some(Carrier::Cut { row });
                     }
-                    row += cut.kind.rows();
+                    row += cut.rows.count();
                 }
                 let carrier = carrier.unwrap_or_else(|| {
                     let mut beyond = vec![false; tree.links.len() + 1];
@@ -118,7 +118,7 @@ impl<T: Real> JointFrictions<T> {
                     joint,
                     carrier,
                     slots: bodies.map(|body| tree.slot_of_body[body.0]),
-                    is_slider: matches!(kind, JointKind::Prismatic { .. }),
+                    is_slider: kind.slides(),
                     place_m: Vec2::zero(),
                     line: Vec2::zero(),
                     wrench: (Vec2::zero(), T::zero()),

@@ -3,8 +3,8 @@
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
 use super::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, CutKind, PlayShape, acceleration_at};
-use crate::model::{JointId, PlayId};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, PlayShape, acceleration_at};
+use crate::model::{JointId, Keeps, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -212,15 +212,15 @@ impl<T: Real> Dynamics<'_, T> {
             .zip(&self.sample.real.cuts)
             .map(|(cut, numbers)| {
                 let first = self.multipliers[row];
-                let force = match cut.kind {
-                    CutKind::Revolute | CutKind::Rigid => Vec2::new(first, self.multipliers[row + 1]),
-                    CutKind::Prismatic | CutKind::Slot => {
+                let force = match cut.rows.keeps {
+                    Keeps::Points => Vec2::new(first, self.multipliers[row + 1]),
+                    Keeps::Line => {
                         let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
                         let (sine, cosine) = angle.sin_cos();
                         Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)
                     }
                 };
-                row += cut.kind.rows();
+                row += cut.rows.count();
                 force
             })
             .collect()

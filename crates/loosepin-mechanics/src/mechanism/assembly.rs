@@ -7,7 +7,7 @@ use super::error::MechanismError;
 use super::geometry::{CutGeometry, Geometry};
 use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
-use super::tree::{Attachment, Cut, CutKind, Tree};
+use super::tree::{Attachment, Cut, Tree};
 use crate::model::{Model, Values};
 use loosepin_math::solve_sparse_symmetric;
 
@@ -279,7 +279,7 @@ fn unwind(
     for _ in 0..tree.cuts.len() {
         let wound = tree.cuts.iter().zip(&geometry.cuts).find_map(|(cut, numbers)| {
             let turn = turns(cut_turn_rad(cut, numbers, kinematics));
-            (!matches!(cut.kind, CutKind::Revolute) && turn != 0.0).then_some((cut, turn))
+            (cut.rows.holds_angle && turn != 0.0).then_some((cut, turn))
         });
         let Some((cut, turn)) = wound else { return };
         match (carrier(cut.slots[1]), carrier(cut.slots[0])) {
@@ -316,7 +316,7 @@ fn all_face_the_right_way(tree: &Tree, geometry: &Geometry<f64>, kinematics: &Ki
 /// The first cut whose bodies are turned by a half turn against each other.
 fn turned_cut<'t>(tree: &'t Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> Option<&'t Cut> {
     let is_turned = |(cut, numbers): &(&Cut, &CutGeometry<f64>)| {
-        !matches!(cut.kind, CutKind::Revolute) && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
+        cut.rows.holds_angle && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
     };
     tree.cuts.iter().zip(&geometry.cuts).find(is_turned).map(|(cut, _)| cut)
 }

@@ -16,7 +16,7 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        if cut.kind.is_on_line() {
+        if cut.rows.is_on_line() {
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
             out[row] = Vec2::new(-sine, cosine).dot(gap);
         } else {
@@ -24,11 +24,11 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
             out[row] = gap.x;
             out[row + 1] = gap.y;
         }
-        if cut.kind.holds_angle() {
+        if cut.rows.holds_angle {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-            out[row + cut.kind.rows() - 1] = turn.sin_cos().0;
+            out[row + cut.rows.count() - 1] = turn.sin_cos().0;
         }
-        row += cut.kind.rows();
+        row += cut.rows.count();
     }
     for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
         *out = numbers.residual(places, kinematics);
@@ -59,7 +59,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                 let column = dependence.coordinate;
                 let turning = T::from_f64(dependence.turning);
                 let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
-                if cut.kind.is_on_line() {
+                if cut.rows.is_on_line() {
                     out[row * columns + column] += normal.dot(velocity);
                     if side == 0 {
                         // The normal turns with the guide: dn/dt = -ω d.
@@ -69,12 +69,12 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                     out[row * columns + column] += velocity.x;
                     out[(row + 1) * columns + column] += velocity.y;
                 }
-                if cut.kind.holds_angle() {
-                    out[(row + cut.kind.rows() - 1) * columns + column] += turning * sign * turn_cosine;
+                if cut.rows.holds_angle {
+                    out[(row + cut.rows.count() - 1) * columns + column] += turning * sign * turn_cosine;
                 }
             }
         }
-        row += cut.kind.rows();
+        row += cut.rows.count();
     }
     for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
         numbers.add_gradient(places, tree, kinematics, &mut out[row * columns..(row + 1) * columns]);
@@ -103,7 +103,7 @@ pub fn gradient<T: Real>(
             let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
             let (linear, spin) = motion(cut.slots[side]);
             let velocity = linear.plus(arms[side].turned(), spin) * sign;
-            if cut.kind.is_on_line() {
+            if cut.rows.is_on_line() {
                 let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
                 let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
                 out[row] = normal.dot(velocity);
@@ -116,12 +116,12 @@ pub fn gradient<T: Real>(
                 out[row] = velocity.x;
                 out[row + 1] = velocity.y;
             }
-            if cut.kind.holds_angle() {
+            if cut.rows.holds_angle {
                 let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-                out[row + cut.kind.rows() - 1] = spin * sign * turn.sin_cos().1;
+                out[row + cut.rows.count() - 1] = spin * sign * turn.sin_cos().1;
             }
         }
-        row += cut.kind.rows();
+        row += cut.rows.count();
     }
     let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
     for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
@@ -138,7 +138,7 @@ pub fn gradient<T: Real>(
 pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
     let mut first = 0;
     let index = tree.cuts.iter().position(|cut| {
-        first += cut.kind.rows();
+        first += cut.rows.count();
         row < first
     });
     let Some(index) = index else { return T::one() };
@@ -159,7 +159,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let changes = cut.slots.map(|slot| kinematics.biases[slot]);
         let acceleration =
             acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
-        if cut.kind.is_on_line() {
+        if cut.rows.is_on_line() {
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
             let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
             let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
@@ -174,13 +174,14 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
             out[row] = acceleration.x;
             out[row + 1] = acceleration.y;
         }
-        if cut.kind.holds_angle() {
+        if cut.rows.holds_angle {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             let (sine, cosine) = turn.sin_cos();
             let spin = twists[1].angular - twists[0].angular;
-            out[row + cut.kind.rows() - 1] = cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();
+            out[row + cut.rows.count() - 1] =
+                cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();
         }
-        row += cut.kind.rows();
+        row += cut.rows.count();
     }
     for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
         *out = numbers.bias(places, kinematics);
@@ -201,7 +202,7 @@ impl RowOwner {
     pub fn of(tree: &Tree, row: usize) -> Self {
         let mut first = 0;
         for cut in &tree.cuts {
-            first += cut.kind.rows();
+            first += cut.rows.count();
             if row < first {
                 return Self::Joint(cut.joint);
             }
@@ -261,10 +262,7 @@ impl Opening {
 pub fn worst_for_its_size(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
     let mut units = Vec::with_capacity(residuals.len());
     for cut in &tree.cuts {
-        units.extend((1..=cut.kind.rows()).map(|row| {
-            let is_angle = row == cut.kind.rows() && cut.kind.holds_angle();
-            if is_angle { 1.0 } else { size_m }
-        }));
+        units.extend((0..cut.rows.count()).map(|row| if cut.rows.is_angle(row) { 1.0 } else { size_m }));
     }
     for index in &tree.coupling_indices {
         let is_length = RowOwner::Coupling(*index).dimension(model) == Dimension::LENGTH;

@@ -1,7 +1,7 @@
 //! Where the two bodies of a joint with play may touch.
 
 use super::flanks::{FLANKS, Flanks};
-use crate::model::{JointKind, Model, PlayId};
+use crate::model::{Model, PlayId};
 use loosepin_math::{Vec2, numbers};
 
 /// A place where the two bodies of a joint with play may touch: a contact, with a state, forces and events of its own.
@@ -64,9 +64,6 @@ pub struct SliderBlock<T> {
 
 numbers!(struct SliderBlock { half_length_m, half_height_m, line, axis, ends_m });
 
-/// Names of the places of a slider: where along the guide's direction, at which face.
-const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];
-
 /// Whether the corner at `place` of a slider is at its front, where the guide's line points to; it is at its rear otherwise.
 pub fn is_front_corner(place: usize) -> bool {
     place % 2 == 1
@@ -80,10 +77,7 @@ pub fn is_upper_corner(place: usize) -> bool {
 /// The places of the joints with play, joint by joint.
 pub(super) fn contact_places(model: &Model, plays: &[PlayId]) -> Vec<ContactPlace> {
     let count = |id: PlayId| match id {
-        PlayId::Joint(joint) => match model.joints[joint.0].kind {
-            JointKind::Prismatic { .. } => CORNERS.len(),
-            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => 1,
-        },
+        PlayId::Joint(joint) => model.joints[joint.0].kind.contact_places().len().max(1),
         PlayId::Coupling(_) if model.play_clearance(id).is_none() => 1,
         PlayId::Coupling(_) => FLANKS.len(),
     };
@@ -95,10 +89,7 @@ pub(super) fn contact_places(model: &Model, plays: &[PlayId]) -> Vec<ContactPlac
 pub(super) fn contact_name(model: &Model, play: PlayId, place: usize) -> String {
     let name = model.play_name(play);
     let places: &[&str] = match play {
-        PlayId::Joint(joint) => match model.joints[joint.0].kind {
-            JointKind::Prismatic { .. } => &CORNERS,
-            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Rigid { .. } => &[],
-        },
+        PlayId::Joint(joint) => model.joints[joint.0].kind.contact_places(),
         PlayId::Coupling(_) if model.play_clearance(play).is_none() => &[],
         PlayId::Coupling(_) => &FLANKS,
     };

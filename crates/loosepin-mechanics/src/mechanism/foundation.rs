@@ -3,7 +3,7 @@
 use crate::contact::{
     Foundation, FrictionLaw, NormalContact, NormalLaw, compliance_1_pa, liu_foundation_pa_m, point_law_foundation_pa_m,
 };
-use crate::model::{FoundationChoice, JointId, JointKind, Model, Stiffness, Values};
+use crate::model::{FoundationChoice, JointId, Model, Stiffness, Values};
 
 /// The foundation of `joint`, unworn, where its model lets wear act back; `normal` gives the loss of the contact, and the stiffness where
 /// the model takes it from there.
@@ -18,7 +18,7 @@ pub(super) fn foundation(
         return None;
     }
     let wear = model.joints[joint.0].wear.as_ref()?;
-    let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[joint.0].kind else { return None };
+    let clearance = model.joints[joint.0].kind.pin_clearance()?;
     let (radius_m, length_m) = (values[clearance.bearing_radius_m], values[wear.bearing_length_m]);
     let clearance_m = values[clearance.radial_clearance_m];
     let stiffness_pa_m = match (wear.foundation, &model.contacts[clearance.contact.0].stiffness, normal) {

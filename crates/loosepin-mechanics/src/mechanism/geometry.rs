@@ -3,9 +3,9 @@
 use super::coupling_geometry::CouplingGeometry;
 use super::nodal_geometry::NodalGeometry;
 use super::points::{direction, numbered_point_m};
-use super::tree::{Attachment, CutKind, Tree};
+use super::tree::{Attachment, Tree};
 use super::tree_beam::{BeamPlace, TreeBeam};
-use crate::model::{BodyId, JointId, JointKind, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
+use crate::model::{BodyId, JointId, JointKind, Keeps, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
 use loosepin_flexible::{Beam, HeldBeam, Lump};
 use loosepin_math::{Real, Vec2, numbers};
 
@@ -324,27 +324,19 @@ impl<T: Real> Geometry<T> {
             if cut.joint != joint {
                 continue;
             }
-            match cut.kind {
-                CutKind::Prismatic | CutKind::Slot => {
+            match cut.rows.keeps {
+                Keeps::Line => {
                     let normal = direction(geometry.angles_rad[0]).turned();
                     geometry.arms_m[0] = centred.arms_m[0].plus(normal, ordinate_m);
                     geometry.angles_rad[1] = centred.angles_rad[1] - tilt_rad;
                 }
-                CutKind::Revolute | CutKind::Rigid => geometry.eccentricity_m = displacement,
+                Keeps::Points => geometry.eccentricity_m = displacement,
             }
         }
     }
 }
 
-/// Angles, in the frames of both bodies, of a direction that both bodies share: the line of a prismatic joint (that of a
-/// slot has a meaning in the first frame alone); for a rigid joint the second body's x axis.
+/// [`JointKind::angles_rad`] as numbers.
 fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
-    match *kind {
-        JointKind::Revolute { .. } => [T::zero(), T::zero()],
-        JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => {
-            [number(guide_angle_rad), number(slider_angle_rad)]
-        }
-        JointKind::Slot { slot_angle_rad, .. } => [number(slot_angle_rad), T::zero()],
-        JointKind::Rigid { angle_rad, .. } => [number(angle_rad), T::zero()],
-    }
+    kind.angles_rad().map(|id| id.map_or(T::zero(), number))
 }

@@ -2,7 +2,7 @@
 
 use super::points::point_m;
 use crate::contact::FrictionLaw;
-use crate::model::{JointId, JointKind, Model, Values};
+use crate::model::{JointId, Model, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers, sin_cos};
 
 /// Numbers of an ideal joint with friction.
@@ -31,13 +31,10 @@ impl<T: Real> JointFriction<T> {
             .map(|(id, joint, friction)| {
                 let numbers: Vec<f64> = friction.friction.numbers.iter().map(|number| values[*number]).collect();
                 let [_, second] = joint.kind.points();
-                let guide_direction = match joint.kind {
-                    JointKind::Prismatic { guide_angle_rad, .. } => {
-                        let (sine, cosine) = sin_cos(values[guide_angle_rad]);
-                        Vec2::new(T::from_f64(cosine), T::from_f64(sine))
-                    }
-                    _ => Vec2::zero(),
-                };
+                let guide_direction = joint.kind.line().map_or(Vec2::zero(), |line| {
+                    let (sine, cosine) = sin_cos(values[line.angle_rad]);
+                    Vec2::new(T::from_f64(cosine), T::from_f64(sine))
+                });
                 Self {
                     joint: id,
                     law: FrictionLaw::broadcast(&friction.friction.law.law(&numbers)),

@@ -1,7 +1,7 @@
 //! The numbers of a joint of which the coordinate is read.
 
 use super::points::numbered_point_m;
-use crate::model::{JointId, JointKind, Model, QuantityId};
+use crate::model::{JointId, Model, QuantityId};
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Numbers of a joint of which the coordinate is read.
@@ -26,14 +26,10 @@ impl<T: Real> JointGeometry<T> {
         let kind = &model.joints[joint.0].kind;
         Self {
             arms_m: kind.points().map(|point| numbered_point_m(model, number, point)),
-            line: match kind {
-                JointKind::Prismatic { guide_angle_rad: line_rad, .. }
-                | JointKind::Slot { slot_angle_rad: line_rad, .. } => {
-                    let (sine, cosine) = number(*line_rad).sin_cos();
-                    Vec2::new(cosine, sine)
-                }
-                _ => Vec2::zero(),
-            },
+            line: kind.line().map_or(Vec2::zero(), |line| {
+                let (sine, cosine) = number(line.angle_rad).sin_cos();
+                Vec2::new(cosine, sine)
+            }),
         }
     }
 }

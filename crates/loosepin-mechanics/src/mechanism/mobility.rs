@@ -131,8 +131,8 @@ impl Scale {
     /// Of the constraint rows and all coordinates of `tree`.
     pub(super) fn new(tree: &Tree, size_m: f64) -> Self {
         let of_cut = |cut: &Cut| {
-            let (rows, holds_angle) = (cut.kind.rows(), cut.kind.holds_angle());
-            (0..rows).map(move |row| !(holds_angle && row + 1 == rows))
+            let rows = cut.rows;
+            (0..rows.count()).map(move |row| !rows.is_angle(row))
         };
         let of_couplings = tree.couplings.iter().map(|places| places[1].is_prismatic);
         let mut columns_are_lengths = vec![false; tree.coordinates()];

@@ -76,7 +76,7 @@ pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};
 pub use stressed::{SectionNumbers, StressedBody};
 pub use tooth_geometry::ToothForce;
-pub use tree::{Attachment, CouplingPlace, Cut, CutKind, Dependence, DrivenLoop, JointPlace, Link, Tree};
+pub use tree::{Attachment, CouplingPlace, Cut, Dependence, DrivenLoop, JointPlace, Link, Tree};
 pub use tree_beam::{BeamPlace, TreeBeam};
 pub use tree_nodal_beam::TreeNodalBeam;
 pub use ways_on::WaysOn;

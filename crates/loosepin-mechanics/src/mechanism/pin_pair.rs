@@ -1,7 +1,7 @@
 //! Sizes and materials of a pin in its hole, whichever law of contact it has.
 
 use crate::contact::{LinePair, compliance_1_pa};
-use crate::model::{Clearance, JointKind, Model, PlayId, Stiffness, Values};
+use crate::model::{Clearance, Model, PlayId, Stiffness, Values};
 
 /// The pin and its hole, with the length of the bearing or, where none is given, that of its diameter. `None` for what is no pin in a
 /// hole, and where the stiffness does not come from materials.
@@ -24,8 +24,5 @@ pub fn pin_pair(model: &Model, values: &Values, play: PlayId) -> Option<LinePair
 /// The clearance of a pin in a hole.
 pub fn pin_clearance(model: &Model, play: PlayId) -> Option<&Clearance> {
     let PlayId::Joint(joint) = play else { return None };
-    match &model.joints[joint.0].kind {
-        JointKind::Revolute { clearance, .. } => clearance.as_ref(),
-        _ => None,
-    }
+    model.joints[joint.0].kind.pin_clearance()
 }

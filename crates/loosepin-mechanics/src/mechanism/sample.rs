@@ -22,7 +22,10 @@ use crate::contact::{
     NormalDescription, NormalLaw, PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
     largest_valid_impact_speed_m_s, restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
 };
-use crate::model::{Clearance, Contact, JointId, JointKind, PlayId, QuantityId, SlidingVelocity, Stiffness, Values};
+use crate::model::{
+    Clearance, Contact, JointId, JointKind, JointPlay, PlayId, PlayParts, QuantityId, SlidingVelocity, Stiffness,
+    Values,
+};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 use std::sync::Arc;
 
@@ -132,7 +135,7 @@ impl<T: Real> Sample<T> {
     pub fn new(mechanism: &Mechanism, values: &Values) -> Result<Self, SampleError> {
         let model = &mechanism.model;
         for (index, joint) in model.joints.iter().enumerate() {
-            if let Some((clearance, contact)) = joint.kind.play() {
+            if let Some(JointPlay { clearance_m: clearance, contact, .. }) = joint.kind.play() {
                 let clearance_m = values[clearance];
                 let compiled_with_play = mechanism.plays.contains(&PlayId::Joint(JointId(index)));
                 if (clearance_m > 0.0) != compiled_with_play {
@@ -243,31 +246,31 @@ fn refuse_film(joint: &str, kind: &JointKind, contact: &Contact, values: &Values
 fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<PlayGeometry<T>> {
     let model = &mechanism.model;
     let kind = &model.joints[joint.0].kind;
-    let (clearance_m, contact) = kind.play()?;
+    let JointPlay { clearance_m, contact, .. } = kind.play()?;
     let contact = &model.contacts[contact.0];
     let [bearing, journal] = kind.points();
     let clearance_m = values[clearance_m];
     let number = |id: QuantityId| T::from_f64(values[id]);
-    let (shape, normal) = match kind {
-        JointKind::Revolute { clearance: Some(clearance), .. } => {
+    let (shape, normal) = match kind.play_parts()? {
+        PlayParts::Pin(clearance) => {
             let pair =
                 |compliances, damping_factor| pin_contact(contact, clearance, values, compliances, damping_factor);
             let shape = PlayShape::Pin { bearing_radius_m: number(clearance.bearing_radius_m) };
             (shape, normal(contact, values, pair))
         }
-        JointKind::Prismatic { clearance: Some(clearance), guide_angle_rad, slider_angle_rad, .. } => {
+        PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad } => {
             let block = SliderBlock {
                 half_length_m: number(clearance.half_length_m),
                 half_height_m: number(clearance.half_height_m),
-                line: direction(number(*guide_angle_rad)),
-                axis: direction(number(*slider_angle_rad)),
+                line: direction(number(guide_angle_rad)),
+                axis: direction(number(slider_angle_rad)),
                 ends_m: clearance.ends_m.map(|ends| ends.map(number)),
             };
             let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
             let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);
             (PlayShape::Slider(block), normal(contact, values, corner))
         }
-        JointKind::Slot { clearance: Some(clearance), slot_angle_rad, .. } => {
+        PlayParts::Slot { clearance, slot_angle_rad } => {
             let end_radius_m = values[clearance.end_radius_m];
             // K of eq. (9) over its limit for R_i without bounds.
             let end_stiffening = match contact.stiffness {
@@ -277,14 +280,13 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
             let slot = SlotShape {
                 half_length_m: number(clearance.half_length_m),
                 end_radius_m: T::from_f64(end_radius_m),
-                line: direction(number(*slot_angle_rad)),
+                line: direction(number(slot_angle_rad)),
                 end_stiffening: T::from_f64(end_stiffening),
             };
             let pin_radius_m = end_radius_m - clearance_m;
             let face = |compliances, damping_factor| flat_contact(pin_radius_m, compliances, damping_factor);
             (PlayShape::Slot(slot), normal(contact, values, face))
         }
-        _ => return None,
     };
     let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {
         let numbers: Vec<f64> = friction.numbers.iter().map(|number| values[*number]).collect();
@@ -348,7 +350,7 @@ fn film_bearing(
     contact: &Contact,
     values: &Values,
 ) -> Option<(&'static FilmDescription, FilmBearing)> {
-    let JointKind::Revolute { clearance: Some(clearance), .. } = kind else { return None };
+    let clearance = kind.pin_clearance()?;
     let (film, length) = contact.film.as_ref().zip(clearance.bearing_length_m)?;
     let bearing = FilmBearing {
         viscosity_pa_s: values[film.viscosity_pa_s],

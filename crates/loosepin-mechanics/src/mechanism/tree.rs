@@ -2,10 +2,11 @@
 
 use super::tree_beam::{BeamPlace, Sections, TreeBeam, sections_of};
 use super::tree_nodal_beam::TreeNodalBeam;
-use crate::model::{Beam, Body, BodyId, DriveId, Formulation, JointId, JointKind, Model, PlayId, PointId, Values};
+use crate::model::{
+    Beam, Body, BodyId, DriveId, Formulation, Hanging, IdealRows, JointId, Model, PlayId, PointId, Values,
+};
 use loosepin_flexible::{Frame, Mesh, Station};
 use loosepin_math::Envelope;
-use loosepin_text::units::Dimension;
 use std::sync::Arc;
 
 /// How a body hangs on its parent. `forward` tells that the parent is the first body of the joint (bearing, guide,
@@ -136,44 +137,8 @@ pub struct Cut {
     pub joint: JointId,
     /// Slots of its first and second body.
     pub slots: [usize; 2],
-    /// Its kind.
-    pub kind: CutKind,
-}
-
-/// The kinds of cut joint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CutKind {
-    /// Two rows: the points coincide.
-    Revolute,
-    /// Two rows: the slider point stays on the line, and the bodies do not turn against each other.
-    Prismatic,
-    /// One row: the pin stays on the slot's line.
-    Slot,
-    /// Three rows: the points coincide, and the bodies do not turn against each other.
-    Rigid,
-}
-
-impl CutKind {
-    /// Number of scalar constraints.
-    pub fn rows(self) -> usize {
-        match self {
-            Self::Slot => 1,
-            Self::Revolute | Self::Prismatic => 2,
-            Self::Rigid => 3,
-        }
-    }
-
-    /// Whether its first row keeps a point on a line; else two rows keep two points together.
-    #[inline(always)]
-    pub fn is_on_line(self) -> bool {
-        matches!(self, Self::Prismatic | Self::Slot)
-    }
-
-    /// Whether its last row keeps the bodies from turning against each other.
-    #[inline(always)]
-    pub fn holds_angle(self) -> bool {
-        matches!(self, Self::Prismatic | Self::Rigid)
-    }
+    /// The constraints that it is.
+    pub rows: IdealRows,
 }
 
 /// Where a joint is in a tree.
@@ -189,10 +154,7 @@ impl JointPlace {
     /// The place of `joint` in `tree`.
     pub fn new(model: &Model, tree: &Tree, joint: JointId) -> Self {
         let kind = &model.joints[joint.0].kind;
-        Self {
-            slots: kind.points().map(|point| tree.slot_of_point(point)),
-            is_prismatic: kind.coordinate() == Some(Dimension::LENGTH),
-        }
+        Self { slots: kind.points().map(|point| tree.slot_of_point(point)), is_prismatic: kind.slides() }
     }
 }
 
@@ -243,8 +205,8 @@ impl Tree {
     /// open.
     ///
     /// Driven joints are always in the tree, so that their coordinates leave the state; rigid joints come next since
-    /// cutting one costs three constraints instead of two; then the others in file order. A slot is always cut: it costs one
-    /// constraint, and in the tree it would have two coordinates.
+    /// cutting one costs three constraints instead of two; then the others in file order. A joint that never
+    /// hangs, such as a slot, is always cut.
     ///
     /// # Errors
     /// A loop of driven joints alone.
@@ -295,14 +257,14 @@ impl Tree {
         };
         order.sort_by_key(|&joint| match (drive_of(joint), &model.joints[joint.0].kind) {
             (Some(_), _) => 0,
-            (None, JointKind::Rigid { .. }) => 1,
+            (None, kind) if kind.hanging() == Hanging::Fixed => 1,
             // A beam cannot hang by a point inside.
             (None, _) => 2 + usize::from(is_inside(joint)),
         });
 
         let mut groups = Groups::new(model.bodies.len());
         let mut in_tree = vec![false; model.joints.len()];
-        for &joint in order.iter().filter(|joint| !matches!(model.joints[joint.0].kind, JointKind::Slot { .. })) {
+        for &joint in order.iter().filter(|joint| model.joints[joint.0].kind.hanging() != Hanging::Never) {
             if groups.join(model.joints[joint.0].kind.bodies()) {
                 in_tree[joint.0] = true;
             } else if drive_of(joint).is_some() {
@@ -366,12 +328,7 @@ impl Tree {
             tree.cuts.push(Cut {
                 joint,
                 slots: kind.points().map(|point| tree.slot_of_point(point)),
-                kind: match kind {
-                    JointKind::Revolute { .. } => CutKind::Revolute,
-                    JointKind::Prismatic { .. } => CutKind::Prismatic,
-                    JointKind::Slot { .. } => CutKind::Slot,
-                    JointKind::Rigid { .. } => CutKind::Rigid,
-                },
+                rows: kind.rows(),
             });
         }
         tree.couplings = tree.coupling_indices.iter().map(|&index| tree.coupling_place(model, index)).collect();
@@ -396,7 +353,7 @@ impl Tree {
 
     /// Number of scalar constraints of the cut joints.
     pub fn cut_rows(&self) -> usize {
-        self.cuts.iter().map(|cut| cut.kind.rows()).sum()
+        self.cuts.iter().map(|cut| cut.rows.count()).sum()
     }
 
     /// Where the mass matrix of the free coordinates may have entries other than zero: between coordinates that move the same body.
@@ -419,8 +376,8 @@ impl Tree {
         let mut scales = Vec::new();
         for cut in &self.cuts {
             let first = scales.len();
-            scales.extend((first..first + cut.kind.rows()).map(|row| [row, row]));
-            if !cut.kind.is_on_line() {
+            scales.extend((first..first + cut.rows.count()).map(|row| [row, row]));
+            if !cut.rows.is_on_line() {
                 scales[first] = [first, first + 1];
                 scales[first + 1] = [first, first + 1];
             }
@@ -457,12 +414,12 @@ impl Tree {
                     Some(_) => driven_from + self.drives.len(),
                     None => self.free,
                 };
-                let attachment = match (kind, drive) {
-                    (JointKind::Slot { .. }, _) => continue,
-                    (JointKind::Rigid { .. }, _) => Attachment::Rigid { joint, forward },
-                    (JointKind::Prismatic { .. }, _) => Attachment::Prismatic { coordinate, joint, forward },
-                    (JointKind::Revolute { .. }, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
-                    (JointKind::Revolute { .. }, None) => Attachment::Revolute { coordinate, joint, forward },
+                let attachment = match (kind.hanging(), drive) {
+                    (Hanging::Never, _) => continue,
+                    (Hanging::Fixed, _) => Attachment::Rigid { joint, forward },
+                    (Hanging::Sliding, _) => Attachment::Prismatic { coordinate, joint, forward },
+                    (Hanging::Turning, Some(_)) => Attachment::DrivenRevolute { coordinate, joint, forward },
+                    (Hanging::Turning, None) => Attachment::Revolute { coordinate, joint, forward },
                 };
                 if !matches!(attachment, Attachment::Rigid { .. }) {
                     match drive {

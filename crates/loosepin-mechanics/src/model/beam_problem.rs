@@ -59,8 +59,3 @@ problems! {
             hint("give body '{body}' its mass, inertia and centre_of_mass in place of beam, or leave this out");
     }
 }
-
-/// Kinds of joint that do not hold a beam.
-pub(super) const PRISMATIC: &str = "prismatic joint";
-/// A slot or the pin in it.
-pub(super) const SLOT: &str = "slot joint";

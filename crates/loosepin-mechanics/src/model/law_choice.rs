@@ -2,7 +2,7 @@
 
 use super::ids::ContactId;
 use super::path_error::PathError;
-use super::topology::{JointKind, Model, Stiffness};
+use super::topology::{Model, Stiffness};
 use crate::contact::{NormalDescription, point_law};
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::units::quoted;
@@ -68,7 +68,7 @@ impl Model {
         }
         if let NormalDescription::Line(_) = law {
             for joint in &self.joints {
-                if let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind
+                if let Some(clearance) = joint.kind.pin_clearance()
                     && clearance.contact == contact
                     && clearance.bearing_length_m.is_none()
                 {

@@ -13,6 +13,7 @@ mod drive;
 mod function;
 mod ids;
 mod initial;
+mod joint;
 mod keys;
 mod law_choice;
 mod load;
@@ -42,6 +43,10 @@ pub use drive::{Drive, DriveLaw};
 pub use function::Function;
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
+pub use joint::{
+    AtBeam, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay, Keeps, KindOfJoint, Line, Names,
+    NotDriven, PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+};
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
 pub use load::{Course, Load, LoadKind};
@@ -59,10 +64,7 @@ pub use setting::{Setting, SettingError, SettingRange};
 pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
 pub use spring::{Elasticity, Spring, SpringKind};
 pub use table_curve::TableCurve;
-pub use topology::{
-    Body, Clearance, Contact, Friction, Guess, GuideClearance, Joint, JointKind, Model, Point, SlidingVelocity,
-    SlotClearance, Stiffness,
-};
+pub use topology::{Body, Contact, Friction, Guess, Joint, Model, Point, SlidingVelocity, Stiffness};
 pub use wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
 };

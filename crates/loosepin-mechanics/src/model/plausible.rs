@@ -1,7 +1,7 @@
 //! Numbers that are allowed and hardly possible: units a thousand times off, bodies that no matter could make. They are warned of.
 
 use super::quantity::{Origin, QuantityId, Values};
-use super::topology::{Body, Contact, JointKind, Model};
+use super::topology::{Body, Contact, Model};
 use crate::contact::delivered_restitution;
 use loosepin_text::diagnostics::{Code, Complaint, problems};
 use loosepin_text::document::describe_path;
@@ -249,12 +249,9 @@ impl Model {
     /// Clearances against the radius of the hole or the ends of the slot.
     fn judge_clearances(&self, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
         for joint in &self.joints {
-            let (key, clearance, radius) = match &joint.kind {
-                JointKind::Revolute { clearance: Some(play), .. } => {
-                    ("radial_clearance", play.radial_clearance_m, play.bearing_radius_m)
-                }
-                JointKind::Slot { clearance: Some(play), .. } => ("clearance", play.clearance_m, play.end_radius_m),
-                _ => continue,
+            let Some(play) = joint.kind.play() else { continue };
+            let (key, clearance, Some(radius)) = (joint.kind.clearance_key(), play.clearance_m, play.radius_m) else {
+                continue;
             };
             if values[clearance] > MOST_CLEARANCE_PER_RADIUS * values[radius] {
                 let path = format!("joint.{}.{key}", joint.name);

@@ -17,7 +17,7 @@ impl Model {
     /// follower may lift off.
     pub fn play_clearance(&self, play: PlayId) -> Option<QuantityId> {
         match play {
-            PlayId::Joint(joint) => self.joints[joint.0].kind.play().map(|(clearance, _)| clearance),
+            PlayId::Joint(joint) => self.joints[joint.0].kind.play().map(|play| play.clearance_m),
             PlayId::Coupling(index) => self.couplings[index].play.and_then(|play| play.backlash_m),
         }
     }
@@ -30,7 +30,7 @@ impl Model {
     /// The contact of what may have play.
     pub fn play_contact(&self, play: PlayId) -> Option<ContactId> {
         match play {
-            PlayId::Joint(joint) => self.joints[joint.0].kind.play().map(|(_, contact)| contact),
+            PlayId::Joint(joint) => self.joints[joint.0].kind.play().map(|play| play.contact),
             PlayId::Coupling(index) => self.couplings[index].play.map(|play| play.contact),
         }
     }

@@ -184,13 +184,9 @@ problems! {
         } => Code::ConflictingKeys,
             says("{entry}: contact '{contact}' has {what}, which cannot be used for {what_touches}"),
             hint("take a point-contact or a linear law without a film, and the material sliding velocity");
-        NotDrivable { entry: String, joint: String, why: &'static str } => Code::DriveNotPossible,
+        NotDrivable { entry: String, joint: String, why: &'static str, hint: &'static str } => Code::DriveNotPossible,
             says("{entry}: joint '{joint}' {why} and cannot be driven"),
-            hint("{}", match *why {
-                HAS_PLAY => "drive an ideal joint, or set the radial clearance of this one to \"0 mm\"",
-                HAS_PLAY_IN_GUIDE => "drive an ideal joint, or set the clearance of this one to \"0 mm\"",
-                _ => "drive a revolute or prismatic joint",
-            });
+            hint("{hint}");
         WrongStart { entry: String, found: &'static str, due: &'static str, kind: &'static str, joint: String } =>
             Code::DriveNotPossible,
             says("{entry}: '{found}' does not fit the {kind} joint '{joint}'"),
@@ -295,12 +291,3 @@ problems! {
             hint("changing it has no effect on the results");
     }
 }
-
-/// Why a joint with clearance cannot be driven.
-pub(super) const HAS_PLAY: &str = "has play";
-/// Why a prismatic joint with clearance cannot be driven.
-pub(super) const HAS_PLAY_IN_GUIDE: &str = "has play in its guide";
-/// Why a pin in a slot cannot be driven.
-pub(super) const IS_SLOT: &str = "is a slot";
-/// Why a rigid joint cannot be driven.
-pub(super) const IS_RIGID: &str = "is rigid";

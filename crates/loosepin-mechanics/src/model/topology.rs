@@ -5,8 +5,9 @@ use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
-use super::ids::{BodyId, ContactId, PointId};
+use super::ids::{BodyId, PointId};
 use super::initial::{InitialOffset, InitialValue};
+use super::joint::{AtBeam, JointKind};
 use super::load::Load;
 use super::output::Output;
 use super::quantity::{QuantityId, QuantityTable};
@@ -27,7 +28,7 @@ pub(crate) fn holds_section(joints: &[Joint], drives: &[Drive], point: PointId) 
 
 /// Whether the joint with this index is rigid or driven, and so holds the sections at its points.
 fn holds_sections(joints: &[Joint], drives: &[Drive], index: usize) -> bool {
-    matches!(joints[index].kind, JointKind::Rigid { .. }) || drives.iter().any(|drive| drive.joint.0 == index)
+    joints[index].kind.at_beam() == AtBeam::Section || drives.iter().any(|drive| drive.joint.0 == index)
 }
 
 /// A planar mechanism with its nominal values, checked and in SI.
@@ -190,136 +191,6 @@ pub struct JointFriction {
     pub friction: Friction,
     /// Radius of the pin, or length over which the guide holds the slider, m, > 0.
     pub size_m: QuantityId,
-}
-
-/// The kinds of joint.
-#[derive(Debug, Clone)]
-pub enum JointKind {
-    /// The journal point turns about the bearing point; with a clearance, it may leave it.
-    Revolute {
-        /// Point of the body with the hole (body i).
-        bearing: PointId,
-        /// Point of the body with the pin (body j).
-        journal: PointId,
-        /// Absent for an ideal joint.
-        clearance: Option<Clearance>,
-    },
-    /// The slider point stays on a line fixed to the guide body, and the slider body does not turn against it.
-    /// Coordinate s: (r_slider - r_guide)·d, d the direction of the line; zero where the two points coincide.
-    Prismatic {
-        /// Point of the guide body that the line goes through.
-        guide: PointId,
-        /// Angle of the line's direction from the guide body's x axis, rad.
-        guide_angle_rad: QuantityId,
-        /// Point of the slider body that stays on the line.
-        slider: PointId,
-        /// Angle from the slider body's x axis to the same line, rad (zero: the slider's x axis lies along it).
-        slider_angle_rad: QuantityId,
-        /// Absent for an ideal joint.
-        clearance: Option<GuideClearance>,
-    },
-    /// The pin's centre stays on a line fixed to the slot's body, and turns there; with a clearance, it may leave the line and
-    /// touch the round ends. Coordinate s as for a prismatic joint.
-    Slot {
-        /// Middle of the slot.
-        slot: PointId,
-        /// Angle of its line from the x axis of its body, rad.
-        slot_angle_rad: QuantityId,
-        /// Centre of the pin.
-        pin: PointId,
-        /// Absent for an ideal joint, which has no ends.
-        clearance: Option<SlotClearance>,
-    },
-    /// Both points coincide and the bodies do not turn against each other.
-    Rigid {
-        /// Point of the first body.
-        first: PointId,
-        /// Point of the second body.
-        second: PointId,
-        /// Angle of the second body's x axis from the first body's x axis, rad.
-        angle_rad: QuantityId,
-    },
-}
-
-/// The play of a revolute joint.
-#[derive(Debug, Clone)]
-pub struct Clearance {
-    /// Radius R_i of the bearing (hole), m, > 0.
-    pub bearing_radius_m: QuantityId,
-    /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
-    pub radial_clearance_m: QuantityId,
-    /// Length L of the bearing, m, > 0; there where the contact is a line contact.
-    pub bearing_length_m: Option<QuantityId>,
-    /// The contact between pin and hole.
-    pub contact: ContactId,
-}
-
-/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
-#[derive(Debug, Clone)]
-pub struct GuideClearance {
-    /// Half-length a of the block along the line, m, > 0.
-    pub half_length_m: QuantityId,
-    /// Half-height b of the block across the line, m, > 0.
-    pub half_height_m: QuantityId,
-    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
-    pub clearance_m: QuantityId,
-    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
-    pub corner_radius_m: Option<QuantityId>,
-    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
-    pub ends_m: Option<[QuantityId; 2]>,
-    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
-    pub contact: ContactId,
-}
-
-/// The play of a pin in a straight slot with round ends.
-#[derive(Debug, Clone)]
-pub struct SlotClearance {
-    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
-    pub half_length_m: QuantityId,
-    /// Radius R_i of the ends, half the width of the slot, m, > 0.
-    pub end_radius_m: QuantityId,
-    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
-    pub clearance_m: QuantityId,
-    /// The contact between pin and slot.
-    pub contact: ContactId,
-}
-
-impl JointKind {
-    /// The two points that it connects: bearing and journal, guide and slider, slot and pin, first and second.
-    pub fn points(&self) -> [PointId; 2] {
-        match *self {
-            Self::Revolute { bearing, journal, .. } => [bearing, journal],
-            Self::Prismatic { guide, slider, .. } => [guide, slider],
-            Self::Slot { slot, pin, .. } => [slot, pin],
-            Self::Rigid { first, second, .. } => [first, second],
-        }
-    }
-
-    /// The bodies of these points.
-    pub fn bodies(&self) -> [BodyId; 2] {
-        self.points().map(|point| point.body)
-    }
-
-    /// Dimension of its coordinate: an angle, or a position along a line; none of a rigid joint.
-    pub fn coordinate(&self) -> Option<Dimension> {
-        match self {
-            Self::Revolute { .. } => Some(Dimension::ANGLE),
-            Self::Prismatic { .. } | Self::Slot { .. } => Some(Dimension::LENGTH),
-            Self::Rigid { .. } => None,
-        }
-    }
-
-    /// The clearance, m, and the contact of a joint that may have play.
-    pub fn play(&self) -> Option<(QuantityId, ContactId)> {
-        match self {
-            Self::Revolute { clearance: Some(clearance), .. } => {
-                Some((clearance.radial_clearance_m, clearance.contact))
-            }
-            Self::Prismatic { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
-            Self::Slot { clearance: Some(clearance), .. } => Some((clearance.clearance_m, clearance.contact)),
-            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Slot { .. } | Self::Rigid { .. } => None,
-        }
-    }
 }
 
 /// Contact between pin and hole or slot, or between the corners of a slider and its guide.

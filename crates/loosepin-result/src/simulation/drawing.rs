@@ -1,5 +1,6 @@
 //! Mechanism and journal paths as a page draws them.
 
+use super::drawn_joint::DrawnJointKind;
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
@@ -99,22 +100,6 @@ pub struct DrawnPoint {
     /// y in the frame of the body.
     #[serde(with = "extended")]
     pub y_m: f64,
-}
-
-/// Kinds of joint that are drawn differently.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum DrawnJointKind {
-    /// Ideal revolute joint.
-    Revolute,
-    /// Revolute joint with clearance.
-    RevoluteWithClearance,
-    /// Prismatic joint.
-    Prismatic,
-    /// A pin in a slot.
-    Slot,
-    /// Rigid connection.
-    Rigid,
 }
 
 /// One joint between two points.

@@ -28,16 +28,10 @@ impl DimensionDirection {
 
     /// The quantities that shape or drive a mechanism.
     pub(super) fn shaping(mechanism: &Mechanism) -> Vec<QuantityId> {
-        use loosepin_mechanics::model::JointKind;
         let model = &mechanism.model;
         let points = model.bodies.iter().flat_map(|body| body.points.iter().flat_map(|point| point.position_m));
         let drives = model.drives.iter().flat_map(|drive| drive.law.quantities());
-        let angles = model.joints.iter().flat_map(|joint| match joint.kind {
-            JointKind::Revolute { .. } => Vec::new(),
-            JointKind::Prismatic { guide_angle_rad, slider_angle_rad, .. } => vec![guide_angle_rad, slider_angle_rad],
-            JointKind::Slot { slot_angle_rad, .. } => vec![slot_angle_rad],
-            JointKind::Rigid { angle_rad, .. } => vec![angle_rad],
-        });
+        let angles = model.joints.iter().flat_map(|joint| joint.kind.angles_rad().into_iter().flatten());
         let couplings = model.couplings.iter().flat_map(|coupling| coupling.law.quantities());
         points.chain(drives).chain(angles).chain(couplings).collect()
     }

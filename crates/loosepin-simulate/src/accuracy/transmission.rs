@@ -1,7 +1,7 @@
 //! How well the drives transmit motion in a position.
 
 use loosepin_math::{determinant, solve_square};
-use loosepin_mechanics::mechanism::{CutKind, IdealMotion, Mechanism, RowOwner};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, RowOwner};
 use loosepin_text::units::Dimension;
 
 /// Whether the determinant of the loop matrix dΦ/dq is positive at the present position of `motion`. Its sign changes
@@ -75,9 +75,9 @@ fn scaled_matrix(mechanism: &Mechanism, motion: &IdealMotion<'_>) -> Vec<f64> {
 fn is_angle_row(mechanism: &Mechanism, row: usize) -> bool {
     let mut first = 0;
     for cut in &mechanism.ideal.cuts {
-        let end = first + cut.kind.rows();
+        let end = first + cut.rows.count();
         if row < end {
-            return cut.kind != CutKind::Revolute && row + 1 == end;
+            return cut.rows.is_angle(row - first);
         }
         first = end;
     }

@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::contact::{LinePatch, compliance_1_pa};
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointId, JointKind, PlayId, Stiffness, Values, WearPressure};
+use loosepin_mechanics::model::{JointId, PlayId, Stiffness, Values, WearPressure};
 
 /// The numbers of a joint that wears.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +35,7 @@ impl WearingJoint {
     fn new(mechanism: &Mechanism, values: &Values, joint: JointId) -> Option<Self> {
         let model = &mechanism.model;
         let wear = model.joints[joint.0].wear.as_ref()?;
-        let JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints[joint.0].kind else { return None };
+        let clearance = model.joints[joint.0].kind.pin_clearance()?;
         let bearing_radius_m = values[clearance.bearing_radius_m];
         let radii_m = [bearing_radius_m, bearing_radius_m - values[clearance.radial_clearance_m]];
         let length_m = values[wear.bearing_length_m];

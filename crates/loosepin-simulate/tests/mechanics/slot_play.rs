@@ -369,3 +369,20 @@ fn identity_an_ideal_slot_holds_its_pin_where_the_guide_has_play() {
     assert!(drift.off_m < ROUND_OFF_M, "{drift:?}");
     assert!(drift.across_n > 10.0 && drift.along_n < 1e-10 * drift.across_n, "{drift:?}");
 }
+
+/// A pin turns in its slot: however its body stands against the line at the start, the loop closes.
+#[test]
+fn analytic_an_ideal_slot_closes_wherever_the_crank_starts() {
+    let text = file("scotch_yoke_with_play_in_its_slot.toml").replace("clearance = \"0.1 mm\"", "clearance = \"0 mm\"");
+    for start_deg in (0..360).step_by(15) {
+        let case = case(&text.replace("start_angle = \"30 deg\"", &format!("start_angle = \"{start_deg} deg\"")));
+        let ideal = IdealMotion::new(&case.mechanism, &case.sample.ideal, &case.sample.drives).expect("it closes");
+        let (sine, cosine) = f64::from(start_deg).to_radians().sin_cos();
+        let (slot_sine, slot_cosine) = 75_f64.to_radians().sin_cos();
+        // The pin (r cos θ, r sin θ) lies on the line through the middle of the slot, (x + 2, 2) mm, which stands at 75°.
+        let x_m = 0.040 * cosine - 0.002 - (0.040 * sine - 0.002) * slot_cosine / slot_sine;
+        let yoke = case.mechanism.ideal.slot_of_body[2];
+        let found = ideal.kinematics().poses[yoke];
+        assert!((found.position_m.x - x_m).abs() < 1e-12 && found.angle_rad.abs() < 1e-12, "{start_deg}°: {found:?} {x_m}");
+    }
+}

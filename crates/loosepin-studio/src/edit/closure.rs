@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use loosepin::model::{JointKind, Model, QuantityId};
+use loosepin::model::{Model, QuantityId};
 use loosepin::result::simulation::Drawing;
 
 use super::grip::{Gripped, gripped_closing, number};
@@ -46,9 +46,10 @@ pub fn kept_closure(
     let found = nearest(drag, drawing).filter(|found| is_far(found, drag))?;
     let model = Model::from_source(Arc::clone(&before.model)).ok()?;
     let [drive] = &model.drives[..] else { return None };
-    let JointKind::Revolute { bearing, journal, .. } = &model.joints[drive.joint.0].kind else { return None };
+    let kind = &model.joints[drive.joint.0].kind;
+    let ([bearing, journal], true) = (kind.bodies(), kind.turns()) else { return None };
     let start = model.quantities.id(&format!("drive.{}.start_angle", drive.name))?;
-    let shown_rad = drag.angle_rad(journal.body.0)? - drag.angle_rad(bearing.body.0)?;
+    let shown_rad = drag.angle_rad(journal.0)? - drag.angle_rad(bearing.0)?;
     let new = before.with(folder, drag.model.as_deref(), drag.study.as_deref());
     let new_model = Model::from_source(Arc::clone(&new.model)).ok()?;
     // Begun at the shown position.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::parse_toml;
-use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId, describe_path};
+use loosepin::model::{BodyId, Model, PointId, QuantityId, describe_path};
 use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
 
 use super::behind::{Setting, behind};
@@ -106,7 +106,7 @@ fn moved(model: &Model, grip: &Grip, poses: &[Pose]) -> Result<Moved, String> {
         }
         Held::Joint { joint } => {
             let index = joint_of(joint)?;
-            if !matches!(model.joints[index].kind, JointKind::Revolute { .. }) {
+            if !model.joints[index].kind.turns() {
                 return Err(format!("{joint} is no pin: its numbers are changed in the list of numbers"));
             }
             posed.together(index)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use loosepin::model::{JointKind, Model};
+use loosepin::model::{Line, Model};
 
 use super::reshape::Posed;
 use super::reshape::{Coordinate, length, minus};
@@ -26,12 +26,8 @@ pub fn turned(
     to_m: [f64; 2],
     is_free: bool,
 ) -> Result<Coordinate, String> {
-    let (point, angle) = match model.joints[joint].kind {
-        JointKind::Prismatic { guide, guide_angle_rad, .. } => (guide, guide_angle_rad),
-        JointKind::Slot { slot, slot_angle_rad, .. } => (slot, slot_angle_rad),
-        JointKind::Revolute { .. } | JointKind::Rigid { .. } => {
-            return Err(format!("{} has no line that can be turned", model.joints[joint].name));
-        }
+    let Some(Line { point, angle_rad: angle }) = model.joints[joint].kind.line() else {
+        return Err(format!("{} has no line that can be turned", model.joints[joint].name));
     };
     let way = minus(to_m, Posed::new(model, poses).at_m(point));
     if !(length(way) > LEAST_M) {

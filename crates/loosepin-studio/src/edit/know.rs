@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use loosepin::diagnostics::{Complaints, Source};
 use loosepin::document::{describe_path, parse_toml};
-use loosepin::model::{JointKind, Model, Origin};
+use loosepin::model::{Model, Origin};
 use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
@@ -189,7 +189,7 @@ impl Number {
         let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix(&format!(".{PLAY}")));
         let joint = joint.filter(|name| {
             let found = model.joints.iter().find(|joint| joint.name == *name);
-            found.is_some_and(|joint| matches!(joint.kind, JointKind::Revolute { clearance: None, .. }))
+            found.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none())
         });
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
         Ok(Self { place: Place::NewPlay(name), dimension: Dimension::LENGTH, unit: "mm".to_owned(), nominal: None })

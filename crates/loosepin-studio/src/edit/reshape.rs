@@ -41,7 +41,7 @@ impl<'a> Posed<'a> {
     /// The points that a revolute joint holds together, with those of the other revolute joints at the same place of a body.
     pub fn together(&self, joint: usize) -> Vec<PointId> {
         let mut ends_of: HashMap<BodyId, Vec<[PointId; 2]>> = HashMap::new();
-        for joint in self.model.joints.iter().filter(|joint| matches!(joint.kind, JointKind::Revolute { .. })) {
+        for joint in self.model.joints.iter().filter(|joint| joint.kind.turns()) {
             let [one, other] = joint.kind.points();
             ends_of.entry(one.body).or_default().push([one, other]);
             ends_of.entry(other.body).or_default().push([other, one]);
@@ -83,12 +83,10 @@ impl<'a> Posed<'a> {
     /// it.
     fn line_of(&self, at: PointId) -> Option<[f64; 2]> {
         let kinds = || self.model.joints.iter().map(|joint| &joint.kind);
-        let in_guide = kinds().find_map(|kind| match *kind {
-            JointKind::Prismatic { guide, guide_angle_rad, slider, .. } if slider.body == at.body => {
-                let angle_rad = self.poses[guide.body.0].angle_rad + self.model.quantities.nominal()[guide_angle_rad];
-                Some([angle_rad.cos(), angle_rad.sin()])
-            }
-            _ => None,
+        let in_guide = kinds().filter(|kind| is_block_of(kind, at.body)).find_map(|kind| {
+            let line = kind.line()?;
+            let angle_rad = self.poses[line.point.body.0].angle_rad + self.model.quantities.nominal()[line.angle_rad];
+            Some([angle_rad.cos(), angle_rad.sin()])
         });
         // A link that another drive, an actuator or a coupling turns does not turn with the pin.
         let is_driven = || {
@@ -99,12 +97,8 @@ impl<'a> Posed<'a> {
                 || !self.model.controls.is_empty()
                 || !self.model.couplings.is_empty() && on_ground()
         };
-        let is_turned = || {
-            at.body.0 != 0
-                && (is_driven()
-                    || kinds()
-                        .any(|kind| !matches!(kind, JointKind::Revolute { .. }) && kind.points()[0].body == at.body))
-        };
+        let is_turned =
+            || at.body.0 != 0 && (is_driven() || kinds().any(|kind| !kind.turns() && kind.points()[0].body == at.body));
         in_guide.or_else(|| match self.other_centres(at)[..] {
             [other] if is_turned() => Some(minus(self.at_m(at), self.at_m(other))),
             _ => None,
@@ -186,7 +180,7 @@ impl<'a> Posed<'a> {
     /// Whether a body is the block of a guide.
     fn slides(&self, body: BodyId) -> bool {
         let mut kinds = self.model.joints.iter().map(|joint| &joint.kind);
-        kinds.any(|kind| matches!(kind, JointKind::Prismatic { slider, .. } if slider.body == body))
+        kinds.any(|kind| is_block_of(kind, body))
     }
 
     fn placed(&self, point: PointId, [x, y]: [f64; 2]) -> Vec<Coordinate> {
@@ -229,4 +223,9 @@ pub fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 pub fn length([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
+}
+
+/// Whether `body` slides along a line of another one and does not turn against it.
+fn is_block_of(kind: &JointKind, body: BodyId) -> bool {
+    kind.line().is_some() && kind.rows().holds_angle && kind.bodies()[1] == body
 }

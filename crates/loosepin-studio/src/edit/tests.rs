@@ -1,6 +1,6 @@
 //! Drags in the templates: where the joints are afterwards, by the library's own motion of the new texts.
 
-use loosepin::model::{Joint, JointKind, Model};
+use loosepin::model::{Joint, Model};
 use loosepin::report::moving_drawing;
 use loosepin::result::motion::MotionRecord;
 use loosepin::study::InputFile;
@@ -83,7 +83,7 @@ fn a_dragged_pin_is_where_it_was_dragged_and_the_others_stay() {
         let size = here.iter().flatten().fold(1.0_f64, |size, value| size.max(value.abs()));
         for (index, joint) in model.joints.iter().enumerate() {
             // A point that carries a guide too takes the guide along: then others do not stay.
-            let is_pin = |joint: &Joint| matches!(joint.kind, JointKind::Revolute { .. });
+            let is_pin = |joint: &Joint| joint.kind.turns();
             let points = joint.kind.points();
             let guides = model.joints.iter().filter(|other| !is_pin(other));
             let carries_guide =

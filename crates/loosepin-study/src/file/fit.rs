@@ -5,7 +5,7 @@ use super::random::Stated;
 use super::random_problem::RandomProblem;
 use super::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
-use loosepin_mechanics::model::{Joint, JointKind, PlayId, QuantityId};
+use loosepin_mechanics::model::{Joint, PlayId, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};
@@ -128,7 +128,7 @@ impl StudyReader {
         let diameter_entry = table.get("diameter").filter(|_| has_diameter)?;
         let diameter_m = self.reader.measured(&diameter_entry, Dimension::LENGTH, Rule::Positive)?;
         for joint in concerned {
-            let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
+            let Some(clearance) = joint.kind.pin_clearance() else { continue };
             let bearing_m = 2.0 * self.model.quantities.nominal()[clearance.bearing_radius_m];
             if (bearing_m - diameter_m).abs() > OTHER_DIAMETER * bearing_m {
                 let [diameter, bearing] =

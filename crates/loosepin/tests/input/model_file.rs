@@ -1,6 +1,6 @@
 //! Model files that are right: what is read, and how values are set.
 
-use loosepin::model::{Axis, Derivative, JointKind, Model, OutputKind, Position, QuantityId, Stiffness};
+use loosepin::model::{Axis, Derivative, JointKind, Model, OutputKind, Position, QuantityId, Revolute, Stiffness};
 
 /// The sketch of the model file in the design of the project, with the bodies it leaves out.
 const SKETCH: &str = include_str!("../files/sketch.toml");
@@ -48,7 +48,7 @@ fn values_are_in_si() {
 #[test]
 fn topology_refers_to_quantities() {
     let model = sketch();
-    let JointKind::Revolute { bearing, clearance: Some(clearance), .. } = &model.joints[2].kind else {
+    let JointKind::Revolute(Revolute { bearing, clearance: Some(clearance), .. }) = &model.joints[2].kind else {
         panic!("the gudgeon is a revolute joint with clearance");
     };
     assert_eq!(model.bodies[bearing.body.0].points[bearing.point].name, "small_end");
@@ -158,7 +158,7 @@ fn places_are_kept_for_complaints_about_meaning() {
 fn a_joint_with_zero_clearance_and_nothing_else_is_ideal() {
     let text = SKETCH.replace("journal = \"crank.main\"", "journal = \"crank.main\"\nradial_clearance = \"0 mm\"");
     let model = Model::from_text("zero.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    assert!(matches!(model.joints[0].kind, JointKind::Revolute { clearance: None, .. }));
+    assert!(matches!(model.joints[0].kind, JointKind::Revolute(Revolute { clearance: None, .. })));
     let complaint = model.parse_setting("joint.main.radial_clearance=0.1mm").expect_err("needs a contact");
     assert_eq!(
         complaint.to_string(),

@@ -70,12 +70,12 @@ fn analytic_runs_that_would_halve_a_large_error() {
     // s/sqrt(k) + o = (s + o)/2 with o = s/5 holds for k = (2 s/(s - o))^2 = 6.25, the next power of two of 256 k is 2048.
     says(
         &shown(1e-4, 2e-5),
-        "at most 0.2 mm, included in it. More random samples would halve it: inner = 2048, about 150000 runs.",
+        "at most 0.2 mm, included in it. More random samples should halve it: inner = 2048, about 150000 runs.",
     );
     says(
         &shown(4e-5, 6e-5),
         "included in it. Of it 0.06 mm comes from the search over the unknown values, which falls slowly with more runs (outer), and 0.04 mm \
-         from random samples: inner = 1024, about 71000 runs would halve this part.",
+         from random samples: inner = 1024, about 71000 runs should halve this part.",
     );
     says(&shown(1e-6, 9e-5), "which falls slowly with more runs (outer). - 17536 runs");
     assert!(!shown(1e-5, 1e-5).contains("halve"));

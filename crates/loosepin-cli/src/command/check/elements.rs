@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use loosepin::model::{
-    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, JointKind, Load, LoadKind, Model,
-    PointId, QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
+    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, LoadKind, Model, PointId,
+    QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
 };
 use loosepin::units::{Dimension, format_value, listed};
 
@@ -155,8 +155,7 @@ fn course_words(
 
 fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     let name = |joint: JointId| &model.joints[joint.0].name;
-    let is_prismatic =
-        |joint: JointId| matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. } | JointKind::Slot { .. });
+    let is_prismatic = |joint: JointId| model.joints[joint.0].kind.slides();
     let effort = if is_prismatic(control.joint) { Dimension::FORCE } else { Dimension::TORQUE };
     let mut words = format!("acts in '{}'", name(control.joint));
     if control.measured != control.joint {

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
 use loosepin::model::{
-    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, Joint, JointId, JointKind,
-    JointWear, Model, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, JointId, JointPlay, JointWear,
+    Model, Names, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -77,33 +77,29 @@ fn push_joints(text: &mut String, mechanism: &Mechanism, values: &Values) {
             text,
             "  {:width$}  {}{}",
             joint.name,
-            kind_words(model, joint, values),
+            joint.kind.words(&NamesOf { model, values }),
             drive_words(model, joint_id, values)
         );
         let indent = " ".repeat(width + 4);
         if let Some(friction) = &joint.friction {
-            let what =
-                if matches!(joint.kind, JointKind::Prismatic { .. }) { "a guide length of" } else { "a pin radius of" };
+            let what = if joint.kind.slides() { "a guide length of" } else { "a pin radius of" };
             let size = format_value(values[friction.size_m], Dimension::LENGTH);
             let _ = writeln!(text, "{indent}{}, at {what} {size}", friction_words(model, &friction.friction, values));
         }
         if let Some(wear) = &joint.wear {
             let _ = writeln!(text, "{indent}{}", wear_words(model, wear, values));
         }
-        let Some((clearance, contact)) = joint.kind.play() else { continue };
+        let Some(JointPlay { contact, .. }) = joint.kind.play() else { continue };
         let Some(play) = mechanism.plays.iter().position(|play| *play == PlayId::Joint(joint_id)) else {
-            let which = if matches!(joint.kind, JointKind::Revolute { .. }) { "radial clearance" } else { "clearance" };
+            let which = joint.kind.clearance_key().replace('_', " ");
             let _ = writeln!(text, "{indent}ideal, since its {which} is 0 mm");
             continue;
         };
         let numbers = sample.as_ref().map(|sample| &sample.plays[play]);
-        let play = play_words(joint, format_value(values[clearance], Dimension::LENGTH), values);
+        let play = joint.kind.play_words(&NamesOf { model, values });
         let contact = &model.contacts[contact.0];
-        let length = match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => clearance.bearing_length_m,
-            _ => None,
-        };
-        for line in std::iter::once(play).chain(contact_lines(model, contact, length, values, numbers)) {
+        let length = joint.kind.pin_clearance().and_then(|clearance| clearance.bearing_length_m);
+        for line in play.into_iter().chain(contact_lines(model, contact, length, values, numbers)) {
             let _ = writeln!(text, "{indent}{line}");
         }
     }
@@ -129,70 +125,39 @@ fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
     model.couplings.iter().enumerate().map(lines).collect()
 }
 
-fn kind_words(model: &Model, joint: &Joint, values: &Values) -> String {
-    let point =
-        |id: PointId| format!("{}.{}", model.bodies[id.body.0].name, model.bodies[id.body.0].points[id.point].name);
-    match &joint.kind {
-        JointKind::Revolute { bearing, journal, .. } => {
-            format!("revolute: {} turns in {}", point(*journal), point(*bearing))
-        }
-        JointKind::Prismatic { guide, guide_angle_rad, slider, slider_angle_rad, .. } => {
-            let turned_rad = values[*guide_angle_rad] - values[*slider_angle_rad];
-            let turned = if turned_rad == 0.0 {
-                String::new()
-            } else {
-                let body = |id: BodyId| &model.bodies[id.0].name;
-                format!(", which turns '{}' by {} from '{}'", body(slider.body), angle(turned_rad), body(guide.body))
-            };
-            format!(
-                "prismatic: {} slides on a line through {} at {}{turned}",
-                point(*slider),
-                point(*guide),
-                angle(values[*guide_angle_rad])
-            )
-        }
-        JointKind::Slot { slot, slot_angle_rad, pin, .. } => format!(
-            "slot: {} slides and turns in a slot through {} at {}",
-            point(*pin),
-            point(*slot),
-            angle(values[*slot_angle_rad])
-        ),
-        JointKind::Rigid { first, second, .. } => format!("rigid: {} is fixed to {}", point(*second), point(*first)),
+/// Names and numbers of a model for the words of its joints.
+struct NamesOf<'m> {
+    model: &'m Model,
+    values: &'m Values,
+}
+
+impl Names for NamesOf<'_> {
+    fn point(&self, id: PointId) -> String {
+        let body = &self.model.bodies[id.body.0];
+        format!("{}.{}", body.name, body.points[id.point].name)
+    }
+
+    fn body(&self, body: BodyId) -> &str {
+        &self.model.bodies[body.0].name
+    }
+
+    fn value_si(&self, id: QuantityId) -> f64 {
+        self.values[id]
+    }
+
+    fn length(&self, id: QuantityId) -> String {
+        format_value(self.values[id], Dimension::LENGTH)
+    }
+
+    fn angle(&self, angle_rad: f64) -> String {
+        angle(angle_rad)
     }
 }
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    let is_prismatic = matches!(model.joints[joint.0].kind, JointKind::Prismatic { .. });
+    let is_prismatic = model.joints[joint.0].kind.slides();
     format!(", driven by '{}' {}", drive.name, law_words(&drive.law, is_prismatic, values))
-}
-
-fn play_words(joint: &Joint, clearance: String, values: &Values) -> String {
-    let length = |id| format_value(values[id], Dimension::LENGTH);
-    match &joint.kind {
-        JointKind::Revolute { clearance: Some(play), .. } => {
-            format!("play: radial clearance {clearance} in a bearing of radius {}", length(play.bearing_radius_m))
-        }
-        JointKind::Slot { clearance: Some(play), .. } => {
-            let (half_length, radius) = (length(play.half_length_m), length(play.end_radius_m));
-            format!(
-                "play: clearance {clearance} on each side in a slot with round ends of radius {radius}, their centres \
-                 {half_length} from its middle"
-            )
-        }
-        JointKind::Prismatic { clearance: Some(play), .. } => {
-            let radius = play.corner_radius_m.map_or(String::new(), |id| format!(", corners of radius {}", length(id)));
-            let (half_length, half_height) = (length(play.half_length_m), length(play.half_height_m));
-            let ends = play.ends_m.map_or("a guide without ends".to_owned(), |[start, end]| {
-                format!("faces from {} to {}", length(start), length(end))
-            });
-            format!(
-                "play: clearance {clearance} on each side of a slider of half-length {half_length} and half-height \
-                 {half_height}{radius}; {ends}"
-            )
-        }
-        _ => String::new(),
-    }
 }
 
 fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {
@@ -275,8 +240,7 @@ fn contact_lines(
 
 /// Speed of the fastest drive that turns at a constant one, rad/s.
 fn fastest_drive_rad_s(model: &Model, values: &Values) -> Option<f64> {
-    let rotary =
-        model.drives.iter().filter(|drive| matches!(model.joints[drive.joint.0].kind, JointKind::Revolute { .. }));
+    let rotary = model.drives.iter().filter(|drive| model.joints[drive.joint.0].kind.turns());
     let speeds = rotary.filter_map(|drive| match drive.law {
         DriveLaw::Constant { speed, .. } => Some(values[speed].abs()),
         _ => None,
@@ -446,10 +410,7 @@ fn start_of_drive(mechanism: &Mechanism, id: DriveId, values: &Values) -> String
         DriveLaw::Constant { start, .. } => values[start],
         _ => Drives::new(model, values).at(model, id, 0.0)[0],
     };
-    let dimension = match model.joints[drive.joint.0].kind {
-        JointKind::Prismatic { .. } => Dimension::LENGTH,
-        _ => Dimension::ANGLE,
-    };
+    let dimension = model.joints[drive.joint.0].kind.coordinate().unwrap_or(Dimension::ANGLE);
     format!("'{}' at {}", drive.name, format_value(start, dimension))
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use loosepin::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
-use loosepin::model::{DriveId, JointKind, Values};
+use loosepin::model::{DriveId, Values};
 use loosepin::simulate::{Observer, Plan, RunFailure, Settings, Step, Window, input, run};
 
 /// Positions of a turn in which the ideal mechanism is closed; of hundreds of links fewer, since each takes the square of the free
@@ -140,10 +140,7 @@ fn speed_ratio(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> f64 
     let model = &mechanism.model;
     let rates = model.drives.iter().enumerate().filter_map(|(index, drive)| {
         let speed = sample.drives.constant_speed(DriveId(index))?.abs();
-        Some(match model.joints[drive.joint.0].kind {
-            JointKind::Prismatic { .. } => speed / mechanism.size_m,
-            _ => speed,
-        })
+        Some(if model.joints[drive.joint.0].kind.slides() { speed / mechanism.size_m } else { speed })
     });
     (rates.fold(0.0, f64::max) * turn_s / TAU).max(1.0)
 }

@@ -4,22 +4,25 @@ pub(super) mod beam;
 pub(super) mod control;
 pub(super) mod coupling;
 pub(super) mod drive;
+pub(super) mod friction;
 pub(super) mod load;
 pub(super) mod spring;
 mod table;
 pub(super) mod wear;
 
-use crate::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use crate::contact::{FILM_LAWS, NormalDescription, POINT_LAWS};
+use crate::model::joint::JOINT_KINDS;
 use crate::model::wear::WearMeasure;
 use beam::BEAM_KEYS;
 use control::CONTROL_KEYS;
 use coupling::{CAM_KEYS, COUPLING_KINDS};
 use drive::DRIVE_KEYS;
+use friction::FRICTION_KEYS;
 use load::LOAD_KINDS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 use spring::SPRING_KINDS;
-use wear::{JOINT_WEAR, LIFE_KEYS};
+use wear::LIFE_KEYS;
 
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 const POINTS_DOC: &str = "named points in the frame of the body";
@@ -77,10 +80,6 @@ fn damping_names() -> Vec<&'static str> {
     POINT_LAWS.iter().map(|law| law.name).collect()
 }
 
-fn friction_law_names() -> Vec<&'static str> {
-    FRICTION_LAWS.iter().map(|law| law.name).collect()
-}
-
 fn film_law_names() -> Vec<&'static str> {
     FILM_LAWS.iter().map(|law| law.name).collect()
 }
@@ -103,77 +102,6 @@ pub(in crate::model) static FILM_KEYS: Keys = Keys::new(
         ),
     ],
 );
-
-/// Keys of friction, that of a contact alone last.
-static FRICTION: [Key; 12] = [
-    optional("law", Kind::ChoiceOf(friction_law_names), "\"ambrosio\"", "the friction law; ambrosio if left out"),
-    required("coefficient", quantity(D::NUMBER, Rule::NonNegative), "0.03", "coefficient of friction at full sliding"),
-    optional(
-        "lower_speed",
-        quantity(D::VELOCITY, Rule::NonNegative),
-        "\"0.1 mm/s\"",
-        "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
-    ),
-    optional(
-        "upper_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"1 mm/s\"",
-        "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
-    ),
-    optional(
-        "static_coefficient",
-        quantity(D::NUMBER, Rule::NonNegative),
-        "0.05",
-        "coefficient of friction at the onset of sliding",
-    ),
-    optional(
-        "transition_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"1 mm/s\"",
-        "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
-    ),
-    optional(
-        "stribeck_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"10 mm/s\"",
-        "sliding speed over which friction falls from its static to its dynamic value",
-    ),
-    optional(
-        "decay",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"30 s/m\"",
-        "bengisu-akay: how fast friction falls from its static to its dynamic value",
-    ),
-    optional(
-        "bristle_stiffness",
-        quantity(D::INVERSE_LENGTH, Rule::Positive),
-        "\"1e5 m^-1\"",
-        "lugre: what the coefficient gains for each unit of deflection of the bristles",
-    ),
-    optional(
-        "bristle_damping",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"0.4 s/m\"",
-        "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
-    ),
-    optional(
-        "viscous",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"0.02 s/m\"",
-        "what the coefficient gains for each unit of sliding speed; nothing if left out",
-    ),
-    optional(
-        "sliding_velocity",
-        Kind::Choice(&["material", "literal"]),
-        "\"material\"",
-        "between the material points (material, if left out) or of the geometric contact point (literal)",
-    ),
-];
-
-pub(in crate::model) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &FRICTION);
-
-pub(in crate::model) static JOINT_FRICTION_KEYS: Keys =
-    Keys::new("friction of an ideal joint", FRICTION.split_at(11).0);
 
 pub(in crate::model) const YOUNGS_MODULUS: [&str; 3] =
     ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
@@ -262,182 +190,6 @@ pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
         ),
     ],
 );
-
-static REVOLUTE_KEYS: Keys = Keys::new(
-    "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
-        required("bearing", Kind::Point, "\"rod.small_end\"", "point at the centre of the hole"),
-        required("journal", Kind::Point, "\"slider.pin\"", "point at the centre of the pin"),
-        optional("bearing_radius", quantity(D::LENGTH, Rule::Positive), "\"10 mm\"", "radius of the hole"),
-        optional(
-            "radial_clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.5 mm\"",
-            "radius of the hole minus radius of the pin; ideal joint if left out or zero",
-        ),
-        optional(
-            "diametral_clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"1 mm\"",
-            "diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large",
-        ),
-        optional(
-            "bearing_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the \
-             result says what a line-contact law would give",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
-        optional(
-            "friction",
-            Kind::Table(&JOINT_FRICTION_KEYS),
-            "{ coefficient = 0.1 }",
-            "friction of a joint without play; none if left out. A joint with play has it in its contact",
-        ),
-        optional(
-            "pin_radius",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"8 mm\"",
-            "radius of the pin, at whose surface friction acts",
-        ),
-        JOINT_WEAR,
-    ],
-);
-
-pub(in crate::model) static GUIDE_KEYS: Keys = Keys::new(
-    "the line of a guide",
-    &[
-        required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
-        required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
-        optional(
-            "start",
-            quantity(D::LENGTH, Rule::Finite),
-            "\"-80 mm\"",
-            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
-        ),
-        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
-    ],
-);
-
-pub(in crate::model) static SLOT_LINE_KEYS: Keys = Keys::new(
-    "the line of a slot",
-    &[
-        required("point", Kind::Point, "\"yoke.middle\"", "the middle of the slot"),
-        required("angle", quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", "its direction from the x axis of the body"),
-    ],
-);
-
-pub(in crate::model) static SLIDER_KEYS: Keys = Keys::new(
-    "the point that stays on the line of a guide",
-    &[
-        required("point", Kind::Point, "\"slider.pin\"", "the point"),
-        optional(
-            "angle",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"0 deg\"",
-            "direction of the line from the x axis of the slider; 0 deg if left out",
-        ),
-    ],
-);
-
-static PRISMATIC_KEYS: Keys = Keys::new(
-    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
-        required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
-        required(
-            "slider",
-            Kind::AnyOf(&[Kind::Point, Kind::Table(&SLIDER_KEYS)]),
-            "\"slider.pin\"",
-            "the point on the line, with an angle where the line is not along the slider's x axis",
-        ),
-        optional("friction", Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }", "friction; none if left out"),
-        optional(
-            "guide_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"60 mm\"",
-            "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
-        ),
-        optional(
-            "half_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"50 mm\"",
-            "half the length along the guide of the block around the slider's point",
-        ),
-        optional(
-            "half_height",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"25 mm\"",
-            "half the height of that block across the guide",
-        ),
-        optional(
-            "clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.1 mm\"",
-            "gap between the block and each face of the guide; ideal joint if left out or zero",
-        ),
-        optional(
-            "corner_radius",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"5 mm\"",
-            "radius of the block's corners, for a contact whose stiffness comes from the materials",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
-    ],
-);
-
-static SLOT_KEYS: Keys = Keys::new(
-    "a pin slides and turns in a straight slot with round ends; with a clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["slot"]), "\"slot\"", "the kind of joint"),
-        required(
-            "slot",
-            Kind::Table(&SLOT_LINE_KEYS),
-            "{ point = \"yoke.middle\", angle = \"90 deg\" }",
-            "the middle of the slot and its direction",
-        ),
-        required("pin", Kind::Point, "\"crank.pin\"", "point at the centre of the pin"),
-        optional(
-            "half_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"60 mm\"",
-            "from the middle of the slot to the centre of each round end",
-        ),
-        optional(
-            "end_radius",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"10 mm\"",
-            "radius of the round ends, half the width of the slot",
-        ),
-        optional(
-            "clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.1 mm\"",
-            "radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
-    ],
-);
-
-static RIGID_KEYS: Keys = Keys::new(
-    "two points coincide and the bodies do not turn against each other",
-    &[
-        required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),
-        required("first", Kind::Point, "\"arm.end\"", "point of the first body"),
-        required("second", Kind::Point, "\"tool.base\"", "point of the second body"),
-        required(
-            "angle",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"0 deg\"",
-            "angle of the second body's x axis from the first's",
-        ),
-    ],
-);
-
-pub(in crate::model) static JOINT_KINDS: &[(&str, &Keys)] =
-    &[("revolute", &REVOLUTE_KEYS), ("prismatic", &PRISMATIC_KEYS), ("slot", &SLOT_KEYS), ("rigid", &RIGID_KEYS)];
 
 pub(in crate::model) static ASSEMBLY_KEYS: Keys = Keys::new(
     "how loops close that can close in two ways",

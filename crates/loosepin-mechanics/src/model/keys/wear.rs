@@ -70,7 +70,7 @@ pub(in crate::model) static JOINT_WEAR_KEYS: Keys = Keys::new(
 );
 
 /// `wear` of a revolute joint.
-pub(super) const JOINT_WEAR: Key = optional(
+pub(in crate::model) const JOINT_WEAR: Key = optional(
     "wear",
     Kind::Table(&JOINT_WEAR_KEYS),
     "{ bearing = { coefficient = \"2e-15 m^2/N\" } }",

@@ -3,13 +3,14 @@
 use super::beam_mass::Line;
 use super::reader::{ModelReader, UNREAD};
 use crate::model::beam::{Beam, Formulation};
-use crate::model::beam_problem::{BeamProblem, PRISMATIC, SLOT};
+use crate::model::beam_problem::BeamProblem;
 use crate::model::ids::{BodyId, JointId, PointId};
+use crate::model::joint::AtBeam;
 use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
 use crate::model::load::LoadKind;
 use crate::model::quantity::QuantityId;
 use crate::model::spring::SpringKind;
-use crate::model::topology::{Body, JointKind};
+use crate::model::topology::Body;
 use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Table, describe_path};
@@ -284,17 +285,13 @@ impl ModelReader {
             let (path, body) = (format!("joint.{}", joint.name), body.clone());
             let entry = describe_path(&path);
             let is_driven = self.drives.iter().any(|drive| drive.joint == JointId(index));
-            let holds = match joint.kind {
-                JointKind::Prismatic { .. } => {
-                    found.push((path, BeamProblem::WrongJoint { entry, body, kind: PRISMATIC }));
+            let holds = match joint.kind.at_beam() {
+                AtBeam::Refused(kind) => {
+                    found.push((path, BeamProblem::WrongJoint { entry, body, kind }));
                     continue;
                 }
-                JointKind::Slot { .. } => {
-                    found.push((path, BeamProblem::WrongJoint { entry, body, kind: SLOT }));
-                    continue;
-                }
-                JointKind::Rigid { .. } => true,
-                JointKind::Revolute { .. } => is_driven,
+                AtBeam::Section => true,
+                AtBeam::Point => is_driven,
             };
             if beam.is_nodal() {
                 // Its sections have angles of their own at both ends.

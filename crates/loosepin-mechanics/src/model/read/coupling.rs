@@ -1,14 +1,14 @@
 //! Reading couplings and cams.
 
-use super::guide::PlayKeys;
 use super::reader::ModelReader;
 use crate::contact::NormalDescription;
 use crate::model::coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
 use crate::model::ids::{BodyId, ContactId, JointId};
+use crate::model::joint::PlayKeys;
 use crate::model::keys::coupling::{CAM_KEYS, COUPLING_KINDS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::{JointKind, Stiffness};
+use crate::model::topology::Stiffness;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule, format_value};
 
@@ -99,9 +99,9 @@ impl ModelReader {
             };
             return self.reader.refuse(&problem, entry.key_span);
         }
-        // Only the second joint of a rack can be a slot: gears need joints with an angle.
+        // A force along the line of a joint that turns as well, such as a slot, is not that of a rack; gears need joints with an angle.
         let second = &self.joints[joints[1].0];
-        if matches!(second.kind, JointKind::Slot { .. }) {
+        if second.kind.slides() && !second.kind.rows().holds_angle {
             let problem = ModelProblem::ForceOnSlot { entry: described(), joint: second.name.clone() };
             return self.reader.refuse(&problem, table.get("second").map_or(table.span, |entry| entry.span));
         }

@@ -6,7 +6,6 @@ use crate::model::drive::{Drive, DriveLaw};
 use crate::model::ids::JointId;
 use crate::model::keys::CYCLE_KEYS;
 use crate::model::problem::ModelProblem;
-use crate::model::topology::JointKind;
 use loosepin_text::document::Entry;
 
 /// Turns run before recording, where the file does not say.
@@ -53,6 +52,6 @@ impl ModelReader {
 
     /// Whether a joint has an angle, whose turns can be counted.
     fn turns(&self, joint: JointId) -> bool {
-        matches!(self.joints[joint.0].kind, JointKind::Revolute { .. })
+        self.joints[joint.0].kind.turns()
     }
 }

@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::contact::{LONG_PIN_LAW, NormalDescription, point_law};
 use crate::model::ids::ContactId;
-use crate::model::topology::{JointKind, Stiffness};
+use crate::model::topology::Stiffness;
 use crate::model::wear::{WearGeometry, WearLife};
 
 impl ModelReader {
@@ -25,13 +25,11 @@ impl ModelReader {
 
     /// Whether the contact is of pins in bearings with a length alone, and of at least one.
     fn are_long_pins(&self, id: ContactId, is_worn: bool) -> bool {
-        let mut of_joints = self.joints.iter().filter(|joint| joint.kind.play().is_some_and(|(_, of)| of == id));
+        let mut of_joints = self.joints.iter().filter(|joint| joint.kind.play().is_some_and(|play| play.contact == id));
         let has_any = of_joints.clone().next().is_some();
-        let is_long = of_joints.all(|joint| match &joint.kind {
-            JointKind::Revolute { clearance: Some(clearance), .. } => {
-                clearance.bearing_length_m.is_some() && !(is_worn && joint.wear.is_some())
-            }
-            _ => false,
+        let is_long = of_joints.all(|joint| {
+            let has_length = joint.kind.pin_clearance().is_some_and(|clearance| clearance.bearing_length_m.is_some());
+            has_length && !(is_worn && joint.wear.is_some())
         });
         let is_of_coupling = self.couplings.iter().any(|coupling| coupling.play.is_some_and(|play| play.contact == id));
         has_any && is_long && !is_of_coupling

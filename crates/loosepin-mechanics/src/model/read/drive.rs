@@ -5,10 +5,10 @@ use super::reader::ModelReader;
 use crate::model::drive::{Drive, DriveLaw};
 use crate::model::function::TIME;
 use crate::model::ids::{DriveId, JointId};
+use crate::model::joint::NotDriven;
 use crate::model::keys::drive::{DRIVE_KEYS, MOTION_KINDS};
-use crate::model::problem::{HAS_PLAY, HAS_PLAY_IN_GUIDE, IS_RIGID, IS_SLOT, ModelProblem};
+use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -66,26 +66,13 @@ impl ModelReader {
             let problem = ModelProblem::DrivenTwice { entry: words, joint: joint_name, other };
             return self.reader.refuse(&problem, joint_entry.span);
         }
-        let why = match &self.joints[joint.0].kind {
-            JointKind::Revolute { clearance, .. } => {
-                let is_ideal =
-                    clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.radial_clearance_m));
-                if is_ideal {
-                    return Some(Driven::new(joint, Dimension::ANGLE));
-                }
-                HAS_PLAY
-            }
-            JointKind::Prismatic { clearance, .. } => {
-                let is_ideal = clearance.as_ref().is_none_or(|clearance| self.is_nominally_zero(clearance.clearance_m));
-                if is_ideal {
-                    return Some(Driven::new(joint, Dimension::LENGTH));
-                }
-                HAS_PLAY_IN_GUIDE
-            }
-            JointKind::Slot { .. } => IS_SLOT,
-            JointKind::Rigid { .. } => IS_RIGID,
+        let kind = &self.joints[joint.0].kind;
+        let refused = kind.why_not_driven(&|clearance_m| self.is_nominally_zero(clearance_m));
+        let NotDriven { why, hint } = match (refused, kind.coordinate()) {
+            (None, Some(coordinate)) => return Some(Driven::new(joint, coordinate)),
+            (refused, _) => refused.unwrap_or(NotDriven::never("has no coordinate")),
         };
-        let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why };
+        let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why, hint };
         self.reader.refuse(&problem, joint_entry.span)
     }
 

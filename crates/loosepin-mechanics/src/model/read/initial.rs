@@ -6,7 +6,6 @@ use crate::model::initial::{InitialNumber, InitialOf, InitialOffset, InitialValu
 use crate::model::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -89,7 +88,7 @@ impl ModelReader {
         let key = OFFSET_KEYS.into_iter().find(|key| table.has(key))?;
         let (entry, name) = (table.path.describe(), self.joints[joint.0].name.clone());
         let span = table.get(key).map_or(table.span, |entry| entry.key_span);
-        if !matches!(self.joints[joint.0].kind, JointKind::Revolute { clearance: Some(_), .. }) {
+        if self.joints[joint.0].kind.pin_clearance().is_none() {
             return self.reader.refuse(&ModelProblem::OffsetWithoutPlay { entry, key, joint: name }, span);
         }
         let mut vector = |key: &str, dimension: Dimension| {

@@ -5,7 +5,6 @@ use crate::model::keys::spring::SPRING_KINDS;
 use crate::model::problem::ModelProblem;
 use crate::model::spring::{Elasticity, Spring, SpringKind};
 use crate::model::table_curve::TableCurve;
-use crate::model::topology::JointKind;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 
@@ -77,14 +76,12 @@ impl ModelReader {
             self.refuse_beside(table, key, "joint");
         }
         let joint = self.joint(&joint_entry)?;
-        match &self.joints[joint.0].kind {
-            JointKind::Revolute { bearing, journal, .. } => {
-                Some(SpringKind::Torsional { first: bearing.body, second: journal.body })
-            }
-            _ => {
-                let name = self.joints[joint.0].name.clone();
-                self.reader.refuse(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span)
-            }
+        let kind = &self.joints[joint.0].kind;
+        if kind.turns() {
+            let [first, second] = kind.bodies();
+            return Some(SpringKind::Torsional { first, second });
         }
+        let name = self.joints[joint.0].name.clone();
+        self.reader.refuse(&ModelProblem::DoesNotTurn { entry, joint: name }, joint_entry.span)
     }
 }

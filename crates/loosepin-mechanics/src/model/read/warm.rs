@@ -4,7 +4,6 @@
 use super::reader::ModelReader;
 use crate::model::ids::BodyId;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::{Clearance, GuideClearance, SlotClearance};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Op, Rule};
@@ -66,7 +65,7 @@ impl ModelReader {
     /// ```
     ///
     /// A clearance that is stated as zero makes the joint ideal, warm or cold.
-    fn warm_clearance(
+    pub(super) fn warm_clearance(
         &mut self,
         clearance: QuantityId,
         outer: &[QuantityId],
@@ -97,40 +96,5 @@ impl ModelReader {
             Ok(()) => Some(id),
             Err(problem) => self.reader.refuse(&problem, span),
         }
-    }
-
-    /// The clearance of a pin joint with hole and pin as warm as their bodies.
-    pub(super) fn warm_pin(&mut self, cold: Clearance, bodies: [BodyId; 2], span: Span) -> Option<Clearance> {
-        let radial_clearance_m =
-            self.warm_clearance(cold.radial_clearance_m, &[cold.bearing_radius_m], bodies, span)?;
-        let elongation = self.elongations.get(&bodies[0]).copied();
-        let bearing_radius_m = self.grown(cold.bearing_radius_m, elongation);
-        Some(Clearance { bearing_radius_m, radial_clearance_m, ..cold })
-    }
-
-    /// The clearance of a slider with guide and block as warm as their bodies.
-    pub(super) fn warm_guide(
-        &mut self,
-        cold: GuideClearance,
-        bodies: [BodyId; 2],
-        span: Span,
-    ) -> Option<GuideClearance> {
-        // The guide is as high as the block and the gap.
-        let outer = [cold.half_height_m, cold.clearance_m];
-        let clearance_m = self.warm_clearance(cold.clearance_m, &outer, bodies, span)?;
-        let [of_guide, of_block] = bodies.map(|body| self.elongations.get(&body).copied());
-        let [half_length_m, half_height_m] =
-            [cold.half_length_m, cold.half_height_m].map(|length| self.grown(length, of_block));
-        let ends_m = cold.ends_m.map(|ends| ends.map(|end| self.grown(end, of_guide)));
-        Some(GuideClearance { half_length_m, half_height_m, clearance_m, ends_m, ..cold })
-    }
-
-    /// The clearance of a pin in a slot, both as warm as their bodies.
-    pub(super) fn warm_slot(&mut self, cold: SlotClearance, bodies: [BodyId; 2], span: Span) -> Option<SlotClearance> {
-        let clearance_m = self.warm_clearance(cold.clearance_m, &[cold.end_radius_m], bodies, span)?;
-        let of_slot = self.elongations.get(&bodies[0]).copied();
-        let [half_length_m, end_radius_m] =
-            [cold.half_length_m, cold.end_radius_m].map(|length| self.grown(length, of_slot));
-        Some(SlotClearance { half_length_m, end_radius_m, clearance_m, ..cold })
     }
 }

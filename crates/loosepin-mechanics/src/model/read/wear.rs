@@ -2,14 +2,15 @@
 
 use super::reader::ModelReader;
 use crate::contact::{FrictionLaw, NormalDescription};
+use crate::model::joint::Clearance;
 use crate::model::keys::wear::{JOINT_WEAR_KEYS, LIFE_KEYS, SURFACE_KEYS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::{Clearance, SlidingVelocity, Stiffness};
+use crate::model::topology::{SlidingVelocity, Stiffness};
 use crate::model::wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
-use crate::model::{Contact, Joint, JointKind, Output, OutputKind};
+use crate::model::{Contact, Joint, Output, OutputKind};
 use loosepin_text::document::{Entry, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
 
@@ -161,11 +162,9 @@ impl ModelReader {
 
     /// Name, contact, pressure and foundation of the joints with play that wear.
     fn wearing_joints(&self) -> Vec<(String, usize, WearPressure, FoundationChoice)> {
-        let wearing = |joint: &Joint| match (&joint.wear, &joint.kind) {
-            (Some(wear), JointKind::Revolute { clearance: Some(clearance), .. }) => {
-                Some((joint.name.clone(), clearance.contact.0, wear.pressure, wear.foundation))
-            }
-            _ => None,
+        let wearing = |joint: &Joint| {
+            let (wear, clearance) = joint.wear.as_ref().zip(joint.kind.pin_clearance())?;
+            Some((joint.name.clone(), clearance.contact.0, wear.pressure, wear.foundation))
         };
         self.joints.iter().filter_map(wearing).collect()
     }

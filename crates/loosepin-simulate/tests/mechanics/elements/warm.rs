@@ -1,7 +1,7 @@
 //! Parts that are warmer than their drawings, against closed forms.
 
 use super::{build, crank, crank_text};
-use loosepin_mechanics::model::{JointKind, Model};
+use loosepin_mechanics::model::{JointKind, Model, Prismatic, Revolute, Slot};
 use loosepin_simulate::{Plan, simulate};
 
 /// Round-off of lengths of about 0.1 m, and of angles.
@@ -151,7 +151,9 @@ duration = "0.1 s"
     };
     for clearance in ["radial_clearance = \"0.05 mm\"", "diametral_clearance = \"0.1 mm\""] {
         let model = read(&revolute(clearance));
-        let JointKind::Revolute { clearance: Some(play), .. } = &model.joints[0].kind else { panic!("it has play") };
+        let JointKind::Revolute(Revolute { clearance: Some(play), .. }) = &model.joints[0].kind else {
+            panic!("it has play")
+        };
         let values = model.quantities.nominal();
         close(values[play.bearing_radius_m], 0.02 * (1.0 + OUTER));
         close(values[play.radial_clearance_m], 0.02 * (1.0 + OUTER) - 0.01995 * (1.0 + INNER));
@@ -163,7 +165,7 @@ duration = "0.1 s"
 
     // Nothing stated stays nothing, though the hole grows less than the pin.
     let model_without = read(&revolute("radial_clearance = \"0 mm\""));
-    let JointKind::Revolute { clearance: Some(play), .. } = &model_without.joints[0].kind else {
+    let JointKind::Revolute(Revolute { clearance: Some(play), .. }) = &model_without.joints[0].kind else {
         panic!("it may be set")
     };
     assert_eq!(model_without.quantities.nominal()[play.radial_clearance_m], 0.0);
@@ -175,7 +177,9 @@ duration = "0.1 s"
         "kind = \"prismatic\"\nguide = { point = \"ground.o\", angle = \"0 deg\", start = \"-80 mm\", end = \"80 mm\" }\n\
          slider = \"part.p\"\nhalf_length = \"30 mm\"\nhalf_height = \"10 mm\"\nclearance = \"0.05 mm\"",
     );
-    let JointKind::Prismatic { clearance: Some(play), .. } = &model.joints[0].kind else { panic!("it has play") };
+    let JointKind::Prismatic(Prismatic { clearance: Some(play), .. }) = &model.joints[0].kind else {
+        panic!("it has play")
+    };
     let values = model.quantities.nominal();
     close(values[play.clearance_m], 0.01005 * (1.0 + OUTER) - 0.01 * (1.0 + INNER));
     close(values[play.half_height_m], 0.01 * (1.0 + INNER));
@@ -186,7 +190,7 @@ duration = "0.1 s"
         "kind = \"slot\"\nslot = { point = \"ground.o\", angle = \"0 deg\" }\npin = \"part.p\"\nhalf_length = \"30 mm\"\n\
          end_radius = \"5 mm\"\nclearance = \"0.05 mm\"",
     );
-    let JointKind::Slot { clearance: Some(play), .. } = &model.joints[0].kind else { panic!("it has play") };
+    let JointKind::Slot(Slot { clearance: Some(play), .. }) = &model.joints[0].kind else { panic!("it has play") };
     let values = model.quantities.nominal();
     close(values[play.clearance_m], 0.005 * (1.0 + OUTER) - 0.00495 * (1.0 + INNER));
     close(values[play.end_radius_m], 0.005 * (1.0 + OUTER));

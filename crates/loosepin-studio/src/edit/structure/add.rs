@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
-use loosepin::model::{JointKind, Model, PointId, Values};
+use loosepin::model::{Model, PointId, Values};
 use loosepin::units::format_number;
 
 use super::edit::{End, Joined, Watched};
@@ -277,15 +277,16 @@ impl<'m> Draft<'m> {
     pub fn drive(&mut self, joint: &str) -> Result<String, Refusal> {
         let found = self.model.joints.iter().find(|one| one.name == joint);
         let found = found.ok_or_else(|| Refusal::bad(format!("there is no joint '{joint}' any more")))?;
-        let JointKind::Revolute { bearing, journal, clearance } = &found.kind else {
+        if !found.kind.turns() {
             return Err(Refusal::bad("a motor turns a pin").with_hint("other drives are written in the text"));
-        };
-        if clearance.is_some() {
+        }
+        let [bearing, journal] = found.kind.points();
+        if found.kind.play().is_some() {
             return Err(Refusal::bad(format!("'{joint}' has play: a motor turns a pin without play")));
         }
         let angle =
             |point: PointId| self.poses.get(&self.model.bodies[point.body.0].name).map_or(0.0, |pose| pose.angle_rad);
-        let start = format!("\"{} deg\"", degrees((angle(*journal) - angle(*bearing)).to_degrees()));
+        let start = format!("\"{} deg\"", degrees((angle(journal) - angle(bearing)).to_degrees()));
         let [drive] = &self.model.drives[..] else {
             if !self.model.drives.is_empty() {
                 return Err(Refusal::bad("there are several drives").with_hint("choose their joints in the text"));

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use loosepin::diagnostics::Complaints;
 use loosepin::mechanism::{Mechanism, MechanismError};
-use loosepin::model::{JointKind, Model};
+use loosepin::model::Model;
 use loosepin::study::{InputFile, Study};
 use loosepin::units::counted;
 
@@ -129,12 +129,7 @@ pub fn facts(model: &Model) -> BTreeMap<String, String> {
     };
     for joint in &model.joints {
         let [first, second] = joint.kind.points().map(point);
-        let kind = match joint.kind {
-            JointKind::Revolute { .. } => "revolute",
-            JointKind::Prismatic { .. } => "prismatic",
-            JointKind::Slot { .. } => "slot",
-            JointKind::Rigid { .. } => "rigid",
-        };
+        let kind = joint.kind.word();
         facts.insert(format!("joint.{}", joint.name), format!("{kind} {first} {second}"));
     }
     for drive in &model.drives {

@@ -2,13 +2,15 @@
 
 use loosepin::report::{ResultTag, Tag, among_cut, among_percentile};
 use loosepin::result::ContactBasis;
+use loosepin::simulate::record::Trust;
 use loosepin::study::result::*;
 use loosepin::units::SiUnit;
 
 use super::shown::Shown;
 
 /// Keys of numbers that are held against what is shown.
-const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds settled_share further_turns requirements[].probability[] \
+const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.rounds settled_share further_turns nominal_trust.horizons[].until_s nominal_trust.horizons[].turns \
+    nominal_trust.whole_m requirements[].probability[] \
     bounds[].lower.widened_si bounds[].upper.widened_si bounds[].lower.error.sampling_si bounds[].lower.error.optimisation_si \
     bounds[].lower.error.surrogate_si bounds[].upper.error.sampling_si bounds[].upper.error.optimisation_si \
     bounds[].upper.error.surrogate_si bounds[].lower.witness bounds[].upper.witness bounds[].lower.value_si bounds[].upper.value_si \
@@ -21,7 +23,8 @@ const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.r
     curves[].confidence curves[].random curves[].mixed boxes[].numerical_error failures[].count contributors[] cuts[].bounds[] \
     percentiles[].bounds[]";
 /// Keys of numbers that were given, that tell where another number stands, or that are drawn only.
-const GIVEN: &str = "format seed inputs[] correlations[] cycle counts.replicates counts.by_purpose[] requirements[].lower_si \
+const GIVEN: &str = "nominal_trust.horizons[].length_m nominal_trust.share nominal_trust.tolerance_m nominal_trust.evaluations \
+    nominal_trust.time_s[] nominal_trust.difference_m[] format seed inputs[] correlations[] cycle counts.replicates counts.by_purpose[] requirements[].lower_si \
     requirements[].upper_si requirements[].probability_at_least requirements[].counted requirements[].at requirements[].failed_values \
     requirements[].promised bounds[].at bounds[].statistic bounds[].guarantee treatments[].promised_coverage treatments[].at \
     treatments[].bands[].coverage_at[] energy.histogram[] witness_commands[] display_units curves[].probabilities[] curves[].pose_rad[] \
@@ -57,6 +60,24 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
             if let Some(broken) = broken {
                 found.add(Tag::requirement(requirement, "broken later"), *broken as f64);
             }
+        }
+    }
+    if let Trust::Measured(measured) = &result.nominal_trust {
+        let tag = |statistic: &str, part: &str| Tag::whole(&format!("trust, {statistic}"), part);
+        for horizon in &measured.horizons {
+            let at = |part: &str| tag("horizon", part).at(&horizon.length_m.to_string());
+            if let Some(until_s) = horizon.until_s {
+                found.value(at("time"), until_s, &SiUnit::TIME);
+            }
+            if let Some(turns) = horizon.turns {
+                found.add(at("turns"), turns);
+            }
+        }
+        if let Some(whole_m) = measured.whole_m {
+            found.value(tag("whole run", "length"), whole_m, &SiUnit::LENGTH);
+        }
+        if let Some(&last_s) = measured.time_s.last() {
+            found.value(tag("second run", "end"), last_s, &SiUnit::TIME);
         }
     }
     for failure in &result.failures {

@@ -1,0 +1,47 @@
+//! What play consists of: a pin in a hole, a block in a guide, a pin in a slot.
+
+use crate::model::ids::ContactId;
+use crate::model::quantity::QuantityId;
+
+/// The play of a revolute joint.
+#[derive(Debug, Clone)]
+pub struct Clearance {
+    /// Radius R_i of the bearing (hole), m, > 0.
+    pub bearing_radius_m: QuantityId,
+    /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub radial_clearance_m: QuantityId,
+    /// Length L of the bearing, m, > 0; there where the contact is a line contact.
+    pub bearing_length_m: Option<QuantityId>,
+    /// The contact between pin and hole.
+    pub contact: ContactId,
+}
+
+/// The play of a slider in its guide: a block whose centre is the slider point and whose length lies along the line.
+#[derive(Debug, Clone)]
+pub struct GuideClearance {
+    /// Half-length a of the block along the line, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Half-height b of the block across the line, m, > 0.
+    pub half_height_m: QuantityId,
+    /// Gap c between the block and each face, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// Radius ρ of the corners, m, > 0; there where the stiffness comes from the materials.
+    pub corner_radius_m: Option<QuantityId>,
+    /// Where the faces begin and end, from the guide's point along the line, m; absent for faces without ends.
+    pub ends_m: Option<[QuantityId; 2]>,
+    /// The contact between corners and faces; its bearing is the guide, its journal the slider.
+    pub contact: ContactId,
+}
+
+/// The play of a pin in a straight slot with round ends.
+#[derive(Debug, Clone)]
+pub struct SlotClearance {
+    /// Half-length h from the middle of the slot to the centre of each round end, m, > 0.
+    pub half_length_m: QuantityId,
+    /// Radius R_i of the ends, half the width of the slot, m, > 0.
+    pub end_radius_m: QuantityId,
+    /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}

@@ -1,0 +1,222 @@
+//! What every kind of joint says of itself, and the terms in which it says it.
+
+use super::clearance::{Clearance, GuideClearance, SlotClearance};
+use super::reading::JointReader;
+use crate::model::ids::{BodyId, ContactId, PointId};
+use crate::model::quantity::QuantityId;
+use loosepin_text::document::{Keys, Table};
+use loosepin_text::units::Dimension;
+
+/// A kind of joint between two bodies of the plane.
+///
+/// The rest of the program asks these questions, and knows no kind by its name. Constants are what all joints of a kind have in common,
+/// methods what one of them states.
+pub trait KindOfJoint: Sized {
+    /// Word in files.
+    const WORD: &'static str;
+    /// Keys of its table.
+    const KEYS: &'static Keys;
+    /// Dimension of its coordinate: an angle, or a position along a line; none where it has none.
+    const COORDINATE: Option<Dimension>;
+    /// How a body hangs on another by it.
+    const HANGING: Hanging;
+    /// The constraints that it is where it closes a loop.
+    const ROWS: IdealRows;
+    /// What it is to a flexible body.
+    const AT_BEAM: AtBeam;
+    /// Names of the places where its parts may touch; empty where there is one alone.
+    const CONTACT_PLACES: &'static [&'static str] = &[];
+    /// Key of its clearance, in errors and hints.
+    const CLEARANCE_KEY: &'static str = "clearance";
+    /// Key of the size on which its friction acts where it is ideal; none where it has no friction.
+    const FRICTION_SIZE: Option<&'static str> = None;
+    /// Whether it may wear.
+    const WEARS: bool = false;
+
+    /// Reads it from its table; nothing after a complaint.
+    fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self>;
+
+    /// The two points that it connects; the first body is the one that holds: bearing, guide, slot.
+    fn points(&self) -> [PointId; 2];
+
+    /// Angles, in the frames of both bodies, of a direction that both bodies share, rad: of its line where it has one, else of the second body's x
+    /// axis. None is zero.
+    fn angles_rad(&self) -> [Option<QuantityId>; 2] {
+        [None; 2]
+    }
+
+    /// The line fixed to the first body along which the second point moves.
+    fn line(&self) -> Option<Line> {
+        None
+    }
+
+    /// Its play, where it may have any.
+    fn play(&self) -> Option<JointPlay> {
+        None
+    }
+
+    /// The parts between which it has play, where it states any.
+    fn play_parts(&self) -> Option<PlayParts<'_>> {
+        None
+    }
+
+    /// Whether its faces end within reach.
+    fn has_ends(&self) -> bool {
+        false
+    }
+
+    /// Whether a contact of it may be on a face and at its end at once, so that each has a share of the force.
+    fn has_shares(&self) -> bool {
+        self.has_ends()
+    }
+
+    /// Why it cannot be driven; nothing where it can. `is_zero` tells whether a clearance is zero for good.
+    fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven>;
+
+    /// What it connects, in words.
+    fn words(&self, names: &dyn Names) -> String;
+
+    /// What its play is, in words; nothing where it states none.
+    fn play_words(&self, names: &dyn Names) -> Option<String> {
+        let _ = names;
+        None
+    }
+}
+
+/// How a body hangs on another by a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hanging {
+    /// It turns about the point.
+    Turning,
+    /// It slides along the line.
+    Sliding,
+    /// It does not move.
+    Fixed,
+    /// It never does: the joint is always cut, since it costs fewer constraints than it would have coordinates.
+    Never,
+}
+
+/// The scalar constraints of an ideal joint: first those of its points, then one if the bodies do not turn against each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct IdealRows {
+    /// What they keep together.
+    pub keeps: Keeps,
+    /// Whether the last row keeps the bodies from turning against each other.
+    pub holds_angle: bool,
+}
+
+/// What the first rows of an ideal joint keep together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keeps {
+    /// Two rows: the points coincide.
+    Points,
+    /// One row: the second point stays on the line.
+    Line,
+}
+
+impl IdealRows {
+    /// Number of scalar constraints.
+    #[inline(always)]
+    pub const fn count(self) -> usize {
+        let of_points = match self.keeps {
+            Keeps::Points => 2,
+            Keeps::Line => 1,
+        };
+        of_points + self.holds_angle as usize
+    }
+
+    /// Whether the first row keeps a point on a line; else two rows keep two points together.
+    #[inline(always)]
+    pub const fn is_on_line(self) -> bool {
+        matches!(self.keeps, Keeps::Line)
+    }
+
+    /// Whether row `row` of them is an angle; the others are lengths.
+    pub const fn is_angle(self, row: usize) -> bool {
+        self.holds_angle && row + 1 == self.count()
+    }
+}
+
+/// What a joint is to a flexible body at one of its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AtBeam {
+    /// It holds the point, and the section turns freely unless the joint is driven.
+    Point,
+    /// It holds the section there: a couple acts.
+    Section,
+    /// It cannot hold one: its name in words.
+    Refused(&'static str),
+}
+
+/// The line of a guide or a slot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Line {
+    /// A point of the first body on it; positions count from here.
+    pub point: PointId,
+    /// Its direction from the first body's x axis, rad.
+    pub angle_rad: QuantityId,
+}
+
+/// The play of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointPlay {
+    /// The clearance, m, >= 0; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact.
+    pub contact: ContactId,
+    /// The radius that it is part of, m: the clearance is smaller, and in practice far smaller. None where it is part of none.
+    pub radius_m: Option<QuantityId>,
+}
+
+/// The parts between which a joint has play.
+#[derive(Debug, Clone, Copy)]
+pub enum PlayParts<'k> {
+    /// A pin in a round hole.
+    Pin(&'k Clearance),
+    /// A block in a straight guide.
+    Block {
+        /// Sizes of block and guide.
+        clearance: &'k GuideClearance,
+        /// Direction of the guide from the first body's x axis, rad.
+        guide_angle_rad: QuantityId,
+        /// The same from the second body's x axis, rad.
+        slider_angle_rad: QuantityId,
+    },
+    /// A pin in a straight slot.
+    Slot {
+        /// Sizes of pin and slot.
+        clearance: &'k SlotClearance,
+        /// Direction of the slot from the first body's x axis, rad.
+        slot_angle_rad: QuantityId,
+    },
+}
+
+/// Why a joint cannot be driven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NotDriven {
+    /// "has play".
+    pub why: &'static str,
+    /// What to do instead.
+    pub hint: &'static str,
+}
+
+impl NotDriven {
+    /// Of a kind that no drive moves.
+    pub const fn never(why: &'static str) -> Self {
+        Self { why, hint: "drive a revolute or prismatic joint" }
+    }
+}
+
+/// Names and numbers of a model as people read them.
+pub trait Names {
+    /// `rod.small_end`.
+    fn point(&self, point: PointId) -> String;
+    /// `rod`.
+    fn body(&self, body: BodyId) -> &str;
+    /// Value, SI.
+    fn value_si(&self, id: QuantityId) -> f64;
+    /// A length with its unit.
+    fn length(&self, id: QuantityId) -> String;
+    /// An angle with its unit.
+    fn angle(&self, angle_rad: f64) -> String;
+}

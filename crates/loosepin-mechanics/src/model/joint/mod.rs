@@ -1,0 +1,201 @@
+//! The kinds of joint: one file each, and the list of them here. Nothing outside this folder names a kind.
+//!
+//! A kind says of itself what the rest of the program asks ([`KindOfJoint`]), and reads its own table.
+
+mod clearance;
+mod kind;
+mod prismatic;
+mod reading;
+mod revolute;
+mod rigid;
+mod slot;
+
+pub use clearance::{Clearance, GuideClearance, SlotClearance};
+pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, Names, NotDriven, PlayParts};
+pub use prismatic::Prismatic;
+pub use reading::{ContactFacts, JointReader, PlayKeys};
+pub use revolute::Revolute;
+pub use rigid::Rigid;
+pub use slot::Slot;
+
+use super::ids::{BodyId, PointId};
+use super::quantity::QuantityId;
+use loosepin_text::document::{Keys, Table};
+use loosepin_text::units::Dimension;
+
+/// Makes the enum of all kinds, and hands every question on to the kind.
+macro_rules! joint_kinds {
+    ($($(#[$doc:meta])* $kind:ident),* $(,)?) => {
+        /// A joint of any kind.
+        #[derive(Debug, Clone)]
+        pub enum JointKind {
+            $($(#[$doc])* $kind($kind),)*
+        }
+
+        /// Words of all kinds in files, with their keys.
+        pub(super) static JOINT_KINDS: &[(&str, &Keys)] = &[$(($kind::WORD, $kind::KEYS)),*];
+
+        $(impl From<$kind> for JointKind {
+            fn from(kind: $kind) -> Self {
+                Self::$kind(kind)
+            }
+        })*
+
+        impl JointKind {
+            /// Reads a joint of the kind `word` from its table; nothing after a complaint, or where there is no such kind.
+            pub(super) fn read(word: &str, table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
+                match word {
+                    $(<$kind as KindOfJoint>::WORD => $kind::read(table, reader).map(Self::from),)*
+                    _ => None,
+                }
+            }
+
+            /// What the kind `word` states of friction and wear: [`KindOfJoint::FRICTION_SIZE`], [`KindOfJoint::WEARS`].
+            pub(super) fn friction_and_wear(word: &str) -> (Option<&'static str>, bool) {
+                match word {
+                    $(<$kind as KindOfJoint>::WORD => ($kind::FRICTION_SIZE, $kind::WEARS),)*
+                    _ => (None, false),
+                }
+            }
+        }
+
+        /// `ask!(self, kind => expression)` for the kind at hand; `constant!(self, NAME)` for what its kind has in common.
+        macro_rules! ask {
+            ($own:expr, $name:ident => $answer:expr) => {
+                match $own { $(JointKind::$kind($name) => $answer,)* }
+            };
+        }
+        macro_rules! constant {
+            ($own:expr, $name:ident) => {
+                match $own { $(JointKind::$kind(_) => <$kind as KindOfJoint>::$name,)* }
+            };
+        }
+    };
+}
+
+joint_kinds! {
+    /// A pin turns in a hole.
+    Revolute,
+    /// A slider moves along a line.
+    Prismatic,
+    /// A pin slides and turns in a slot.
+    Slot,
+    /// Two bodies are one.
+    Rigid,
+}
+
+impl JointKind {
+    /// See [`KindOfJoint::WORD`].
+    pub fn word(&self) -> &'static str {
+        constant!(self, WORD)
+    }
+
+    /// See [`KindOfJoint::COORDINATE`].
+    pub fn coordinate(&self) -> Option<Dimension> {
+        constant!(self, COORDINATE)
+    }
+
+    /// Whether its coordinate is an angle.
+    pub fn turns(&self) -> bool {
+        self.coordinate() == Some(Dimension::ANGLE)
+    }
+
+    /// Whether its coordinate is a position along a line.
+    pub fn slides(&self) -> bool {
+        self.coordinate() == Some(Dimension::LENGTH)
+    }
+
+    /// See [`KindOfJoint::HANGING`].
+    pub fn hanging(&self) -> Hanging {
+        constant!(self, HANGING)
+    }
+
+    /// See [`KindOfJoint::ROWS`].
+    pub fn rows(&self) -> IdealRows {
+        constant!(self, ROWS)
+    }
+
+    /// See [`KindOfJoint::AT_BEAM`].
+    pub fn at_beam(&self) -> AtBeam {
+        constant!(self, AT_BEAM)
+    }
+
+    /// See [`KindOfJoint::CONTACT_PLACES`].
+    pub fn contact_places(&self) -> &'static [&'static str] {
+        constant!(self, CONTACT_PLACES)
+    }
+
+    /// See [`KindOfJoint::CLEARANCE_KEY`].
+    pub fn clearance_key(&self) -> &'static str {
+        constant!(self, CLEARANCE_KEY)
+    }
+
+    /// See [`KindOfJoint::points`].
+    pub fn points(&self) -> [PointId; 2] {
+        ask!(self, kind => kind.points())
+    }
+
+    /// The bodies of its points.
+    pub fn bodies(&self) -> [BodyId; 2] {
+        self.points().map(|point| point.body)
+    }
+
+    /// See [`KindOfJoint::angles_rad`].
+    pub fn angles_rad(&self) -> [Option<QuantityId>; 2] {
+        ask!(self, kind => kind.angles_rad())
+    }
+
+    /// By how much the second body is turned from the first one, rad, where they do not turn against each other.
+    pub fn held_turn_rad(&self, number: &dyn Fn(QuantityId) -> f64) -> Option<f64> {
+        let angle_rad = |side: usize| self.angles_rad()[side].map_or(0.0, number);
+        self.rows().holds_angle.then(|| angle_rad(0) - angle_rad(1))
+    }
+
+    /// See [`KindOfJoint::line`].
+    pub fn line(&self) -> Option<Line> {
+        ask!(self, kind => kind.line())
+    }
+
+    /// See [`KindOfJoint::play`].
+    pub fn play(&self) -> Option<JointPlay> {
+        ask!(self, kind => kind.play())
+    }
+
+    /// See [`KindOfJoint::play_parts`].
+    pub fn play_parts(&self) -> Option<PlayParts<'_>> {
+        ask!(self, kind => kind.play_parts())
+    }
+
+    /// The play of a pin in a round hole.
+    pub fn pin_clearance(&self) -> Option<&Clearance> {
+        match self.play_parts() {
+            Some(PlayParts::Pin(clearance)) => Some(clearance),
+            _ => None,
+        }
+    }
+
+    /// See [`KindOfJoint::has_ends`].
+    pub fn has_ends(&self) -> bool {
+        ask!(self, kind => kind.has_ends())
+    }
+
+    /// See [`KindOfJoint::has_shares`].
+    pub fn has_shares(&self) -> bool {
+        ask!(self, kind => kind.has_shares())
+    }
+
+    /// See [`KindOfJoint::why_not_driven`].
+    pub fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
+        ask!(self, kind => kind.why_not_driven(is_zero))
+    }
+
+    /// See [`KindOfJoint::words`].
+    pub fn words(&self, names: &dyn Names) -> String {
+        ask!(self, kind => kind.words(names))
+    }
+
+    /// See [`KindOfJoint::play_words`].
+    pub fn play_words(&self, names: &dyn Names) -> Option<String> {
+        ask!(self, kind => kind.play_words(names))
+    }
+}

@@ -1,0 +1,97 @@
+//! What a kind of joint needs to read its table: the reader of the model, as far as joints know it.
+
+use crate::model::ids::{BodyId, ContactId, PointId};
+use crate::model::quantity::QuantityId;
+use loosepin_text::diagnostics::Span;
+use loosepin_text::document::{Entry, EntryPath, Reader, Table};
+use loosepin_text::units::{Dimension, Op, Rule};
+
+/// Keys of a kind that go with its clearance.
+pub struct PlayKeys {
+    /// The key of the clearance.
+    pub clearance: &'static str,
+    /// Keys that a clearance above zero needs; the contact only where the model is run.
+    pub needed: &'static [&'static str],
+    /// All keys that have a meaning beside a clearance only.
+    pub beside: &'static [&'static str],
+}
+
+/// What a joint asks of its contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ContactFacts {
+    /// Whether its law is of a line contact, which needs a length.
+    pub is_line: bool,
+    /// Whether it has a film of oil.
+    pub has_film: bool,
+    /// Whether its stiffness comes from the materials.
+    pub is_of_materials: bool,
+}
+
+/// The reader of a model, as far as joints know it. What returns nothing has complained.
+pub trait JointReader {
+    /// The reader of the document, for tables in tables and complaints.
+    fn document(&mut self) -> &mut Reader;
+
+    /// A point of a body.
+    fn point(&mut self, entry: &Entry<'_>) -> Option<PointId>;
+
+    /// The quantity behind a key; nothing where it is not written.
+    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId>;
+
+    /// The same with a value where it is not written, SI.
+    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId>;
+
+    /// A quantity that is not written, SI.
+    fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId;
+
+    /// A quantity that follows from others.
+    fn derived(
+        &mut self,
+        path: String,
+        dimension: Dimension,
+        rule: Rule,
+        ops: Vec<Op>,
+        reads: &[QuantityId],
+    ) -> QuantityId;
+
+    /// Complains that a key needs others.
+    fn complain_of_missing(&mut self, table: &Table<'_>, key: &'static str, needs: Vec<&'static str>);
+
+    /// Complains about a key that means nothing beside another.
+    fn refuse_beside(&mut self, table: &Table<'_>, key: &'static str, beside: &'static str);
+
+    /// Whether one quantity stays below another, whatever both are set to.
+    fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool;
+
+    /// The contact that the table names.
+    fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId>;
+
+    /// The contact of a joint with play: the named one, or one that stands for none.
+    fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId>;
+
+    /// What a joint asks of a contact.
+    fn contact_facts(&self, contact: ContactId) -> ContactFacts;
+
+    /// Complains where the contact is one that `what_touches`, on a plane, cannot have.
+    fn demand_flat_contact(&mut self, table: &Table<'_>, contact: ContactId, what_touches: &'static str) -> Option<()>;
+
+    /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
+    fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>>;
+
+    /// A clearance with both parts as warm as their bodies: the outer part has the sizes `outer` at the drawing's temperature.
+    fn warm_clearance(
+        &mut self,
+        clearance: QuantityId,
+        outer: &[QuantityId],
+        bodies: [BodyId; 2],
+        span: Span,
+    ) -> Option<QuantityId>;
+
+    /// A length of a body that is as warm as it is.
+    fn grown_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId;
+}
+
+/// Where the clearance of a joint stands, under one of `keys`.
+pub fn clearance_span(table: &Table<'_>, keys: &[&str]) -> Span {
+    keys.iter().find_map(|key| table.get(key)).map_or(table.span, |entry| entry.span)
+}

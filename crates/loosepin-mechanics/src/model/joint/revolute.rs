@@ -1,0 +1,174 @@
+//! A pin (journal) turns in a hole (bearing); with a radial clearance it has play.
+
+use super::clearance::Clearance;
+use super::kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
+use super::reading::{JointReader, PlayKeys, clearance_span};
+use crate::model::ids::{BodyId, PointId};
+use crate::model::keys::friction::JOINT_FRICTION_KEYS;
+use crate::model::keys::wear::JOINT_WEAR;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
+use loosepin_text::document::{EntryPath, Keys, Kind, Table, optional, quantity, required};
+use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
+
+/// The journal point turns about the bearing point; with a clearance, it may leave it.
+#[derive(Debug, Clone)]
+pub struct Revolute {
+    /// Point of the body with the hole (body i).
+    pub bearing: PointId,
+    /// Point of the body with the pin (body j).
+    pub journal: PointId,
+    /// Absent for an ideal joint.
+    pub clearance: Option<Clearance>,
+}
+
+impl KindOfJoint for Revolute {
+    const WORD: &'static str = "revolute";
+    const KEYS: &'static Keys = &KEYS;
+    const COORDINATE: Option<Dimension> = Some(Dimension::ANGLE);
+    const HANGING: Hanging = Hanging::Turning;
+    const ROWS: IdealRows = IdealRows { keeps: Keeps::Points, holds_angle: false };
+    const AT_BEAM: AtBeam = AtBeam::Point;
+    const CLEARANCE_KEY: &'static str = RADIAL;
+
+    const FRICTION_SIZE: Option<&'static str> = Some("pin_radius");
+    const WEARS: bool = true;
+
+    fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
+        let [bearing, journal] =
+            ["bearing", "journal"].map(|key| table.get(key).and_then(|entry| reader.point(&entry)));
+        let clearance = clearance(table, reader);
+        let (bearing, journal) = (bearing?, journal?);
+        let clearance = match clearance? {
+            Some(cold) => Some(warm(cold, [bearing.body, journal.body], table, reader)?),
+            None => None,
+        };
+        Some(Self { bearing, journal, clearance })
+    }
+
+    fn points(&self) -> [PointId; 2] {
+        [self.bearing, self.journal]
+    }
+
+    fn play(&self) -> Option<JointPlay> {
+        let own = self.clearance.as_ref()?;
+        let (clearance_m, contact) = (own.radial_clearance_m, own.contact);
+        Some(JointPlay { clearance_m, contact, radius_m: Some(own.bearing_radius_m) })
+    }
+
+    fn play_parts(&self) -> Option<PlayParts<'_>> {
+        self.clearance.as_ref().map(PlayParts::Pin)
+    }
+
+    fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
+        let has_play = self.clearance.as_ref().is_some_and(|own| !is_zero(own.radial_clearance_m));
+        has_play.then_some(NotDriven {
+            why: "has play",
+            hint: "drive an ideal joint, or set the radial clearance of this one to \"0 mm\"",
+        })
+    }
+
+    fn words(&self, names: &dyn Names) -> String {
+        format!("revolute: {} turns in {}", names.point(self.journal), names.point(self.bearing))
+    }
+
+    fn play_words(&self, names: &dyn Names) -> Option<String> {
+        let own = self.clearance.as_ref()?;
+        let [clearance, radius] = [own.radial_clearance_m, own.bearing_radius_m].map(|id| names.length(id));
+        Some(format!("play: radial clearance {clearance} in a bearing of radius {radius}"))
+    }
+}
+
+/// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
+fn clearance(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Option<Clearance>> {
+    let on_diameter = table.has(DIAMETRAL);
+    let keys = PlayKeys {
+        clearance: if on_diameter { DIAMETRAL } else { RADIAL },
+        needed: &["bearing_radius", "contact"],
+        beside: &["bearing_radius", "bearing_length", "contact"],
+    };
+    let bearing_radius_m = reader.quantity(table, "bearing_radius");
+    let bearing_length_m = reader.quantity(table, "bearing_length");
+    let contact = reader.contact_of(table);
+    if let Some(radial) = table.get(RADIAL).filter(|_| on_diameter) {
+        let problem = ModelProblem::ClearanceTwice { entry: table.path.describe() };
+        return reader.document().refuse(&problem, radial.key_span);
+    }
+    let Some(stated_m) = reader.play_clearance(table, &keys)? else { return Some(None) };
+    let span = table.get(keys.clearance).map_or(table.span, |entry| entry.span);
+    let radial_clearance_m = if on_diameter { half_of(stated_m, &table.path.join(RADIAL), reader) } else { stated_m };
+    let bearing_radius_m = bearing_radius_m?;
+    if !reader.demand_order(radial_clearance_m, bearing_radius_m, span) {
+        return None;
+    }
+    let contact = reader.contact_of_play(table, contact)?;
+    // A length that is there and could not be read was complained about.
+    let facts = reader.contact_facts(contact);
+    if (facts.is_line || facts.has_film) && !table.has("bearing_length") {
+        let entry = table.path.describe();
+        let problem = if facts.is_line {
+            ModelProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }
+        } else {
+            ModelProblem::FilmNeedsLength { entry }
+        };
+        return reader.document().refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
+    }
+    Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
+}
+
+/// The radial clearance at `path` of a joint that states its diametral clearance: half of it, whatever that is set to.
+fn half_of(diametral_m: QuantityId, path: &EntryPath, reader: &mut dyn JointReader) -> QuantityId {
+    let ops = vec![Op::Load(diametral_m.0), Op::Number(0.5), Op::Multiply];
+    reader.derived(path.dotted(), Dimension::LENGTH, Rule::NonNegative, ops, &[diametral_m])
+}
+
+/// The clearance with hole and pin as warm as their bodies.
+fn warm(cold: Clearance, bodies: [BodyId; 2], table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Clearance> {
+    let span = clearance_span(table, &[RADIAL, DIAMETRAL]);
+    let radial_clearance_m = reader.warm_clearance(cold.radial_clearance_m, &[cold.bearing_radius_m], bodies, span)?;
+    let bearing_radius_m = reader.grown_with(cold.bearing_radius_m, bodies[0]);
+    Some(Clearance { bearing_radius_m, radial_clearance_m, ..cold })
+}
+
+static KEYS: Keys = Keys::new(
+    "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
+    &[
+        required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
+        required("bearing", Kind::Point, "\"rod.small_end\"", "point at the centre of the hole"),
+        required("journal", Kind::Point, "\"slider.pin\"", "point at the centre of the pin"),
+        optional("bearing_radius", quantity(D::LENGTH, Rule::Positive), "\"10 mm\"", "radius of the hole"),
+        optional(
+            "radial_clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"0.5 mm\"",
+            "radius of the hole minus radius of the pin; ideal joint if left out or zero",
+        ),
+        optional(
+            "diametral_clearance",
+            quantity(D::LENGTH, Rule::NonNegative),
+            "\"1 mm\"",
+            "diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large",
+        ),
+        optional(
+            "bearing_length",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"20 mm\"",
+            "length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the \
+             result says what a line-contact law would give",
+        ),
+        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
+        optional(
+            "friction",
+            Kind::Table(&JOINT_FRICTION_KEYS),
+            "{ coefficient = 0.1 }",
+            "friction of a joint without play; none if left out. A joint with play has it in its contact",
+        ),
+        optional(
+            "pin_radius",
+            quantity(D::LENGTH, Rule::Positive),
+            "\"8 mm\"",
+            "radius of the pin, at whose surface friction acts",
+        ),
+        JOINT_WEAR,
+    ],
+);

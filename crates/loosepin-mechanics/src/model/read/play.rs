@@ -1,0 +1,72 @@
+//! The clearance of a joint or coupling that may have play.
+
+use super::reader::ModelReader;
+use crate::contact::NormalDescription;
+use crate::model::ids::ContactId;
+use crate::model::joint::PlayKeys;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::{Origin, QuantityId};
+use crate::model::topology::SlidingVelocity;
+use loosepin_text::document::Table;
+use loosepin_text::units::{Dimension, Expression, Rule, run};
+
+/// The key of the contact: a clearance needs it where the model is run, and not for the motion without dynamics.
+const CONTACT: &str = "contact";
+
+impl ModelReader {
+    /// The clearance of a joint that may have play; the outer option is absent after a complaint, the inner for an ideal joint.
+    pub(super) fn play_clearance(&mut self, table: &Table<'_>, keys: &PlayKeys) -> Option<Option<QuantityId>> {
+        let is_missing = |key: &&'static str| *key != CONTACT && !table.has(key);
+        let missing: Vec<&'static str> = keys.needed.iter().copied().filter(is_missing).collect();
+        let has_no_contact = keys.needed.contains(&CONTACT) && !table.has(CONTACT);
+        let Some(entry) = table.get(keys.clearance) else {
+            if let Some(key) = keys.beside.iter().find(|key| table.has(key)) {
+                self.complain_of_missing(table, key, vec![keys.clearance]);
+                return None;
+            }
+            return Some(None);
+        };
+        let expression = self.expression_due(&entry, Dimension::LENGTH)?;
+        if (!missing.is_empty() || has_no_contact) && is_literal_zero(&expression) {
+            // An ideal joint: a clearance above zero would need what is missing, so this one cannot be set.
+            self.add_with_origin(&entry, &expression, Rule::NonNegative, Origin::Fixed)?;
+            return Some(None);
+        }
+        let clearance_m = self.add(&entry, &expression, Rule::NonNegative)?;
+        if !missing.is_empty() {
+            self.complain_of_missing(table, keys.clearance, missing);
+            return None;
+        }
+        if has_no_contact {
+            self.miss_for_runs(table, CONTACT);
+        }
+        Some(Some(clearance_m))
+    }
+
+    /// Complains where the contact is one that `what_touches`, on a plane, cannot have.
+    pub(super) fn demand_flat_contact(
+        &mut self,
+        table: &Table<'_>,
+        id: ContactId,
+        what_touches: &'static str,
+    ) -> Option<()> {
+        let contact = &self.contacts[id.0];
+        let is_literal =
+            contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
+        let what = match contact.law {
+            NormalDescription::Line(law) => Some(format!("the line-contact law '{}'", law.name)),
+            _ if contact.film.is_some() => Some("a film of oil".to_owned()),
+            _ => is_literal.then(|| "the literal reading of the sliding velocity".to_owned()),
+        };
+        if let Some(what) = what {
+            let (entry, contact) = (table.path.describe(), contact.name.clone());
+            let problem = ModelProblem::NotForPlanes { entry, contact, what, what_touches };
+            return self.reader.refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.span));
+        }
+        Some(())
+    }
+}
+
+fn is_literal_zero(expression: &Expression) -> bool {
+    expression.reads.is_empty() && run(&expression.ops, &mut []) == 0.0
+}
