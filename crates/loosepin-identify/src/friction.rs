@@ -15,7 +15,7 @@
 use super::locked::{UNLOADED, largest_load};
 use super::rig::Rig;
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{PlayShape, Sample};
+use loosepin_mechanics::mechanism::{PinShape, Sample};
 use loosepin_mechanics::model::{BodyId, PlayId, Position, QuantityId, Relative, Values};
 use loosepin_simulate::accuracy::{AccuracyError, DisplacedLoops, play_gradients};
 use std::f64::consts::{PI, TAU};
@@ -66,8 +66,8 @@ impl Friction {
         // How a unit force in joint k, turned by its whole angle of friction, changes the force in joint j.
         let mut changes = vec![vec![Vec2::zero(); loads.len()]; loads.len()];
         for (k, play) in rig.mechanism.plays.iter().enumerate() {
-            let (PlayShape::Pin { bearing_radius_m }, Some((angle, sign))) =
-                (&sample.plays[k].shape, turn_in(rig, *play))
+            let (Some(PinShape { bearing_radius_m }), Some((angle, sign))) =
+                (sample.plays[k].shape.hole(), turn_in(rig, *play))
             else {
                 continue;
             };

@@ -1,7 +1,7 @@
 //! The mechanism on the rig: which inputs are its plays, and what else is not known of it.
 
 use super::error::IdentifyProblem;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError};
+use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::{QuantityId, Values};
 use loosepin_simulate::accuracy::{AccuracyError, dimension_direction};
 use loosepin_study::{EpistemicSubject, RandomInput, Study};
@@ -181,7 +181,7 @@ impl<'s> Rig<'s> {
         let model = &self.mechanism.model;
         let sample = Sample::<f64>::new(&self.mechanism, &self.values).map_err(|error| error.complaint(model))?;
         for (play, id) in sample.plays.iter().zip(&self.mechanism.plays) {
-            if matches!(&play.shape, PlayShape::Flanks(flanks) if flanks.is_one_sided) {
+            if play.shape.may_lift() {
                 let problem = IdentifyProblem::LiftOff { play: model.play_words(*id) };
                 return Err(Complaints::one(&problem, None));
             }

@@ -1,7 +1,7 @@
 //! Limits of what a run may do to its joints.
 
 use loosepin_mechanics::contact::NormalContact;
-use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry, PlayShape};
+use loosepin_mechanics::mechanism::{GapMeasure, PlayGeometry};
 
 /// How deep a contact may be pressed in: the centre of a pin must stay inside its hole or slot, the axis of a slider inside its
 /// guide, and the penetration where the law has one meaning. Teeth, and a cam and its follower, have no limit but that of the law.
@@ -20,13 +20,7 @@ pub struct DepthLimit {
 impl DepthLimit {
     /// The limit of the contacts of a joint with play.
     pub fn new(play: &PlayGeometry<f64>) -> Self {
-        let body_m = match &play.shape {
-            PlayShape::Pin { bearing_radius_m } => (*bearing_radius_m - play.clearance_m).max(0.0),
-            PlayShape::Slider(block) => block.half_height_m,
-            PlayShape::Slot(slot) => (slot.end_radius_m - play.clearance_m).max(0.0),
-            // Nothing tells how thick a tooth is, or a cam.
-            PlayShape::Flanks(_) => f64::INFINITY,
-        };
+        let body_m = play.shape.thickness_m(play.clearance_m);
         let law_m = play.normal.limit_m().unwrap_or(f64::INFINITY);
         let penetration_m = body_m.min(law_m);
         let gap = GapMeasure::of(play).gap(penetration_m);

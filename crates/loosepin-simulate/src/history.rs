@@ -23,7 +23,7 @@ use super::watched::Watched;
 use super::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SampleError, acceleration_at};
+use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
@@ -543,7 +543,7 @@ impl<'a> Recorder<'a> {
                 .collect(),
             // What is no pin has no orbit in a hole.
             orbits: (0..self.orbits.len())
-                .filter(|&play| matches!(sample.plays[play].shape, PlayShape::Pin { .. }))
+                .filter(|&play| sample.plays[play].shape.hole().is_some())
                 .map(|play| JournalOrbit {
                     joint: name_of(play),
                     label: String::new(),

@@ -14,7 +14,6 @@ use super::motion::Motion;
 use super::pass::Pass;
 use super::projection::Projection;
 use loosepin_math::integrate::Radau;
-use loosepin_mechanics::mechanism::PlayShape;
 
 /// Corrections at an instant: stiff directions have turned a little since the factors were taken, and each leaves some hundredths of what was off.
 const CORRECTIONS: u64 = 2;
@@ -93,12 +92,7 @@ pub const TOO_LONG: (f64, f64) = (2.0, 0.5);
 pub fn hides_contact(pass: &Pass, motion: &mut Motion<'_, f64>, named: &mut Named<'_, f64>, state: &mut [f64]) -> bool {
     let meets_walls = |contact: &usize| {
         let play = motion.dynamics.sample().play_of(*contact);
-        let has_ends = match &play.shape {
-            PlayShape::Slot(_) => true,
-            PlayShape::Slider(block) => block.ends_m.is_some(),
-            PlayShape::Pin { .. } | PlayShape::Flanks(_) => false,
-        };
-        has_ends || play.foundation.is_some()
+        play.shape.has_walls() || play.foundation.is_some()
     };
     let contacts: Vec<usize> = (0..motion.states.len()).filter(meets_walls).collect();
     if contacts.is_empty() {

@@ -8,7 +8,7 @@ use super::lane_step::LaneStep;
 use super::report::{FrictionPath, PlaySummary};
 use super::settings::{STEP_SHARE, Window};
 use super::slot_end::ENDS;
-use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{GapMeasure, Sample};
 
 /// Event that ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -245,7 +245,7 @@ impl LaneRun {
         let may_hide = step.contacts() > 1
             || self.sample.play_of(0).friction.acts()
             || self.sample.play_of(0).wears
-            || matches!(self.sample.play_of(0).shape, PlayShape::Slot(_))
+            || self.sample.play_of(0).shape.slot().is_some()
             || step.end_s() > self.stop_s
             || !matches!(search.event, Event::Contact { .. });
         let other = if may_hide { self.earliest_event(step) } else { None };

@@ -5,7 +5,7 @@ use super::gap::{Crossing, GapJet};
 use super::memory::LaneLayout;
 use super::reads::ReadLayout;
 use super::slot_end::{continued_gap, passage};
-use loosepin_mechanics::mechanism::{PlayShape, Sample};
+use loosepin_mechanics::mechanism::Sample;
 
 /// An attempted step of one lane.
 #[derive(Clone, Copy)]
@@ -73,7 +73,7 @@ impl<'s, 'a> LaneStep<'s, 'a> {
     fn along_slot(&self, contact: usize, sample: &Sample<f64>) -> Option<([[f64; 3]; 2], f64)> {
         // Mostly no joint is a slot: then its shape need not be looked up.
         let place = self.core.pass.reads.along_slot(contact)?;
-        let PlayShape::Slot(slot) = &sample.play_of(contact).shape else { return None };
+        let slot = sample.play_of(contact).shape.slot()?;
         Some((self.core.jets(self.lane, place).map(|along| along.jet), slot.half_length_m))
     }
 

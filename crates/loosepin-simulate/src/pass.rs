@@ -12,7 +12,7 @@ use loosepin_math::integrate::{StepRows, Stepper, System};
 use loosepin_math::{NEAR_RAD, Quintic, Real};
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample, SliderBlock, is_front_corner};
+use loosepin_mechanics::mechanism::{Mechanism, Sample, is_front_corner};
 
 /// The force at the edge of a guide over that of its law, 1/cos θ, up to a tilt of 33°.
 const LARGEST_STRETCH: f64 = 1.2;
@@ -223,8 +223,8 @@ impl Pass {
             let is_root = is_set(of_lane[LaneLayout::HAS_ROOT]);
             let limit = T::select(is_root, of_lane[LaneLayout::LARGEST_ROOT], of_lane[LaneLayout::LARGEST_GAP]);
             good = unless(ends[self.reads.gap(contact)].less_than(limit), good);
-            if let (PlayShape::Slider(block), Some(place)) = (&sample.play_of(contact).shape, self.reads.along(contact))
-                && let Some([first, last]) = block.ends_m
+            if let (Some([first, last]), Some(place)) =
+                (sample.play_of(contact).shape.face_ends_m(), self.reads.along(contact))
             {
                 // The block is out of the guide where its rear is beyond the end, or its front before the start.
                 let holds = if is_front_corner(sample.contacts[contact].place) {
@@ -406,7 +406,7 @@ impl Pass {
             let is_root = is_set(has_root);
             let jets = |place: usize| [starts, ends].map(|reads| [reads[place], reads[place + 1], reads[place + 2]]);
             let [start, mut end] = jets(self.reads.gap(contact));
-            if let (PlayShape::Slot(slot), Some(place)) = (&numbers.shape, self.reads.along_slot(contact)) {
+            if let (Some(slot), Some(place)) = (numbers.shape.slot(), self.reads.along_slot(contact)) {
                 let along = jets(place);
                 let continued = continued_gap(end, along, slot.half_length_m);
                 end = [0, 1, 2].map(|k| T::select(is_root, end[k], continued[k]));
@@ -427,24 +427,22 @@ impl Pass {
                 limit = limit.max(*coefficient);
             }
             // δ from the gap or from the root; δ̇ is below v0 or twice its values at the ends.
-            let (depth_m, half_rate_share) = match &numbers.shape {
-                _ if numbers.foundation.is_some() => (limit, T::from_f64(0.5)),
-                PlayShape::Pin { .. } | PlayShape::Slot(_) => {
-                    let clearance_m = numbers.clearance_m;
-                    let distance_m = (clearance_m.mul_add(clearance_m, limit.max(zero))).sqrt();
-                    (limit / (distance_m + clearance_m), clearance_m)
-                }
-                PlayShape::Slider(_) | PlayShape::Flanks(_) => (limit, T::from_f64(0.5)),
+            let (depth_m, half_rate_share) = if numbers.foundation.is_none() && numbers.shape.is_round() {
+                let clearance_m = numbers.clearance_m;
+                let distance_m = (clearance_m.mul_add(clearance_m, limit.max(zero))).sqrt();
+                (limit / (distance_m + clearance_m), clearance_m)
+            } else {
+                (limit, T::from_f64(0.5))
             };
             let depth_m = T::select(is_root, limit * limit, depth_m);
             let pace = starts[ReadLayout::TIME + 1].min(ends[ReadLayout::TIME + 1]);
             let rate_m_s = v0.max(v1) * T::select(is_root, T::from_f64(4.0), one / (half_rate_share * pace));
             let rate_m_s = rate_m_s.min(T::from_f64(FASTEST_M_S)).max(T::from_f64(-FASTEST_M_S));
             let mut force_n = numbers.normal.largest_force_n(depth_m, rate_m_s, &state);
-            if let PlayShape::Slot(slot) = &numbers.shape {
+            if let Some(slot) = numbers.shape.slot() {
                 force_n *= slot.end_stiffening + one;
             }
-            if let PlayShape::Slider(SliderBlock { ends_m: Some(_), .. }) = &numbers.shape {
+            if numbers.shape.face_ends_m().is_some() {
                 force_n *= T::from_f64(LARGEST_STRETCH);
             }
             if numbers.foundation.is_some() {

@@ -2,7 +2,7 @@
 
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample};
 use loosepin_result::simulation::REPEAT_SHARE;
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
     let mut section: Vec<Vec2<f64>> = dynamics.plays().iter().map(|motion| motion.eccentricity_m).collect();
     for (motion, numbers) in dynamics.plays().iter().zip(&dynamics.sample().plays) {
-        if let PlayShape::Slider(_) = numbers.shape {
+        if numbers.shape.block().is_some() {
             let [line, axis] = motion.directions;
             section.push(Vec2::new(line.cross(axis), 0.0));
         }
@@ -37,15 +37,11 @@ pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
 /// for angles.
 pub fn section_sizes(mechanism: &Mechanism, sample: &Sample<f64>) -> Vec<f64> {
     // A follower that may lift off its cam has no clearance: as much as a body.
-    let size_m = |play: &PlayGeometry<f64>| match &play.shape {
-        PlayShape::Flanks(flanks) if flanks.is_one_sided => 0.1 * mechanism.size_m,
-        _ => play.clearance_m,
-    };
+    let size_m =
+        |play: &PlayGeometry<f64>| if play.shape.may_lift() { 0.1 * mechanism.size_m } else { play.clearance_m };
     let mut sizes: Vec<f64> = sample.plays.iter().map(size_m).collect();
-    sizes.extend(sample.plays.iter().filter_map(|play| match &play.shape {
-        PlayShape::Slider(block) => Some(play.clearance_m / block.half_length_m),
-        PlayShape::Pin { .. } | PlayShape::Slot(_) | PlayShape::Flanks(_) => None,
-    }));
+    let tilt_rad = |play: &PlayGeometry<f64>| Some(play.clearance_m / play.shape.block()?.half_length_m);
+    sizes.extend(sample.plays.iter().filter_map(tilt_rad));
     if !mechanism.is_driven() {
         let length_m = 0.1 * mechanism.size_m;
         for _ in &mechanism.real.links {

@@ -5,7 +5,7 @@ use super::period::{period_turns, section, section_sizes};
 use super::turns::Turns;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Mechanism, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_result::simulation::{JournalOrbit, MotionKind, REPEAT_SHARE, SectionedOutput};
 
 /// Record of one look.
@@ -79,7 +79,7 @@ impl SectionRecorder {
             section_angle_rad: angle_rad.rem_euclid(std::f64::consts::TAU),
             // What is no pin has no orbit in a hole.
             journals: journals
-                .filter(|((_, numbers), _)| matches!(numbers.shape, PlayShape::Pin { .. }))
+                .filter(|((_, numbers), _)| numbers.shape.hole().is_some())
                 .map(|((joint, numbers), (x_m, y_m))| JournalOrbit {
                     joint: mechanism.model.play_name(*joint).to_owned(),
                     label: String::new(),

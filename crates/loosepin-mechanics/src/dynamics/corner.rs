@@ -14,10 +14,64 @@
 //! The functions stand out of line: not every mechanism has them, and the compiler takes many times as long for an evaluation that
 //! holds them all.
 
-use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::contact_motion::{ContactForce, ContactMotion, GapMotion, Sliding};
+use super::parts::{Parts, Pressed, Touch};
 use super::play::PlayMotion;
+use crate::contact::NormalForce;
 use crate::mechanism::{PlayGeometry, SliderBlock, is_front_corner, is_upper_corner};
 use loosepin_math::{Real, Vec2};
+
+impl<T: Real> Parts<T> for SliderBlock<T> {
+    #[inline(always)]
+    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
+        contact(at.motion, at.play, self, at.place)
+    }
+
+    #[inline(always)]
+    fn penetration_m(&self, at: Touch<'_, T>) -> T {
+        penetration_m(at.motion, at.play, self, at.place)
+    }
+
+    /// Beyond an end of the guide the normal is not a unit vector.
+    #[inline(always)]
+    fn pressed(
+        &self,
+        at: Touch<'_, T>,
+        contact: &ContactMotion<T>,
+        _penetration_m: T,
+        force: &mut NormalForce<T>,
+    ) -> Pressed<T> {
+        let mut tangent = contact.normal.turned();
+        let mut share = T::one();
+        if self.ends_m.is_some() {
+            share = stretch(at.motion, self, at.place);
+            tangent = tangent * (T::one() / share);
+        }
+        Pressed { share, normal_n: force.total_n * share, tangent, push_n: None }
+    }
+
+    #[inline(always)]
+    fn sliding(&self, at: Touch<'_, T>, _normal: Vec2<T>, tangent: Vec2<T>, _penetration_m: T) -> Sliding<T> {
+        sliding(at.motion, self, at.place, tangent)
+    }
+
+    #[inline(always)]
+    fn finish(&self, at: Touch<'_, T>, contact: &ContactMotion<T>, force: &mut ContactForce<T>) {
+        force.along_m = match self.ends_m {
+            // The corner's own, wherever they touch.
+            Some(_) => along_m(at.motion, self, at.place),
+            None => at.motion.directions[0].dot(contact.reaches_m[0]),
+        };
+        // Both forces act at the corner, or at the end of the guide.
+        force.moment_on_journal_n_m = contact.reaches_m[1].cross(force.on_journal_n);
+        force.moment_on_bearing_n_m = -contact.reaches_m[0].cross(force.on_journal_n);
+    }
+
+    #[inline(always)]
+    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
+        gap(at.motion, at.play, self, at.place, acceleration_m_s2, spin_rates_rad_s2)
+    }
+}
 
 /// A contact of the slider at the last state that was set.
 struct Corner<T: Real> {
@@ -86,32 +140,27 @@ fn arm_m<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) 
 
 /// Abscissa of the corner itself along the guide's line, m.
 #[inline(never)]
-pub(super) fn along_m<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) -> T {
+fn along_m<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) -> T {
     motion.directions[0].dot(motion.eccentricity_m + arm_m(motion, block, place))
 }
 
 /// 1/cos θ beyond an end, one before it: the force over N.
 #[inline(never)]
-pub(super) fn stretch<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) -> T {
+fn stretch<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize) -> T {
     let slope = corner(motion, block, place).ends.map_or(T::zero(), |ends| ends.slope);
     (T::one() + slope.squared()).sqrt()
 }
 
 /// δ at `place`, m.
 #[inline(never)]
-pub(super) fn penetration_m<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    block: &SliderBlock<T>,
-    place: usize,
-) -> T {
+fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, block: &SliderBlock<T>, place: usize) -> T {
     let corner = corner(motion, block, place);
     corner.normal.dot(corner.reach_m) - (block.half_height_m + play.clearance_m)
 }
 
 /// Normal, penetration and its rate; beyond an end the normal is m.
 #[inline(never)]
-pub(super) fn contact<T: Real>(
+fn contact<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     block: &SliderBlock<T>,
@@ -129,12 +178,7 @@ pub(super) fn contact<T: Real>(
 
 /// Sliding of the slider's material on the guide's where they touch. Both forces act there, so friction has no arms of its own.
 #[inline(never)]
-pub(super) fn sliding<T: Real>(
-    motion: &PlayMotion<T>,
-    block: &SliderBlock<T>,
-    place: usize,
-    tangent: Vec2<T>,
-) -> Sliding<T> {
+fn sliding<T: Real>(motion: &PlayMotion<T>, block: &SliderBlock<T>, place: usize, tangent: Vec2<T>) -> Sliding<T> {
     let material_m_s = tangent.dot(corner(motion, block, place).velocity_m_s);
     Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [T::zero(); 2] }
 }
@@ -146,7 +190,7 @@ pub(super) fn sliding<T: Real>(
 /// point, at R from the guide's, stays at the end's abscissa: Ṙ = ω_i R⊥ + δ̇ n, and so moves on the block, A from its centre, with
 /// Ȧ = Ṙ - ė.
 #[inline(never)]
-pub(super) fn gap<T: Real>(
+fn gap<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     block: &SliderBlock<T>,

@@ -9,8 +9,7 @@ use super::nodal_room::NodalRoom;
 use super::play::PlayMotion;
 use crate::contact::PlayState;
 use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, PlayShape, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room,
-    turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
 };
 use crate::model::{Course, FeedForward, LoadKind, PlayId, SpringKind};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
@@ -339,7 +338,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     fn add_plays(&mut self) {
         for index in 0..self.contacts.len() {
             let (force, at) = (self.contacts[index], self.sample.contacts[index]);
-            if let PlayShape::Flanks(_) = self.sample.plays[at.play].shape {
+            if self.sample.plays[at.play].shape.flanks().is_some() {
                 self.add_flank_force(at.play, force.on_journal_n.x);
                 continue;
             }
@@ -465,7 +464,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         let at = self.sample.contacts[contact];
         let motion = &self.plays[at.play];
         let play = &self.sample.plays[at.play];
-        if let PlayShape::Flanks(flanks) = &play.shape {
+        if let Some(flanks) = play.shape.flanks() {
             let acceleration = Vec2::new(self.flank_acceleration_m_s2(flanks), T::zero());
             return motion.gap(play, at.place, acceleration, [T::zero(); 2]);
         }

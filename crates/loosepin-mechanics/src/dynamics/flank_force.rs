@@ -2,7 +2,7 @@
 
 use super::equations::Dynamics;
 use super::flanks::shares;
-use crate::mechanism::{Flanks, JointGeometry, JointPlace, PlayShape};
+use crate::mechanism::{Flanks, JointGeometry, JointPlace};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -21,7 +21,7 @@ impl<T: Real> Dynamics<'_, T> {
     /// Adds the force `force_n` along x of the coupling with play `play`.
     #[inline(never)]
     pub(super) fn add_flank_force(&mut self, play: usize, force_n: T) {
-        let PlayShape::Flanks(flanks) = &self.sample.plays[play].shape else { return };
+        let Some(flanks) = self.sample.plays[play].shape.flanks() else { return };
         let (shares, joints, places) = (shares(&self.kinematics, flanks), flanks.coupling.joints, flanks.places);
         for side in [0, 1] {
             self.add_effort(&joints[side], &places[side], shares[side] * force_n);

@@ -9,10 +9,34 @@
 //!
 //! The functions stand out of line, as those of a slot do.
 
-use super::contact_motion::{ContactMotion, GapMotion};
+use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::parts::{Parts, Touch};
 use super::play::PlayMotion;
 use crate::mechanism::{Flanks, Kinematics, PlayGeometry};
 use loosepin_math::{Real, Vec2};
+
+impl<T: Real> Parts<T> for Flanks<T> {
+    #[inline(always)]
+    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
+        contact(at.motion, at.play, at.place)
+    }
+
+    #[inline(always)]
+    fn penetration_m(&self, at: Touch<'_, T>) -> T {
+        contact(at.motion, at.play, at.place).penetration_m
+    }
+
+    /// Its contact has no friction.
+    #[inline(always)]
+    fn sliding(&self, _at: Touch<'_, T>, _normal: Vec2<T>, _tangent: Vec2<T>, _penetration_m: T) -> Sliding<T> {
+        Sliding { sliding_m_s: T::zero(), material_m_s: T::zero(), arms_m: [T::zero(); 2] }
+    }
+
+    #[inline(always)]
+    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, _spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
+        gap(at.motion, at.play, at.place, acceleration_m_s2.x)
+    }
+}
 
 /// Direction of x in which the flank `place` is pressed: behind first, then ahead.
 fn sign<T: Real>(place: usize) -> T {
@@ -21,7 +45,7 @@ fn sign<T: Real>(place: usize) -> T {
 
 /// Normal, penetration and its rate.
 #[inline(always)]
-pub(super) fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
+fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize) -> ContactMotion<T> {
     let sign = sign::<T>(place);
     ContactMotion {
         normal: Vec2::new(sign, T::zero()),
@@ -33,12 +57,7 @@ pub(super) fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, p
 
 /// δ and its derivatives where ẍ is `acceleration_m_s2`.
 #[inline(always)]
-pub(super) fn gap<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    place: usize,
-    acceleration_m_s2: T,
-) -> GapMotion<T> {
+fn gap<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, place: usize, acceleration_m_s2: T) -> GapMotion<T> {
     let ContactMotion { normal, penetration_m, penetration_rate_m_s, .. } = contact(motion, play, place);
     let bent_m_s2 = normal.x * acceleration_m_s2;
     GapMotion::without_slot([penetration_m, penetration_rate_m_s, bent_m_s2], bent_m_s2)

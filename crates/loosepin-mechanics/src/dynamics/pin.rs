@@ -1,14 +1,37 @@
 //! A pin in a hole: the one contact of a revolute joint with clearance ([SC16] eqs. 1 to 7).
 
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::parts::{Parts, Touch};
 use super::play::PlayMotion;
-use crate::mechanism::PlayGeometry;
+use crate::mechanism::{PinShape, PlayGeometry};
 use crate::model::SlidingVelocity;
 use loosepin_math::{Real, Vec2};
 
+impl<T: Real> Parts<T> for PinShape<T> {
+    #[inline(always)]
+    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
+        contact(at.motion, at.play)
+    }
+
+    #[inline(always)]
+    fn penetration_m(&self, at: Touch<'_, T>) -> T {
+        at.motion.penetration_m(at.play.clearance_m)
+    }
+
+    #[inline(always)]
+    fn sliding(&self, at: Touch<'_, T>, _normal: Vec2<T>, tangent: Vec2<T>, penetration_m: T) -> Sliding<T> {
+        sliding(at.motion, at.play, self.bearing_radius_m, tangent, penetration_m)
+    }
+
+    #[inline(always)]
+    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, _spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
+        gap(at.motion, at.play, acceleration_m_s2)
+    }
+}
+
 /// Normal, penetration and its rate (eqs. 2-4, 6). n is undefined where e = 0: then the rate is zero.
 #[inline(always)]
-pub(super) fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>) -> ContactMotion<T> {
+fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>) -> ContactMotion<T> {
     let length_m = motion.eccentricity_m.length().max(T::from_f64(f64::MIN_POSITIVE)); // eq. (2)
     let normal = motion.eccentricity_m * (T::one() / length_m); // eq. (3)
     ContactMotion {
@@ -22,7 +45,7 @@ pub(super) fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>) -
 /// Sliding of the journal's surface on the bearing's at one common contact point, half way between the two surface points
 /// of eq. (5): arms R_j - δ/2 about P_j and R_i + δ/2 about P_i.
 #[inline(always)]
-pub(super) fn sliding<T: Real>(
+fn sliding<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     bearing_radius_m: T,
@@ -47,7 +70,7 @@ pub(super) fn sliding<T: Real>(
 
 /// g = |e|² - c² and its derivatives; δ̈ from d²|e|²/dt² = 2(δ̇² + |e| δ̈).
 #[inline(always)]
-pub(super) fn gap<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, acceleration_m_s2: Vec2<T>) -> GapMotion<T> {
+fn gap<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, acceleration_m_s2: Vec2<T>) -> GapMotion<T> {
     let two = T::from_f64(2.0);
     let (e, rate) = (motion.eccentricity_m, motion.eccentricity_rate_m_s);
     let along = rate.length_squared() + e.dot(acceleration_m_s2);

@@ -1,6 +1,6 @@
 //! Motion of the two bodies of a joint with play against each other ([SC16] eqs. 1 to 6).
 
-use crate::mechanism::{Kinematics, PlayGeometry, PlayShape};
+use crate::mechanism::{Kinematics, PlayGeometry};
 use loosepin_math::{Real, Vec2};
 
 /// Where the journal is in its bearing, or the slider in its guide, and how it moves.
@@ -27,7 +27,7 @@ impl<T: Real> PlayMotion<T> {
     /// Reads the motion between the bodies in slots `[i, j]` (bearing's, journal's) from their kinematics.
     #[inline(always)]
     pub fn between(kinematics: &Kinematics<T>, [i, j]: [usize; 2], play: &PlayGeometry<T>) -> Self {
-        if let PlayShape::Flanks(flanks) = &play.shape {
+        if let Some(flanks) = play.shape.flanks() {
             let [x_m, rate_m_s] = flanks.deviation_m(kinematics);
             return Self {
                 eccentricity_m: Vec2::new(x_m, T::zero()),
@@ -51,12 +51,10 @@ impl<T: Real> PlayMotion<T> {
             journal_arm_m,
             spins_rad_s: [twist_i.angular, twist_j.angular],
             angles_rad: [kinematics.poses[i].angle_rad, kinematics.poses[j].angle_rad],
-            directions: match &play.shape {
-                PlayShape::Pin { .. } | PlayShape::Flanks(_) => [Vec2::zero(); 2],
-                PlayShape::Slot(slot) => [kinematics.poses[i].turn(slot.line), Vec2::zero()],
-                PlayShape::Slider(block) => {
-                    [kinematics.poses[i].turn(block.line), kinematics.poses[j].turn(block.axis)]
-                }
+            directions: {
+                let [line, axis] = play.shape.directions();
+                [(line, i), (axis, j)]
+                    .map(|(own, slot)| own.map_or(Vec2::zero(), |own| kinematics.poses[slot].turn(own)))
             },
         }
     }

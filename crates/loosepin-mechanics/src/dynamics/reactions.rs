@@ -3,7 +3,7 @@
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
 use super::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, PlayShape, acceleration_at};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, acceleration_at};
 use crate::model::{JointId, Keeps, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -21,7 +21,7 @@ impl<T: Real> Dynamics<'_, T> {
         let ContactMotion { normal, reaches_m, .. } = motion.contact(&self.sample.plays[at.play], at.place);
         let [bearing, journal] = self.play_slots[at.play];
         let mut push = vec![T::zero(); tree.coordinates()];
-        if let PlayShape::Flanks(flanks) = &self.sample.plays[at.play].shape {
+        if let Some(flanks) = self.sample.plays[at.play].shape.flanks() {
             let shares = flanks::shares(&self.kinematics, flanks);
             for side in [0, 1] {
                 let factor = shares[side] * normal.x;
@@ -156,7 +156,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         for (play, numbers) in self.sample.plays.iter().enumerate() {
-            let PlayShape::Flanks(flanks) = &numbers.shape else { continue };
+            let Some(flanks) = numbers.shape.flanks() else { continue };
             let force_n = self.play_force_n(play).x;
             let shares = flanks::shares(&self.kinematics, flanks);
             for (side, share) in shares.into_iter().enumerate() {
@@ -189,7 +189,7 @@ impl<T: Real> Dynamics<'_, T> {
             add(*index, numbers, places, *multiplier);
         }
         for (play, numbers) in self.sample.plays.iter().enumerate() {
-            if let (PlayShape::Flanks(flanks), PlayId::Coupling(id)) = (&numbers.shape, &self.mechanism.plays[play]) {
+            if let (Some(flanks), PlayId::Coupling(id)) = (numbers.shape.flanks(), &self.mechanism.plays[play]) {
                 let [_, share] = flanks::shares(&self.kinematics, flanks);
                 add(*id, &flanks.coupling, &flanks.places, share * self.play_force_n(play).x);
             }

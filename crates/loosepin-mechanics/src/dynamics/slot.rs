@@ -14,9 +14,60 @@
 //! holds them all.
 
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::parts::{Parts, Pressed, Touch};
 use super::play::PlayMotion;
+use crate::contact::{NormalContact, NormalForce};
 use crate::mechanism::{PlayGeometry, SlotShape};
 use loosepin_math::{Real, Vec2};
+
+impl<T: Real> Parts<T> for SlotShape<T> {
+    #[inline(always)]
+    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T> {
+        contact(at.motion, at.play, self)
+    }
+
+    #[inline(always)]
+    fn penetration_m(&self, at: Touch<'_, T>) -> T {
+        penetration_m(at.motion, at.play, self)
+    }
+
+    #[inline(always)]
+    fn stored_energy_j(&self, motion: &PlayMotion<T>, of_law_j: T) -> T {
+        of_law_j * stiffening(motion, self).share
+    }
+
+    /// The ends are stiffer than the faces, and the wall pulls towards the softer one.
+    #[inline(always)]
+    fn pressed(
+        &self,
+        at: Touch<'_, T>,
+        contact: &ContactMotion<T>,
+        penetration_m: T,
+        force: &mut NormalForce<T>,
+    ) -> Pressed<T> {
+        let tangent = contact.normal.turned();
+        let Stiffening { share, pull_1_m } = stiffening(at.motion, self);
+        force.total_n *= share;
+        force.elastic_n *= share;
+        let push_n = tangent * (pull_1_m * at.play.normal.stored_energy_j(penetration_m));
+        Pressed { share, normal_n: force.total_n, tangent, push_n: Some(push_n) }
+    }
+
+    #[inline(always)]
+    fn moment_on_bearing_n_m(&self, contact: &ContactMotion<T>, on_journal_n: Vec2<T>) -> Option<T> {
+        Some(-contact.reaches_m[0].cross(on_journal_n))
+    }
+
+    #[inline(always)]
+    fn sliding(&self, at: Touch<'_, T>, normal: Vec2<T>, _tangent: Vec2<T>, penetration_m: T) -> Sliding<T> {
+        sliding(at.motion, at.play, self, normal, penetration_m)
+    }
+
+    #[inline(always)]
+    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, spin_rates_rad_s2: [T; 2]) -> GapMotion<T> {
+        gap(at.motion, at.play, self, acceleration_m_s2, spin_rates_rad_s2[0])
+    }
+}
 
 /// Where the pin is in its slot.
 struct Place<T> {
@@ -54,18 +105,14 @@ fn place<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Place<T> {
 
 /// δ = |w| - c, m, computed so that it keeps its digits near zero.
 #[inline(never)]
-pub(super) fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> T {
+fn penetration_m<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> T {
     let Place { off_m, length_m, .. } = place(motion, slot);
     (off_m.length_squared() - play.clearance_m.squared()) / (length_m + play.clearance_m)
 }
 
 /// Normal, penetration and its rate; the normal force acts at the pin's centre on both bodies.
 #[inline(never)]
-pub(super) fn contact<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &SlotShape<T>,
-) -> ContactMotion<T> {
+fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotShape<T>) -> ContactMotion<T> {
     let Place { normal, velocity_m_s, .. } = place(motion, slot);
     ContactMotion {
         normal,
@@ -77,7 +124,7 @@ pub(super) fn contact<T: Real>(
 
 /// Sliding of the pin's material on the slot's at one common contact point, R_j - δ/2 from the pin's centre along n.
 #[inline(never)]
-pub(super) fn sliding<T: Real>(
+fn sliding<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     slot: &SlotShape<T>,
@@ -93,17 +140,17 @@ pub(super) fn sliding<T: Real>(
 
 /// The stiffness between faces and ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stiffening<T> {
+struct Stiffening<T> {
     /// K/K_f.
-    pub share: T,
+    share: T,
     /// Elastic force along t over the energy that the face's stiffness would store, 1/m.
-    pub pull_1_m: T,
+    pull_1_m: T,
 }
 
 /// K/K_f, and what pulls towards the softer wall over the energy, (∂K/∂φ)/(K_f |w|): with n = (n_x, n_y) along and across the line,
 /// ∂(q² (3 - 2 q))/∂φ = 48 q (1 - q) |n_x n_y|; φ grows against t where n_x n_y > 0, so that the pull goes along t there.
 #[inline(never)]
-pub(super) fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffening<T> {
+fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -> Stiffening<T> {
     let Place { length_m, normal, .. } = place(motion, slot);
     let line = motion.directions[0];
     let (along, across) = (normal.dot(line), normal.dot(line.turned()));
@@ -116,7 +163,7 @@ pub(super) fn stiffening<T: Real>(motion: &PlayMotion<T>, slot: &SlotShape<T>) -
 /// g = |w|² - c² and its derivatives; δ̈ from d²|w|²/dt² = 2(δ̇² + |w| δ̈). With v the pin's velocity seen from the slot and ω, α
 /// those of the slot's body, its acceleration seen from there is ë - α e⊥ + ω² e - 2 ω v⊥; g̈ jumps where faces and ends meet.
 #[inline(never)]
-pub(super) fn gap<T: Real>(
+fn gap<T: Real>(
     motion: &PlayMotion<T>,
     play: &PlayGeometry<T>,
     slot: &SlotShape<T>,

@@ -1,6 +1,5 @@
 //! The gap function of a contact.
 
-use super::contact_place::PlayShape;
 use super::sample::PlayGeometry;
 
 /// Quantity that the gap function of a contact measures; it is positive in contact.
@@ -21,10 +20,7 @@ impl GapMeasure {
         if play.foundation.is_some() {
             return Self::Penetration;
         }
-        match play.shape {
-            PlayShape::Pin { .. } | PlayShape::Slot(_) => Self::Squares { clearance_m: play.clearance_m },
-            PlayShape::Slider(_) | PlayShape::Flanks(_) => Self::Penetration,
-        }
+        if play.shape.is_round() { Self::Squares { clearance_m: play.clearance_m } } else { Self::Penetration }
     }
 
     /// δ, m, where the gap function is `gap`.

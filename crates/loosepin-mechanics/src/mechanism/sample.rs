@@ -2,7 +2,7 @@
 
 use super::beam_points::point_off_section;
 use super::compile::Mechanism;
-use super::contact_place::{ContactPlace, PlayShape, SliderBlock, SlotShape};
+use super::contact_place::ContactPlace;
 use super::control::ControlGeometry;
 use super::coupling_geometry::CouplingGeometry;
 use super::drive::Drives;
@@ -14,6 +14,7 @@ use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::offset::{StartOffset, start_offsets};
+use super::play_shape::{PinShape, PlayShape, SliderBlock, SlotShape};
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
@@ -255,7 +256,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         PlayParts::Pin(clearance) => {
             let pair =
                 |compliances, damping_factor| pin_contact(contact, clearance, values, compliances, damping_factor);
-            let shape = PlayShape::Pin { bearing_radius_m: number(clearance.bearing_radius_m) };
+            let shape = PlayShape::Pin(PinShape { bearing_radius_m: number(clearance.bearing_radius_m) });
             (shape, normal(contact, values, pair))
         }
         PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad } => {

@@ -7,7 +7,7 @@ use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::worst_case::{FoundWorstCase, found_worst_case, starts_on_borders};
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, PlayGeometry, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{QuasiStaticShare, SimulationRecord};
 use loosepin_text::units::SiUnit;
@@ -38,8 +38,7 @@ pub fn quasi_static_check(
         return Ok(Vec::new());
     }
     // A follower that lifts off its cam goes as far as it flies.
-    let may_lift = |play: &PlayGeometry<f64>| matches!(&play.shape, PlayShape::Flanks(flanks) if flanks.is_one_sided);
-    if sample.plays.iter().any(may_lift) {
+    if sample.plays.iter().any(|play| play.shape.may_lift()) {
         return Ok(Vec::new());
     }
     let penetrations_m = record.joints.iter().map(|joint| joint.largest_penetration_m);

@@ -2,7 +2,7 @@
 
 use super::play_reach::PlayReach;
 use loosepin_mechanics::dynamics::PlayMotion;
-use loosepin_mechanics::mechanism::{Kinematics, Mechanism, PlayShape, Sample, SliderBlock};
+use loosepin_mechanics::mechanism::{Kinematics, Mechanism, Sample};
 use loosepin_mechanics::model::PlayId;
 use loosepin_result::motion::GuideOverhang;
 
@@ -16,9 +16,7 @@ pub(super) fn overhanging<'a>(
 ) -> impl Iterator<Item = usize> + 'a {
     let is_over = move |play: usize| {
         let numbers = &sample.plays[play];
-        let PlayShape::Slider(SliderBlock { ends_m: Some([first_m, last_m]), .. }) = numbers.shape else {
-            return false;
-        };
+        let Some([first_m, last_m]) = numbers.shape.face_ends_m() else { return false };
         let (PlayId::Joint(joint), Some(reach_m)) = (mechanism.plays[play], reaches[play].along_guide_m()) else {
             return false;
         };

@@ -8,7 +8,7 @@ use crate::memory::LaneLayout;
 use crate::pass::{LARGEST_RESIDUAL, step_in_time};
 use crate::reads::ReadLayout;
 use loosepin_mechanics::dynamics::WithoutValue;
-use loosepin_mechanics::mechanism::{GapMeasure, PlayShape, SliderBlock, SlotShape, is_front_corner};
+use loosepin_mechanics::mechanism::{GapMeasure, SliderBlock, is_front_corner};
 
 impl Batch<'_> {
     /// The drive, spring, load or control that has no value where the step at hand of a lane begins, or where it would end if all
@@ -68,7 +68,7 @@ impl Batch<'_> {
                 return Err(RunFailure::NotFinite { time_s, element: None });
             }
             if let Some(place) = self.core.pass.reads.along(contact)
-                && let PlayShape::Slider(SliderBlock { ends_m: Some(ends_m), .. }) = &run.sample.play_of(contact).shape
+                && let Some(ends_m) = run.sample.play_of(contact).shape.face_ends_m()
             {
                 let along_m = self.core.end_read(lane, place);
                 let is_front = is_front_corner(run.sample.contacts[contact].place);
@@ -78,7 +78,7 @@ impl Batch<'_> {
                         contact: self.mechanism.contact_name(contact),
                         joint: self.joint_name(contact).to_owned(),
                         along_m,
-                        ends_m: *ends_m,
+                        ends_m,
                         time_s,
                     });
                 }
@@ -134,21 +134,18 @@ impl Batch<'_> {
         let joint = model.play_name(play).to_owned();
         let limit = run.depth_limits[contact];
         let limit_m = limit.penetration_m;
-        match (model.play_contact(play), &run.sample.play_of(contact).shape) {
-            (Some(of_law), PlayShape::Pin { .. }) if limit.is_of_law => {
-                let law = model.contacts[of_law.0].law.name();
-                RunFailure::BeyondLaw { joint, law, penetration_m, limit_m, time_s }
-            }
-            (
-                _,
-                &PlayShape::Pin { bearing_radius_m }
-                | &PlayShape::Slot(SlotShape { end_radius_m: bearing_radius_m, .. }),
-            ) => RunFailure::LeavesBearing { joint, penetration_m, bearing_radius_m, time_s },
-            (_, &PlayShape::Slider(SliderBlock { half_height_m, .. })) => {
+        let shape = &run.sample.play_of(contact).shape;
+        if let (Some(of_law), Some(_), true) = (model.play_contact(play), shape.hole(), limit.is_of_law) {
+            let law = model.contacts[of_law.0].law.name();
+            return RunFailure::BeyondLaw { joint, law, penetration_m, limit_m, time_s };
+        }
+        match (shape.hole_radius_m(), shape.block()) {
+            (Some(bearing_radius_m), _) => RunFailure::LeavesBearing { joint, penetration_m, bearing_radius_m, time_s },
+            (None, Some(&SliderBlock { half_height_m, .. })) => {
                 RunFailure::LeavesGuide { joint, penetration_m, half_height_m, time_s }
             }
             // Without a limit nothing is too deep; a law with one is not for flanks.
-            (_, PlayShape::Flanks(_)) => RunFailure::NotFinite { time_s, element: None },
+            (None, None) => RunFailure::NotFinite { time_s, element: None },
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::elements::file;
 use loosepin_math::{Dual, Numbers, Vec2};
 use loosepin_mechanics::contact::{compliance_1_pa, cylinder_stiffness_n_m1_5};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{IdealMotion, PlayShape, Sample};
+use loosepin_mechanics::mechanism::{IdealMotion, Sample};
 use loosepin_mechanics::model::JointId;
 use loosepin_simulate::accuracy::{
     DisplacedLoops, PlayReach, found_worst_case, position_outputs, quasi_static_check, starts_on_borders,
@@ -93,7 +93,7 @@ fn analytic_gap_force_and_stiffness_at_face_transition_and_end() {
             );
         }
     }
-    let PlayShape::Slot(slot) = case.sample.plays[0].shape else { panic!("a slot") };
+    let slot = *case.sample.plays[0].shape.slot().expect("a slot");
     assert!((slot.end_stiffening - (END_RADIUS_M / CLEARANCE_M).sqrt() + 1.0).abs() < 1e-14);
 }
 
@@ -383,6 +383,9 @@ fn analytic_an_ideal_slot_closes_wherever_the_crank_starts() {
         let x_m = 0.040 * cosine - 0.002 - (0.040 * sine - 0.002) * slot_cosine / slot_sine;
         let yoke = case.mechanism.ideal.slot_of_body[2];
         let found = ideal.kinematics().poses[yoke];
-        assert!((found.position_m.x - x_m).abs() < 1e-12 && found.angle_rad.abs() < 1e-12, "{start_deg}°: {found:?} {x_m}");
+        assert!(
+            (found.position_m.x - x_m).abs() < 1e-12 && found.angle_rad.abs() < 1e-12,
+            "{start_deg}°: {found:?} {x_m}"
+        );
     }
 }

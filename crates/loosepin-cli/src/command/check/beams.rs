@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::contact::NormalContact;
-use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, PlayShape, Sample, TreeBeam, TreeNodalBeam};
+use loosepin::mechanism::{Condensed, Mechanism, NodalGeometry, Sample, TreeBeam, TreeNodalBeam};
 use loosepin::model::{Body, BodyId, Lump, Model, PlayId, Values};
 use loosepin::simulate::{estimate_bending, other_formulation};
 use loosepin::units::{Dimension, format_value, listed};
@@ -194,7 +194,7 @@ fn push_contacts(
 ) {
     let model = &mechanism.model;
     for (play, id) in sample.plays.iter().zip(&mechanism.plays) {
-        let (PlayShape::Pin { .. }, PlayId::Joint(joint)) = (&play.shape, id) else { continue };
+        let (Some(_), PlayId::Joint(joint)) = (play.shape.hole(), id) else { continue };
         if !model.joints[joint.0].kind.bodies().contains(&body) {
             continue;
         }

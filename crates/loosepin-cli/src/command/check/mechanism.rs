@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
-use loosepin::mechanism::{Drives, Mechanism, PlayShape, Sample};
+use loosepin::mechanism::{Drives, Mechanism, Sample};
 use loosepin::model::{
     BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, JointId, JointPlay, JointWear,
     Model, Names, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
@@ -261,8 +261,8 @@ fn stiffness_words(
                 Stiffness::Material { .. } => "from the materials",
                 Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
             };
-            match numbers.shape {
-                PlayShape::Slot(slot) if slot.end_stiffening > 0.0 => {
+            match numbers.shape.slot() {
+                Some(slot) if slot.end_stiffening > 0.0 => {
                     let in_ends = point.stiffness_n_m_n * (1.0 + slot.end_stiffening);
                     let in_ends = format_value(in_ends, Dimension::contact_stiffness(point.exponent));
                     format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
