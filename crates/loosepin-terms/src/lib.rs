@@ -12,6 +12,9 @@ pub use guarantee::Guarantee;
 pub use purpose::Purpose;
 pub use reading::Reading;
 pub use side::Side;
-pub use statistic::Statistic;
+pub use statistic::{
+    Description, Estimation, Event, Form, Mirrored, MovedBy, Number, NumberKind, Statistic, StatisticKind,
+    between_order_statistics,
+};
 pub use surrogate_verdict::SurrogateVerdict;
 pub use treatment::Treatment;
