@@ -10,6 +10,8 @@ mod probability;
 mod quantile;
 mod simultaneous_band;
 mod standard_deviation;
+#[cfg(test)]
+mod tests;
 
 pub use event::Event;
 pub use kind::{Description, Estimation, Form, Mirrored, MovedBy, Number, NumberKind, StatisticKind};
