@@ -46,11 +46,10 @@ pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatm
 pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES};
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::scratch::Scratch;
-pub use data::statistic::Statistic;
+pub use data::statistic::{Event, Statistic};
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use estimators::probability::least_counted_runs;
-pub use estimators::quantile::between_order_statistics;
-pub use loosepin_terms::Side;
+pub use loosepin_terms::{NumberKind, Side, between_order_statistics};
 pub use plan::check::{MOST_OUTER, ProblemError};
 pub use plan::double_loop::DoubleLoop;
 pub use plan::error::PlanError;

@@ -140,7 +140,7 @@ impl SurrogatePlan {
             let own = problem.requests.iter().filter(|request| group.columns.contains(&request.column));
             let mut statistics: Vec<Statistic> = Vec::new();
             for Request { statistic, .. } in own {
-                if *statistic != Statistic::Cdf && !statistics.contains(statistic) {
+                if statistic.is_single() && !statistics.contains(statistic) {
                     statistics.push(*statistic);
                 }
             }

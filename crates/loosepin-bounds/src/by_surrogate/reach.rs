@@ -9,7 +9,8 @@
 
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
-use crate::data::statistic::Statistic;
+use crate::data::statistic::{Estimation, Statistic};
+use loosepin_terms::MovedBy;
 
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;
@@ -45,9 +46,9 @@ impl SharesOfReach {
 
     /// That of `statistic`.
     pub fn of(&self, statistic: Statistic) -> f64 {
-        match statistic {
-            Statistic::Mean => self.of_mean,
-            Statistic::StandardDeviation => self.of_deviation,
+        match (statistic.estimation(), statistic.moved_by_errors()) {
+            (Some(Estimation::Mean), _) => self.of_mean,
+            (_, MovedBy::RootMeanSquare) => self.of_deviation,
             _ => 1.0,
         }
     }

@@ -10,7 +10,7 @@ use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatmen
 use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::data::statistic::{Statistic, is_over_finished};
+use crate::data::statistic::{Estimation, Statistic};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::readings::bounds::Bounds;
 use crate::readings::probability_box::ProbabilityBox;
@@ -157,7 +157,7 @@ impl SurrogateBounds {
                     .find(own)
                     .map_or_else(|| nothing_known(request, self.failed_runs), |found| found.pair.clone())
             };
-            requests.filter(|request| request.statistic != Statistic::Cdf).map(found).collect()
+            requests.filter(|request| request.statistic.is_single()).map(found).collect()
         };
         let mut alphas: Vec<f64> = Vec::new();
         for (alpha, _) in self.groups.iter().flat_map(|group| &group.levels) {
@@ -231,7 +231,7 @@ fn group_bounds(
                 let mut pair = BoundPair { lower, upper, central: None, failed_runs: missing, ..pair.clone() };
                 (pair.column, pair.statistic) = (request.column, request.statistic);
                 pair.unbounded_by_failures =
-                    is_over_finished(request.statistic) && (missing > 0 || pair.unbounded_by_failures);
+                    !request.statistic.is_by_shares() && (missing > 0 || pair.unbounded_by_failures);
                 levels[level].1.push(SurrogatePair { pair, is_confirmed: [is_lower, is_upper] });
             }
         }
@@ -260,7 +260,7 @@ fn group_bounds(
 /// `bound` where direct runs failed. What share of the mechanisms fails at which u was not learned: a probability may be anything, and so
 /// may a quantile.
 fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
-    if is_over_finished(request.statistic) {
+    if !request.statistic.is_by_shares() {
         return bound;
     }
     let widened = furthest_possible(request.statistic, direction);
@@ -309,7 +309,7 @@ fn put_together(
     let (value, sampling) = at_witness.map_or((bound.value, bound.error.sampling), |corrected| {
         let own = if direction == Direction::Minimum { corrected.below } else { corrected.above };
         // Where the direct runs show no difference they may have missed one: the surrogate's own error stays.
-        let is_mean = request.statistic == Statistic::Mean;
+        let is_mean = request.statistic.estimation() == Some(Estimation::Mean);
         (corrected.value, if is_mean { own } else { own.max(bound.error.sampling) })
     });
     let known = sampling + bound.error.optimisation;

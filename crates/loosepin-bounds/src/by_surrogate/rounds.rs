@@ -6,7 +6,6 @@ use super::results::{GroupBounds, SurrogateBounds, SurrogatePair};
 use super::settings::SurrogateSettings;
 use crate::data::bound::Bound;
 use crate::data::problem::{Problem, Sampling};
-use crate::data::statistic::is_over_finished;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::plan::refinement::{Assessment, Goal, Standing};
 
@@ -210,7 +209,7 @@ impl SurrogateRounds {
                 continue;
             };
             // Of what fails no training tells more.
-            let is_told = group.failed == 0 || is_over_finished(request.statistic);
+            let is_told = group.failed == 0 || !request.statistic.is_by_shares();
             let falls = group.learned.surrogates.iter().flatten().any(|surrogate| !draws_residual(surrogate));
             let is_believed = self.training < (BELIEVED_PER_INPUT * self.plan.inputs().len()).max(LEAST_BELIEVED);
             let can_learn = is_told && (falls || is_believed);

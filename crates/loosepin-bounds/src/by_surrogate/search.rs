@@ -12,6 +12,7 @@ use crate::plan::evaluate::{EvaluateError, evaluate, execute};
 use crate::plan::refinement::{Goal, Refinement};
 use crate::readings::bounds::Bounds;
 use loosepin_surrogate::Surrogate;
+use loosepin_terms::MovedBy;
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MOST_PLACES: usize = 64;
@@ -62,7 +63,7 @@ fn search_places(
         let Some(slot) = slot_of(request.column) else { continue };
         for (aspect, statistic) in aspects(request.statistic) {
             requests.push(Request { column: column_of(slot, aspect), statistic });
-            if statistic != Statistic::Cdf {
+            if request.statistic.is_single() {
                 asked.push((*request, aspect));
             }
         }
@@ -101,14 +102,11 @@ fn refined(problem: Problem, goals: Vec<Goal>, response: &BandResponse<'_>) -> R
 
 /// Questions to a surrogate for a statistic: on its value first, then on the ends of its error.
 fn aspects(statistic: Statistic) -> Vec<(Aspect, Statistic)> {
-    let error = match statistic {
-        Statistic::Cdf | Statistic::SimultaneousBand(_) => Vec::new(),
-        Statistic::StandardDeviation => vec![(Aspect::Square, Statistic::Mean)],
-        Statistic::Mean
-        | Statistic::Quantile(_)
-        | Statistic::ProbabilityAbove(_)
-        | Statistic::ProbabilityBelow(_)
-        | Statistic::ProbabilityBeyond(_) => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
+    let error = match statistic.moved_by_errors() {
+        _ if !statistic.is_single() => Vec::new(),
+        MovedBy::Shifts => vec![(Aspect::Low, statistic), (Aspect::High, statistic)],
+        MovedBy::RootMeanSquare => vec![(Aspect::Square, Statistic::of_squared_error())],
+        MovedBy::Unknown => Vec::new(),
     };
     [(Aspect::Value, statistic)].into_iter().chain(error).collect()
 }
@@ -126,8 +124,12 @@ impl Searched {
         own.map(|((request, _), pair)| (*request, pair)).collect::<Vec<_>>().into_iter()
     }
 
-    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0.
+    /// The furthest that the bound of `request` can lie, of `pairs`, when the surrogate errs by kσ; of a deviation it may be below 0. Without
+    /// end for a statistic of which it is not known what errors do to it.
     pub fn furthest(&self, pairs: &[BoundPair], request: Request, direction: Direction) -> f64 {
+        if request.statistic.moved_by_errors() == MovedBy::Unknown {
+            return direction.sign() * f64::INFINITY;
+        }
         let own = self.asked.iter().zip(pairs).filter(|((of, _), _)| *of == request);
         let mut furthest = f64::NAN;
         let mut square = 0.0;

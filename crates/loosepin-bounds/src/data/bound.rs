@@ -3,7 +3,7 @@
 pub use loosepin_terms::{Guarantee, Treatment};
 
 use super::direction::Direction;
-use super::statistic::{Statistic, is_over_finished};
+use super::statistic::Statistic;
 use super::table::Purpose;
 
 /// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
@@ -102,7 +102,7 @@ pub struct BoundPair {
 impl BoundPair {
     /// Bounds without what was seen at single points.
     pub(crate) fn new(column: usize, statistic: Statistic, [lower, upper]: [Bound; 2], failed_runs: usize) -> Self {
-        let unbounded_by_failures = is_over_finished(statistic) && failed_runs > 0;
+        let unbounded_by_failures = !statistic.is_by_shares() && failed_runs > 0;
         Self { column, statistic, lower, upper, seen: Vec::new(), central: None, failed_runs, unbounded_by_failures }
     }
 

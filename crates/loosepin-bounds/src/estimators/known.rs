@@ -4,6 +4,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::estimate::{Confidence, EitherWay};
+use crate::data::statistic::Statistic;
 
 /// What is asked of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +13,8 @@ pub(crate) enum Asked {
     Variance,
     /// At this probability.
     Quantile(f64),
+    /// A statistic that has no estimator of its own.
+    Sampled(Statistic),
 }
 
 /// What is found.

@@ -73,19 +73,23 @@ fn error(means: &[f64], sorted: &[f64], sums: &PowerSums, excess: [f64; 2], conf
     (towards(-1.0, excess[0]), towards(1.0, excess[1]))
 }
 
-/// By how much `of` one more run lies beyond its mean over the largest values, one for each replicate; 0 where these are all equal, as
-/// where the response ends there.
+/// By how much `of` one more run lies beyond its mean over the largest values, one for each replicate; 0 where these are all equal.
 fn excess(sorted: &[f64], replicates: usize, of: impl Fn(f64) -> f64) -> f64 {
+    let Some((outermost, beyond)) = one_beyond(sorted, replicates) else { return 0.0 };
+    let outermost: Vec<f64> = outermost.iter().map(|&value| of(value)).collect();
+    (of(beyond) - mean_of(&outermost)).max(0.0)
+}
+
+/// The largest values of a sample, one for each replicate, and where one more run would lie beyond them; nothing where they are all equal, as
+/// where the response ends there.
+pub(super) fn one_beyond(sorted: &[f64], replicates: usize) -> Option<(&[f64], f64)> {
     let count = sorted.len();
     let tail = (TAIL_PER_REPLICATE * replicates).min((LARGEST_TAIL * count as f64) as usize);
     let outermost = &sorted[count - replicates.min(tail)..];
-    let (Some(first), Some(last)) = (outermost.first(), outermost.last()) else { return 0.0 };
-    if first == last {
-        return 0.0;
+    if outermost.first()? == outermost.last()? {
+        return None;
     }
     let from = sorted[count - tail - 1];
     let scale = mean_of(&sorted[count - tail..]) - from;
-    let beyond = from + scale * libm::log(RUNS_FOR_ONE_BEYOND * tail as f64);
-    let outermost: Vec<f64> = outermost.iter().map(|&value| of(value)).collect();
-    (of(beyond) - mean_of(&outermost)).max(0.0)
+    Some((outermost, from + scale * libm::log(RUNS_FOR_ONE_BEYOND * tail as f64)))
 }

@@ -19,6 +19,7 @@ pub(crate) mod probability;
 pub(crate) mod quantile;
 pub(crate) mod replicates;
 pub(crate) mod sample;
+pub(crate) mod sampled;
 pub(crate) mod smooth;
 pub(crate) mod smoothness;
 pub(crate) mod together;

@@ -7,6 +7,7 @@ use super::order_statistics::OrderStatistics;
 use super::ordered::Ordered;
 use super::probability::effective_runs;
 use super::sample::Sample;
+use loosepin_terms::between_order_statistics;
 
 /// The quantile of the finished and failed runs at `probability`.
 ///
@@ -129,22 +130,6 @@ fn slope(sorted: &mut OrderStatistics<'_>, probability: f64) -> f64 {
 /// The value at `rank` = N p; infinite where the rank lies among failed runs.
 fn interpolate(sorted: &mut OrderStatistics<'_>, rank: f64) -> f64 {
     between_order_statistics(sorted.count(), rank, |place| sorted.at(place))
-}
-
-/// The value at `rank` = N p between `count` order statistics, y_(k) at (k - 1/2)/N (A. Hazen 1914), of which `at` gives each from 0 on;
-/// infinite where the rank lies beyond them.
-pub fn between_order_statistics(count: usize, rank: f64, mut at: impl FnMut(usize) -> f64) -> f64 {
-    if rank <= 0.0 {
-        return f64::NEG_INFINITY;
-    }
-    if rank >= count as f64 {
-        return f64::INFINITY;
-    }
-    let position = (rank - 0.5).clamp(0.0, count as f64 - 1.0);
-    let index = position as usize;
-    let fraction = position - index as f64;
-    let (own, next) = (at(index), at((index + 1).min(count - 1)));
-    own + fraction * (next - own)
 }
 
 /// Order statistic `rank`, counted from 1; `beyond` where there is none.

@@ -6,7 +6,8 @@ use super::moments::{mean_of_ordered, variance_of_ordered};
 use super::ordered::Ordered;
 use super::quantile::quantile_of_ordered;
 use super::sample::Sample;
-use crate::data::statistic::Statistic;
+use super::sampled::sampled_of_ordered;
+use crate::data::statistic::{Estimation, Statistic};
 
 /// Works out what `statistics` need of `sample`, which keeps it.
 pub(crate) fn work_out(sample: &Sample, statistics: &[Statistic], confidence: &Confidence) {
@@ -15,29 +16,33 @@ pub(crate) fn work_out(sample: &Sample, statistics: &[Statistic], confidence: &C
     }
     let ordered = Ordered::new(sample);
     for &statistic in statistics {
-        match statistic {
-            Statistic::Mean => {
+        match statistic.estimation() {
+            Some(Estimation::Mean) => {
                 mean_of_ordered(&ordered, confidence);
             }
-            Statistic::StandardDeviation => {
+            Some(Estimation::RootOfVariance) => {
                 mean_of_ordered(&ordered, confidence);
                 variance_of_ordered(&ordered, confidence);
             }
-            Statistic::Quantile(probability) => {
+            Some(Estimation::Ordered(probability)) => {
                 quantile_of_ordered(&ordered, confidence, probability);
             }
+            Some(Estimation::Sampled) => {
+                sampled_of_ordered(&ordered, statistic, confidence);
+            }
             // Shares of runs are counted, not read off an order.
-            _ => {}
+            Some(Estimation::Counted(_)) | None => {}
         }
     }
 }
 
 /// What is kept of a statistic; nothing where shares of runs are counted. A deviation is kept after the mean that it needs.
 fn asked(statistic: Statistic) -> Option<Asked> {
-    match statistic {
-        Statistic::Mean => Some(Asked::Mean),
-        Statistic::StandardDeviation => Some(Asked::Variance),
-        Statistic::Quantile(probability) => Some(Asked::Quantile(probability)),
-        _ => None,
+    match statistic.estimation()? {
+        Estimation::Mean => Some(Asked::Mean),
+        Estimation::RootOfVariance => Some(Asked::Variance),
+        Estimation::Ordered(probability) => Some(Asked::Quantile(probability)),
+        Estimation::Sampled => Some(Asked::Sampled(statistic)),
+        Estimation::Counted(_) => None,
     }
 }

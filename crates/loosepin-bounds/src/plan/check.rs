@@ -3,10 +3,10 @@
 use thiserror::Error;
 
 use crate::data::problem::{Problem, Reading, Sampling};
-use crate::data::statistic::Statistic;
 use crate::search::design::structural_point_count;
 use crate::search::parts::{Structure, element_count};
 use crate::search::search_box::SearchBox;
+use loosepin_terms::NumberKind;
 use loosepin_uncertainty::{EpistemicParameter, EpistemicVariable, MAXIMUM_DIMENSIONS};
 
 /// Why a problem cannot be planned.
@@ -219,20 +219,15 @@ impl Problem {
             }
         }
         for (position, request) in self.requests.iter().enumerate() {
-            match request.statistic {
-                Statistic::SimultaneousBand(_) => {
-                    return Err(ProblemError::BandOfSingleColumn { request: position });
-                }
-                Statistic::Quantile(probability) if !(probability > 0.0 && probability < 1.0) => {
-                    return Err(ProblemError::QuantileOutside { probability });
-                }
-                Statistic::ProbabilityAbove(limit) | Statistic::ProbabilityBelow(limit) if !limit.is_finite() => {
-                    return Err(ProblemError::BadLimit { limit });
-                }
-                Statistic::ProbabilityBeyond(limit) if !(limit.is_finite() && limit >= 0.0) => {
-                    return Err(ProblemError::BadLimit { limit });
-                }
-                _ => {}
+            let statistic = request.statistic;
+            if statistic.is_of_curve() {
+                return Err(ProblemError::BandOfSingleColumn { request: position });
+            }
+            if let (false, Some(number)) = (statistic.has_allowed_number(), statistic.parameter()) {
+                return Err(match statistic.description().number.map(|number| number.kind) {
+                    Some(NumberKind::Share) => ProblemError::QuantileOutside { probability: number },
+                    _ => ProblemError::BadLimit { limit: number },
+                });
             }
         }
         Ok(())

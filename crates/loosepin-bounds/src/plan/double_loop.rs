@@ -3,7 +3,6 @@
 use super::error::PlanError;
 use super::inner_runs::InnerRuns;
 use crate::data::problem::{Problem, Reading, Request, Sampling};
-use crate::data::statistic::Statistic;
 use crate::data::table::{RunInputs, SampleTable};
 use crate::estimators::estimate::Confidence;
 use crate::estimators::pool::{Pool, PoolPoint};
@@ -107,7 +106,7 @@ impl DoubleLoop {
     #[must_use]
     pub fn statistics_alone(mut self) -> Self {
         self.setup.problem.compared_columns.clear();
-        self.setup.problem.requests.retain(|request| request.statistic != Statistic::Cdf);
+        self.setup.problem.requests.retain(|request| request.statistic.is_single());
         self
     }
 

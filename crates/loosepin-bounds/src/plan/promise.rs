@@ -150,17 +150,17 @@ impl PromisePlan {
             if column >= problem.columns {
                 return Err(ProblemError::NoSuchColumn { request: 0, column, columns: problem.columns }.into());
             }
-            match (OneSidedLimit::new(statistic, side, runs, miss), statistic) {
+            match (OneSidedLimit::new(statistic, side, runs, miss), statistic.probability_of_quantile()) {
                 (Some(limit), _) => Ok((asked, limit)),
-                (None, Statistic::Quantile(probability)) => {
+                (None, Some(probability)) => {
                     let least = least_runs(probability, side, miss);
                     Err(PromiseError::TooFewInner { inner: runs, probability, least })
                 }
-                (None, _) => Err(PromiseError::Unbounded { statistic }),
+                (None, None) => Err(PromiseError::Unbounded { statistic }),
             }
         };
         for &share in &bands {
-            let statistic = Statistic::Quantile(share);
+            let statistic = Statistic::quantile_at(share);
             limit(PromiseRequest { request: Request { column: 0, statistic }, side: Side::Upper })?;
         }
         let asked = asked.into_iter().map(limit).collect::<Result<Vec<_>, PromiseError>>()?;
@@ -272,10 +272,10 @@ impl PromisePlan {
         band: &SimultaneousBand,
     ) -> Result<PromisedBound, PlanError> {
         let points = self.points(table)?;
-        let request = Request { column: columns[0], statistic: Statistic::SimultaneousBand(band.share) };
+        let request = Request { column: columns[0], statistic: Statistic::band_of_curve(band.share) };
         let asked = PromiseRequest { request, side: Side::Upper };
         let (runs, shape) = (self.settings.inner, band.shape());
-        let limit = OneSidedLimit::new(Statistic::Quantile(band.share), Side::Upper, runs, self.miss());
+        let limit = OneSidedLimit::new(Statistic::quantile_at(band.share), Side::Upper, runs, self.miss());
         Ok(match limit {
             Some(limit) => promised(table, &points, asked, &limit, |values| shape.excess(values, columns)),
             None => PromisedBound { asked, bound: f64::INFINITY, witness: nowhere(), failed_values: 0 },

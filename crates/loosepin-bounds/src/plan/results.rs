@@ -2,7 +2,6 @@
 
 use super::double_loop::DoubleLoop;
 use super::error::PlanError;
-use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::readings::bounds::Bounds;
@@ -33,7 +32,7 @@ impl DoubleLoop {
         if levels.len() == 1 {
             levels.clear();
         }
-        let functions = problem.requests.iter().filter(|request| request.statistic == Statistic::Cdf);
+        let functions = problem.requests.iter().filter(|request| request.statistic.is_distribution_function());
         Ok(Bounds {
             reading: problem.reading,
             pairs,

@@ -10,7 +10,6 @@ use super::inner_runs::{extreme_run, mixture_runs};
 use super::steering::{Searched, in_turn};
 use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
-use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::pool::{Pool, PoolPoint};
 use crate::readings::experiment::Experiment;
@@ -115,7 +114,7 @@ impl DoubleLoop {
             self.setup.structure.widest().elements.len() > 1 && searched.len() <= MOST_LOCATED_TARGETS;
         let is_joint = |request: &Request| {
             has_joint_quantiles
-                && matches!(request.statistic, Statistic::Quantile(_))
+                && request.statistic.probability_of_quantile().is_some()
                 && self.problem().requests.contains(request)
         };
         let requests: Vec<Request> = searched.iter().map(|(request, _)| *request).collect();

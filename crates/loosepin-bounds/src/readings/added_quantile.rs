@@ -8,9 +8,9 @@ use super::experiment::{Experiment, Focal};
 use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::Direction;
-use crate::data::statistic::{Event, Statistic};
+use crate::data::statistic::Event;
 use crate::estimators::sample::Sample;
-use crate::search::measure::Measure;
+use crate::search::measure::{Measure, MeasureKind};
 use crate::search::target::Target;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
@@ -225,10 +225,7 @@ impl Experiment<'_> {
             .problem
             .requests
             .iter()
-            .filter_map(|request| match request.statistic {
-                Statistic::Quantile(probability) => Some((request.column, probability)),
-                _ => None,
-            })
+            .filter_map(|request| Some((request.column, request.statistic.probability_of_quantile()?)))
             .collect();
         let cuts: Vec<Vec<Focal<'_>>> = self.setup.structure.cuts.iter().map(|cut| self.focal_elements(cut)).collect();
         let of_quantile = |&(column, probability): &(usize, f64)| {
@@ -296,6 +293,6 @@ impl Experiment<'_> {
         let optimisation = if total.is_finite() { total - sampling } else { 0.0 };
         let error = BoundError::of_runs(sampling, optimisation);
         let bound = Bound::without_witness(attempt.value, attempt.value + sign * total, error, self.guarantee());
-        bound.within_responses(&samples, job.direction)
+        bound.within_responses(MeasureKind::Plain, &samples, job.direction)
     }
 }

@@ -17,7 +17,7 @@ use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Reading;
-use crate::data::statistic::Statistic;
+use crate::data::statistic::Estimation;
 use crate::estimators::estimate::{Confidence, Estimate};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::sample::Sample;
@@ -98,7 +98,8 @@ impl Experiment<'_> {
             let elements = self.focal_elements(cut);
             let masses: Vec<f64> = elements.iter().map(|element| element.mass).collect();
             let requests = self.setup.problem.requests.iter();
-            for request in requests.filter(|request| request.statistic == Statistic::StandardDeviation) {
+            for request in requests.filter(|request| request.statistic.estimation() == Some(Estimation::RootOfVariance))
+            {
                 let samples = self.pool.samples(request.column);
                 let points = Points::new(&samples, confidence);
                 // An element without a finished run has no bound, wherever one looks.

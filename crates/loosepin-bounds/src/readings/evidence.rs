@@ -8,7 +8,7 @@ use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundPair};
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::data::statistic::Statistic;
+use crate::data::statistic::Estimation;
 use crate::estimators::estimate::Estimate;
 use crate::search::measure::Measure;
 use crate::search::models::Search;
@@ -26,10 +26,8 @@ impl Experiment<'_> {
         let centre = self.centre(elements);
         let jobs: Vec<QuantileJob> = requests
             .iter()
-            .filter_map(|request| match request.statistic {
-                Statistic::Quantile(probability) if !is_one => Some((request.column, probability)),
-                _ => None,
-            })
+            .filter(|_| !is_one)
+            .filter_map(|request| Some((request.column, request.statistic.probability_of_quantile()?)))
             .flat_map(|(column, probability)| {
                 Direction::BOTH.map(|direction| QuantileJob { column, probability, direction })
             })
@@ -42,26 +40,23 @@ impl Experiment<'_> {
                 let samples = self.pool.samples(column);
                 let measure = measure.as_ref()?;
                 let modelled = Modelled::new(search, measure, &samples);
-                let ends = match statistic {
-                    Statistic::Quantile(probability) if !is_one => Direction::BOTH.map(|direction| {
+                let ends = match statistic.estimation()? {
+                    Estimation::Ordered(probability) if !is_one => Direction::BOTH.map(|direction| {
                         let job = QuantileJob { column, probability, direction };
                         let place = jobs.iter().position(|known| *known == job);
                         place.map_or_else(|| self.unknown(direction), |place| quantiles[place].clone())
                     }),
-                    Statistic::StandardDeviation if !is_one || self.is_mixed() => self.deviations(column, elements),
+                    Estimation::RootOfVariance if !is_one || self.is_mixed() => self.deviations(column, elements),
                     // A mean over a mixture is the sum of mass times mean; a probability is the mean of a hit.
-                    Statistic::Mean
-                    | Statistic::ProbabilityAbove(_)
-                    | Statistic::ProbabilityBelow(_)
-                    | Statistic::ProbabilityBeyond(_) => {
+                    Estimation::Mean | Estimation::Counted(_) => {
                         Direction::BOTH.map(|direction| self.added(&modelled, elements, direction))
                     }
                     // Of one element nothing is added.
-                    Statistic::Quantile(_) | Statistic::StandardDeviation => {
+                    Estimation::Ordered(_) | Estimation::RootOfVariance => {
                         Direction::BOTH.map(|direction| self.bound(&modelled, direction, &elements[0]))
                     }
-                    // These have no measure.
-                    Statistic::Cdf | Statistic::SimultaneousBand(_) => return None,
+                    // What it is of a mixture is not known.
+                    Estimation::Sampled => Direction::BOTH.map(|direction| self.unknown_of(statistic, direction)),
                 };
                 let at: Vec<f64> = measure.low.iter().map(Estimate::lower_limit).collect();
                 // Of several elements the sum has been attained, at no single point.

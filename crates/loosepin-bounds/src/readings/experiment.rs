@@ -3,6 +3,7 @@
 use super::setup::Setup;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
+use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::search::measure::Measure;
@@ -92,5 +93,12 @@ impl<'a> Experiment<'a> {
     /// The bound that says nothing.
     pub fn unknown(&self, direction: Direction) -> Bound {
         Bound::unknown(direction, self.guarantee())
+    }
+
+    /// The bound that says no more of `statistic` than what it can be at all.
+    pub fn unknown_of(&self, statistic: Statistic, direction: Direction) -> Bound {
+        let [least, greatest] = statistic.range();
+        let unknown = self.unknown(direction);
+        Bound { widened: unknown.widened.clamp(least, greatest), ..unknown }
     }
 }

@@ -68,7 +68,7 @@ impl Experiment<'_> {
             error,
             guarantee,
         };
-        bound.within_responses(modelled.samples, direction)
+        bound.within_responses(measure.kind, modelled.samples, direction)
     }
 
     /// The extreme of a mean or of a probability over `elements`: the sum of mass times extreme.
@@ -119,7 +119,7 @@ impl<'a> Modelled<'a> {
     fn compared(&self, direction: Direction, point: usize) -> f64 {
         let score = self.scores(direction)[point];
         match self.measure.kind {
-            MeasureKind::Plain | MeasureKind::Probability(_) => score,
+            MeasureKind::Plain | MeasureKind::Sampled(_) | MeasureKind::Probability(_) => score,
             MeasureKind::Deviation => score.max(0.0).sqrt(),
             MeasureKind::SmoothProbability(_) => self.measure.estimates(direction)[point].value,
         }
@@ -168,7 +168,8 @@ impl<'a> Modelled<'a> {
     /// How far the statistic may go in `direction` where `value` is attained at `point`.
     fn furthest(&self, direction: Direction, (point, value): (usize, f64), focal: &Focal<'_>) -> f64 {
         let target = &self.measure.target;
-        let is_probability = !matches!(self.measure.kind, MeasureKind::Plain | MeasureKind::Deviation);
+        let is_probability =
+            matches!(self.measure.kind, MeasureKind::Probability(_) | MeasureKind::SmoothProbability(_));
         // What is certain at a point is no more than certain between the points.
         if is_probability && direction.of(value <= 0.0, value >= 1.0) {
             return value;
@@ -179,7 +180,7 @@ impl<'a> Modelled<'a> {
             direction.further(least, reach)
         };
         match self.measure.kind {
-            MeasureKind::Plain => direction.further(value, most()),
+            MeasureKind::Plain | MeasureKind::Sampled(_) => direction.further(value, most()),
             MeasureKind::Deviation => direction.further(value, most().max(0.0).sqrt()),
             MeasureKind::SmoothProbability(event) => {
                 if !can_change(event, self.samples) {

@@ -17,7 +17,7 @@ const HALF_SEEN_MARGIN: f64 = 1.0;
 const LEAST_RUNS_FOR_RANGE: usize = 8;
 
 /// The furthest that a search concedes to a statistic: means and quantiles stay within the range of the responses at all points together
-/// and a margin, deviations within half of it. Infinite where the runs at a point are too few to show that range. A model of many inputs
+/// and a margin, deviations within half of it, others where they state that they do. Infinite where the runs at a point are too few to show that range. A model of many inputs
 /// on few points would concede what no mechanism does.
 pub(crate) fn furthest_conceded(
     kind: MeasureKind,
@@ -36,6 +36,10 @@ fn furthest(kind: MeasureKind, samples: &[&Sample], direction: Direction, margin
     match kind {
         MeasureKind::Plain => direction.of(low - margin, high + margin),
         MeasureKind::Deviation => direction.of(0.0, 0.5 * (high - low) + margin),
+        MeasureKind::Sampled(statistic) => {
+            let [least, greatest] = statistic.range_within([low, high]);
+            direction.of(least - margin, greatest + margin)
+        }
         MeasureKind::Probability(_) | MeasureKind::SmoothProbability(_) => unlimited,
     }
 }
@@ -57,11 +61,11 @@ fn responses(samples: &[&Sample]) -> Option<(f64, f64)> {
 }
 
 impl Bound {
-    /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error holds with it. What is known then is how
+    /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error of it holds. What is known then is how
     /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
     /// anywhere, and stay infinite.
-    pub(crate) fn within_responses(self, samples: &[&Sample], direction: Direction) -> Self {
-        let possible = furthest(MeasureKind::Plain, samples, direction, RESPONSE_MARGIN);
+    pub(crate) fn within_responses(self, kind: MeasureKind, samples: &[&Sample], direction: Direction) -> Self {
+        let possible = kind.limited(furthest(kind, samples, direction, RESPONSE_MARGIN));
         let has_failed = samples.iter().any(|sample| sample.failed() > 0);
         if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
             return self;

@@ -21,12 +21,13 @@ use super::experiment::{Experiment, Focal};
 use crate::data::bound::{Bound, BoundError, BoundPair};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Request;
-use crate::data::statistic::{Event, Statistic};
+use crate::data::statistic::{Estimation, Event, Statistic};
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
+use crate::search::measure::MeasureKind;
 use crate::search::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 
@@ -89,7 +90,7 @@ impl Experiment<'_> {
             let pair = |(place, request): (usize, &Request)| {
                 let ends = set.bounds(self, request.statistic);
                 // The ends of a sample that failed somewhere are not known.
-                let seen = match Event::of(request.statistic) {
+                let seen = match request.statistic.event() {
                     Some(event) if failed_runs == 0 => set.seen(self, event),
                     _ => Vec::new(),
                 };
@@ -156,19 +157,18 @@ impl RandomSet {
         Self { elements: vec![Ends { mass: 1.0, attained: ends.clone(), widened: ends }] }
     }
 
-    /// Both ends of `statistic`, which is not a whole distribution function.
+    /// Both ends of `statistic`, which is one number.
     pub fn bounds(&self, experiment: &Experiment<'_>, statistic: Statistic) -> [Bound; 2] {
-        Direction::BOTH.map(|direction| match statistic {
-            Statistic::Mean => {
+        Direction::BOTH.map(|direction| match statistic.estimation() {
+            Some(Estimation::Mean) => {
                 let confidence = &experiment.setup.confidence;
                 self.added(experiment, direction, |[low, high]| mean(direction.of(low, high), confidence))
             }
-            Statistic::StandardDeviation => self.deviation(experiment, direction),
-            Statistic::Quantile(probability) => self.quantile(experiment, probability, direction),
-            other => match Event::of(other) {
-                Some(event) => self.probability(experiment, event, direction),
-                None => experiment.unknown(direction),
-            },
+            Some(Estimation::RootOfVariance) => self.deviation(experiment, direction),
+            Some(Estimation::Ordered(probability)) => self.quantile(experiment, probability, direction),
+            Some(Estimation::Counted(event)) => self.probability(experiment, event, direction),
+            // What a random set does to it is not known.
+            Some(Estimation::Sampled) | None => experiment.unknown_of(statistic, direction),
         })
     }
 
@@ -257,7 +257,7 @@ impl RandomSet {
         let error = BoundError::with_optimisation(total, optimisation);
         let bound = Bound::without_witness(value, value + direction.sign() * total, error, experiment.guarantee());
         let ends: Vec<&Sample> = self.elements.iter().flat_map(|ends| &ends.widened).collect();
-        bound.within_responses(&ends, direction)
+        bound.within_responses(MeasureKind::Plain, &ends, direction)
     }
 
     fn deviation(&self, experiment: &Experiment<'_>, direction: Direction) -> Bound {

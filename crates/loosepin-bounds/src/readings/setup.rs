@@ -146,7 +146,7 @@ impl Setup {
     /// The requests for single statistics.
     pub fn single_statistics(&self) -> Vec<Request> {
         let requests = self.problem.requests.iter().copied();
-        requests.filter(|request| request.statistic != Statistic::Cdf).collect()
+        requests.filter(|request| request.statistic.is_single()).collect()
     }
 
     /// Statistics whose extremes steer the search, and which extremes.
@@ -154,9 +154,9 @@ impl Setup {
         let both = Direction::BOTH.to_vec();
         let mut searched = Vec::new();
         for request in &self.problem.requests {
-            if request.statistic == Statistic::Cdf {
+            if !request.statistic.is_single() {
                 for probability in CDF_SEARCH_PROBABILITIES {
-                    let statistic = Statistic::Quantile(probability);
+                    let statistic = Statistic::quantile_at(probability);
                     searched.push((Request { column: request.column, statistic }, both.clone()));
                 }
             } else {
@@ -165,7 +165,7 @@ impl Setup {
         }
         for &column in &self.problem.compared_columns {
             for (probability, direction) in self.band_quantiles() {
-                let request = Request { column, statistic: Statistic::Quantile(probability) };
+                let request = Request { column, statistic: Statistic::quantile_at(probability) };
                 if !self.problem.requests.contains(&request) {
                     searched.push((request, vec![direction]));
                 }

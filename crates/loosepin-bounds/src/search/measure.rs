@@ -3,14 +3,16 @@
 use super::noise::Noise;
 use super::target::{SEARCH_RESOLUTION, Target, TargetKind};
 use crate::data::direction::{Direction, extreme_point, range_of};
-use crate::data::statistic::{Event, Statistic};
+use crate::data::statistic::{Estimation, Event, Statistic};
 use crate::estimators::estimate::{Confidence, EitherWay, Estimate, mean_of, standard_deviation};
+use crate::estimators::in_order::in_order;
 use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::{ShareLimits, probability};
 use crate::estimators::quantile::quantile_and_slope;
 use crate::estimators::replicates::{differences, differences_of_quantiles, variance_of_replicates};
 use crate::estimators::sample::Sample;
+use crate::estimators::sampled::sampled;
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.
 const SHARE_OF_SAMPLING_ERROR: f64 = 0.1;
@@ -49,6 +51,8 @@ pub(crate) enum MeasureKind {
     Plain,
     /// The target is the square of the statistic.
     Deviation,
+    /// The target is the statistic, of which no more is known than it states itself.
+    Sampled(Statistic),
     /// A probability.
     Probability(Event),
     /// A probability of responses that are smooth in the random inputs; the target is its index.
@@ -77,6 +81,7 @@ impl MeasureKind {
     pub fn statistic_of(self, target: f64) -> f64 {
         match self {
             Self::Plain => target,
+            Self::Sampled(_) => self.limited(target),
             Self::Deviation => target.max(0.0).sqrt(),
             Self::Probability(_) => target.clamp(0.0, 1.0),
             Self::SmoothProbability(_) => probability_of_index(target),
@@ -87,6 +92,10 @@ impl MeasureKind {
     pub fn limited(self, value: f64) -> f64 {
         match self {
             Self::Plain => value,
+            Self::Sampled(statistic) => {
+                let [least, greatest] = statistic.range();
+                value.clamp(least, greatest)
+            }
             Self::Deviation => value.max(0.0),
             Self::Probability(_) | Self::SmoothProbability(_) => value.clamp(0.0, 1.0),
         }
@@ -94,16 +103,14 @@ impl MeasureKind {
 }
 
 impl Measure {
-    /// Measures `statistic` on the samples of all outer points; nothing for a whole distribution function.
+    /// Measures `statistic` on the samples of all outer points; nothing for one that is more than a number.
     pub fn new(samples: &[&Sample], statistic: Statistic, confidence: &Confidence) -> Option<Self> {
-        Some(match statistic {
-            Statistic::Mean => Self::mean(samples, confidence),
-            Statistic::StandardDeviation => Self::deviation(samples, confidence),
-            Statistic::Quantile(probability) => Self::quantile(samples, probability, confidence),
-            Statistic::ProbabilityAbove(_) | Statistic::ProbabilityBelow(_) | Statistic::ProbabilityBeyond(_) => {
-                Self::probability(samples, Event::of(statistic)?, confidence)
-            }
-            Statistic::Cdf | Statistic::SimultaneousBand(_) => return None,
+        Some(match statistic.estimation()? {
+            Estimation::Mean => Self::mean(samples, confidence),
+            Estimation::RootOfVariance => Self::deviation(samples, confidence),
+            Estimation::Ordered(probability) => Self::quantile(samples, probability, confidence),
+            Estimation::Counted(event) => Self::probability(samples, event, confidence),
+            Estimation::Sampled => Self::sampled(samples, statistic, confidence),
         })
     }
 
@@ -167,6 +174,14 @@ impl Measure {
         };
         Self { kind: MeasureKind::Deviation, low: at.clone(), high: at, target_errors, target, margin: None }
             .with_replicates(differences(samples, square))
+    }
+
+    /// Measures a statistic by its value for the sample, and for each replicate.
+    fn sampled(samples: &[&Sample], statistic: Statistic, confidence: &Confidence) -> Self {
+        let at = samples.iter().map(|sample| EitherWay::both(sampled(sample, statistic, confidence)));
+        let of = |values: &[f64], _| statistic.of_sorted(&in_order(values.iter().copied()));
+        let measure = Self::plain(at, confidence).with_replicates(differences(samples, of));
+        Self { kind: MeasureKind::Sampled(statistic), ..measure }
     }
 
     fn plain(at: impl Iterator<Item = EitherWay>, confidence: &Confidence) -> Self {
