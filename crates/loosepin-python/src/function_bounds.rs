@@ -147,9 +147,10 @@ pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyR
 
 fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {
     let known = Statistic::from_word(name, parameter);
-    known.filter(|statistic| is_of_a_column(*statistic)).ok_or_else(|| {
+    // A band for whole curves needs to know which columns are a curve.
+    known.filter(|statistic| !statistic.is_of_curve()).ok_or_else(|| {
         let names = |statistics: &[Statistic]| -> Vec<String> {
-            let known = statistics.iter().filter(|statistic| is_of_a_column(**statistic));
+            let known = statistics.iter().filter(|statistic| !statistic.is_of_curve());
             known.map(|statistic| format!("'{}'", statistic.word())).collect()
         };
         let (plain, with_parameter) = (names(&Statistic::PLAIN), names(&Statistic::with_parameter(f64::NAN)));
@@ -159,11 +160,6 @@ fn statistic(name: &str, parameter: Option<f64>) -> PyResult<Statistic> {
             listed(&with_parameter, "or")
         ))
     })
-}
-
-/// A band for whole curves needs to know which columns are a curve.
-fn is_of_a_column(statistic: Statistic) -> bool {
-    !matches!(statistic, Statistic::SimultaneousBand(_))
 }
 
 fn reading_of(word: &str) -> PyResult<Reading> {

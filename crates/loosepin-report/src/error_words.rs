@@ -4,9 +4,7 @@ use super::number::NumberWriter;
 use super::tag::Tag;
 use super::told::{Told, largest, smallest};
 use super::wording::{count, is_by_surrogate};
-use loosepin_result::study::{
-    BoundRecord, Guarantee, NumericalError, ResponsePoint, Statistic, StudyResult, Treatment,
-};
+use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;
@@ -58,7 +56,7 @@ pub(super) fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer:
 /// Mechanisms of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
 fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
     const BEYOND: f64 = 0.005;
-    let Statistic::Quantile(probability) = bound.statistic else { return None };
+    let probability = bound.statistic.probability_of_quantile()?;
     let inside = probability.max(1.0 - probability);
     (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
 }
@@ -124,7 +122,7 @@ fn furthest<'r>(result: &'r StudyResult, told: Told<'r>) -> Option<(&'r BoundRec
             let is_of_curve = |bound: &&BoundRecord| {
                 (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
                     && matches!(bound.at, ResponsePoint::Curve { .. })
-                    && matches!(bound.statistic, Statistic::Quantile(p) if curve.probabilities.contains(&p))
+                    && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
             };
             let ends =
                 |bound: &'r BoundRecord| [(bound, "lower", bound.lower.error), (bound, "upper", bound.upper.error)];

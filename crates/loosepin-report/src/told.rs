@@ -5,8 +5,8 @@ use super::number::{NumberWriter, Rounding};
 use super::tag::{Tag, read_the_same};
 use super::wording::{deviation_words, listed, output_unit, output_words, path_part, place_words, statistic_words};
 use loosepin_result::study::{
-    BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, Statistic, StudyResult,
-    Treatment, Verdict,
+    BoundRecord, Deviation, DeviationCurve, Guarantee, PathError, Reduction, ResponsePoint, StudyResult, Treatment,
+    Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -92,7 +92,7 @@ pub(super) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> 
 
 /// The probability of a bound that is a quantile, above the median and known, of the largest magnitude over the cycle.
 fn probability_of_largest(bound: &BoundRecord) -> Option<f64> {
-    let Statistic::Quantile(probability) = bound.statistic else { return None };
+    let probability = bound.statistic.probability_of_quantile()?;
     let is_largest = bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute });
     (is_largest && probability > 0.5 && bound.upper.widened_si.is_finite()).then_some(probability)
 }

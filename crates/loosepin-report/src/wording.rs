@@ -4,9 +4,9 @@ use super::number::{NumberWriter, Rounding};
 use super::tag::Tag;
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
-    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, OutputDescription, PathError, PromiseRecord,
-    Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand,
-    TreatmentComparison, Verdict,
+    BoundRecord, Deviation, Guarantee, InputDescription, InputKind, NumberKind, OutputDescription, PathError,
+    PromiseRecord, Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment,
+    TreatmentBand, TreatmentComparison, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -46,26 +46,12 @@ pub(super) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
 
 pub(super) fn statistic_words(statistic: Statistic, unit: &SiUnit, writer: &NumberWriter) -> String {
     let writer = writer.about(&Tag::Given("parameter of a statistic"));
-    match statistic {
-        Statistic::Mean => "mean".to_owned(),
-        Statistic::StandardDeviation => "standard deviation".to_owned(),
-        Statistic::Cdf => "distribution function".to_owned(),
-        Statistic::Quantile(probability) => {
-            format!("{} quantile", writer.percent(probability, Rounding::Nearest))
-        }
-        Statistic::SimultaneousBand(share) => {
-            format!("band of {} for the whole cycle", writer.percent(share, Rounding::Nearest))
-        }
-        Statistic::ProbabilityAbove(limit_si) => {
-            format!("probability above {}", writer.value_trimmed(limit_si, unit))
-        }
-        Statistic::ProbabilityBelow(limit_si) => {
-            format!("probability below {}", writer.value_trimmed(limit_si, unit))
-        }
-        Statistic::ProbabilityBeyond(limit_si) => {
-            format!("probability beyond ±{}", writer.value_trimmed(limit_si, unit))
-        }
-    }
+    let description = statistic.description();
+    let number = description.number.zip(statistic.parameter()).map(|(number, value)| match number.kind {
+        NumberKind::Share => writer.percent(value, Rounding::Nearest),
+        NumberKind::Limit | NumberKind::LimitOfMagnitude => writer.value_trimmed(value, unit),
+    });
+    number.map_or_else(|| description.words.to_owned(), |number| description.words.replace("{}", &number))
 }
 
 /// Digits of the width of a band.

@@ -11,7 +11,7 @@ pub const BAND: [f64; 2] = [0.025, 0.975];
 
 /// Both ends of the central band with this share at a single point.
 pub fn pointwise_ends(share: f64) -> [Statistic; 2] {
-    [Statistic::Quantile(0.5 - 0.5 * share), Statistic::Quantile(0.5 + 0.5 * share)]
+    [0.5 - 0.5 * share, 0.5 + 0.5 * share].map(Statistic::quantile_at)
 }
 
 /// Where in the recorded turns a column is taken.
@@ -183,6 +183,7 @@ impl ColumnPlan {
                 requests.push(Request { column, statistic });
             }
         };
+        let [middle, lower, upper] = Statistic::of_curve_point(BAND);
         for planned in &self.asks {
             let is_curve = planned.ask.location == Where::Cycle;
             for &column in &planned.columns {
@@ -190,25 +191,23 @@ impl ColumnPlan {
                     push(column, statistic);
                 }
                 if is_curve {
-                    push(column, Statistic::Mean);
+                    push(column, middle);
                 }
                 // A band for whole curves has the form of the band for each point.
                 for statistic in planned.ask.simultaneous_bands.iter().flat_map(|&share| pointwise_ends(share)) {
                     push(column, statistic);
                 }
                 if is_curve || planned.ask.contributors {
-                    push(column, Statistic::Quantile(BAND[0]));
-                    push(column, Statistic::Quantile(BAND[1]));
+                    push(column, lower);
+                    push(column, upper);
                 }
                 if !is_curve {
-                    push(column, Statistic::Cdf);
+                    push(column, Statistic::of_single_number());
                 }
             }
         }
         for &column in &self.largest {
-            push(column, Statistic::Mean);
-            push(column, Statistic::Quantile(BAND[0]));
-            push(column, Statistic::Quantile(BAND[1]));
+            [middle, lower, upper].into_iter().for_each(|statistic| push(column, statistic));
         }
         for planned in &self.requirements {
             for &column in &planned.columns {

@@ -1,7 +1,7 @@
 //! Bounds before a study is finished: from a pilot, then after each round.
 
 use super::assemble::{Material, asked_bounds, requirements};
-use super::columns::Spot;
+use super::columns::{BAND, Spot};
 use super::draft_curves::draft_curves;
 use super::file::{Study, Where};
 use super::response::StudyResponse;
@@ -49,9 +49,10 @@ impl<'s> Drafting<'s> {
         let asks = || self.response.shared.plan.asks.iter();
         let curve = asks().find(|planned| planned.ask.location == Where::Cycle);
         // A curve alone needs the runs, but no bound of any of its points.
+        let [middle, ..] = Statistic::of_curve_point(BAND);
         let pose = curve.and_then(|planned| planned.columns.first()).copied();
         plan.draft(|request| self.is_told(request))
-            .or_else(|| plan.draft(|request| Some(request.column) == pose && request.statistic == Statistic::Mean))
+            .or_else(|| plan.draft(|request| Some(request.column) == pose && request.statistic == middle))
     }
 
     /// Whether a request is of a single number of the whole recorded part.

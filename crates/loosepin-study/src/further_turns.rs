@@ -12,7 +12,7 @@ use super::response::StudyResponse;
 use super::sheet::Sheet;
 use loosepin_bounds::RunInputs;
 use loosepin_mechanics::model::CycleSpan;
-use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction, Statistic};
+use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
 use std::sync::atomic::Ordering;
 
 /// Turns after the recorded ones.
@@ -112,7 +112,7 @@ fn ask(column: StudyColumn, reduction: Reduction) -> Ask {
         output: column.output,
         deviation: column.deviation,
         location: Where::Reduced(reduction),
-        statistics: vec![Statistic::Mean],
+        statistics: Vec::new(),
         contributors: false,
         rare: Vec::new(),
         simultaneous_bands: Vec::new(),

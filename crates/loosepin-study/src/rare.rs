@@ -223,14 +223,7 @@ impl Event<'_> {
         }
         self.next = end;
         let values = (first..end).map(|run| runs.values(run)[self.column]);
-        Ok(values
-            .map(|value| match self.statistic {
-                Statistic::ProbabilityAbove(limit) => limit - value,
-                Statistic::ProbabilityBelow(limit) => value - limit,
-                Statistic::ProbabilityBeyond(limit) => limit - value.abs(),
-                _ => f64::NAN,
-            })
-            .collect())
+        Ok(values.map(|value| self.statistic.event().map_or(f64::NAN, |event| event.missed_by(value))).collect())
     }
 
     /// The runs at standard normal points for one place of the box.

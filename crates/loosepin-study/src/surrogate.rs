@@ -5,7 +5,7 @@ use super::error::StudyError;
 use super::file::{Study, StudySurrogate, Where};
 use super::problem::problem;
 use super::response::StudyResponse;
-use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, Statistic, SurrogatePlan, SurrogateSettings};
+use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
 
 /// The plan of the surrogates of `study`; nothing where it asks for none.
 ///
@@ -17,7 +17,7 @@ pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<
     };
     let mut problem = problem(study, response);
     // Distribution functions are shown of the direct runs.
-    problem.requests.retain(|request| request.statistic != Statistic::Cdf);
+    problem.requests.retain(|request| request.statistic.is_single());
     let groups = groups(&response.shared.plan);
     let settings = SurrogateSettings { choice, training: training_runs, confirming: confirming_runs, groups };
     Ok(Some(SurrogatePlan::try_new(problem, settings)?))

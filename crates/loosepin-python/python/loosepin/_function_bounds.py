@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import pandas
 
 Statistic = str | Mapping[str, float]
-"""A statistic as study files write it: "mean", "standard_deviation", "cdf", {"quantile": 0.975}, {"probability_above": 0.4}."""
+"""A statistic as study files write it, for example "mean", "cdf", {"quantile": 0.975} or {"probability_above": 0.4}."""
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ use crate::told::main_bound;
 use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{
-    BoundRecord, CurveRange, Deviation, DeviationCurve, InputKind, ProbabilityBox, RequirementOutcome, ResponsePoint,
-    SimultaneousCurve, Statistic, StudyResult, Treatment, ValueBand, Witness,
+    BoundRecord, CurveRange, Deviation, DeviationCurve, Event, InputKind, ProbabilityBox, RequirementOutcome,
+    ResponsePoint, SimultaneousCurve, StudyResult, Treatment, ValueBand, Witness,
 };
 use loosepin_text::units::SiUnit;
 
@@ -363,9 +363,9 @@ fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> 
     };
     result.bounds.iter().filter(is_own).find_map(|bound| {
         let ends = [bound.lower.widened_si, bound.upper.widened_si];
-        match bound.statistic {
-            Statistic::ProbabilityAbove(own) if own == limit_si => Some([1.0 - ends[1], 1.0 - ends[0]]),
-            Statistic::ProbabilityBelow(own) if own == limit_si => Some(ends),
+        match bound.statistic.event()? {
+            Event::Above(own) if own == limit_si => Some([1.0 - ends[1], 1.0 - ends[0]]),
+            Event::Below(own) if own == limit_si => Some(ends),
             _ => None,
         }
     })

@@ -39,7 +39,9 @@ pub use inputs::{
     InputDescription, InputKind, OutputDescription, PathOutput, PurposeRuns, RunCounts,
 };
 
-pub use loosepin_terms::{Guarantee, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment};
+pub use loosepin_terms::{
+    Event, Guarantee, NumberKind, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment,
+};
 pub use path_error::PathError;
 pub use promise::{PromiseRecord, PromisedBand, PromisedEnd};
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};

@@ -50,7 +50,7 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
         for &column in &planned.columns {
             for &asked in &planned.ask.statistics {
                 // Distribution functions have their own place; what else has no bound may be anything.
-                if asked == Statistic::Cdf {
+                if !asked.is_single() {
                     continue;
                 }
                 let promised = match material.pair(column, asked).map_or(Guarantee::Inner, BoundPair::guarantee) {
@@ -108,7 +108,7 @@ fn simultaneous_bounds(material: &Material<'_>, bands: &[CurveBand]) -> Vec<Boun
                 output: material.name_of(column),
                 of: material.plan().columns[column].deviation,
                 at: material.point_of(column, true),
-                statistic: Statistic::SimultaneousBand(band.share),
+                statistic: Statistic::band_of_curve(band.share),
                 treatment: Treatment::Mixed,
                 reading: material.bounds.reading,
                 unit: material.unit_of(column),

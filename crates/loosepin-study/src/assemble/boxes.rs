@@ -2,15 +2,16 @@
 
 use super::material::Material;
 use crate::file::Where;
-use loosepin_bounds::Bound;
-use loosepin_result::study::{ProbabilityBox, Statistic};
+use loosepin_bounds::{Bound, Event};
+use loosepin_result::study::ProbabilityBox;
 
 /// The distribution functions of single numbers.
 pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
     let asked = |column: usize| {
         material.plan().asks.iter().any(|planned| {
-            planned.columns.contains(&column) && planned.ask.statistics.contains(&Statistic::Cdf)
-                || planned.ask.location != Where::Cycle && planned.columns.contains(&column)
+            let is_shown = planned.ask.location != Where::Cycle;
+            let is_stated = || planned.ask.statistics.iter().any(|statistic| statistic.is_distribution_function());
+            planned.columns.contains(&column) && (is_shown || is_stated())
         })
     };
     material
@@ -21,12 +22,8 @@ pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
         .map(|found| {
             let column = found.column;
             let limits = material.plan().asks.iter().filter(|planned| planned.columns.contains(&column));
-            let limit_si = limits.flat_map(|planned| &planned.ask.statistics).find_map(|statistic| match statistic {
-                Statistic::ProbabilityAbove(limit)
-                | Statistic::ProbabilityBelow(limit)
-                | Statistic::ProbabilityBeyond(limit) => Some(*limit),
-                _ => None,
-            });
+            let events = limits.flat_map(|planned| &planned.ask.statistics).filter_map(|statistic| statistic.event());
+            let limit_si = events.map(Event::limit).next();
             // The search error of a single share is larger where the curve is steep: there it belongs to the size, not to the
             // share.
             let error = |bound: &Bound| bound.error.sampling;

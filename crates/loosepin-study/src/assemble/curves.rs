@@ -46,19 +46,19 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
             Deviation::Dimensional => 0.0,
             _ => pictures.nominal_row[column],
         });
-        let random = BAND.map(|probability| material.central(column, Statistic::Quantile(probability)));
+        let random = BAND.map(|probability| material.central(column, Statistic::quantile_at(probability)));
         let [lower, upper] = random.map(|ends| ends.unwrap_or([f64::NAN; 2]));
         curve.random.lower_si.push(lower[0]);
         curve.random.upper_si.push(upper[1]);
         // A pose without a bound may be anywhere; it keeps its place among the others.
         let ends = BAND.map(|probability| {
-            let statistic = Statistic::Quantile(probability);
+            let statistic = Statistic::quantile_at(probability);
             material.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic))
         });
         let [[low, _], [_, high]] = &ends;
         curve.mixed.lower_si.push(low.widened_si);
         curve.mixed.upper_si.push(high.widened_si);
-        let confidence = BAND.map(|probability| material.confidence(column, Statistic::Quantile(probability)));
+        let confidence = BAND.map(|probability| material.confidence(column, Statistic::quantile_at(probability)));
         curve.confidence = confidence.into_iter().chain(curve.confidence).min_by(f64::total_cmp);
         curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }

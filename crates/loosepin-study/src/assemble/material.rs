@@ -179,8 +179,8 @@ impl Material<'_> {
 
     /// The least and the greatest value that a statistic of a column can have.
     fn range(&self, column: usize, statistic: Statistic) -> [f64; 2] {
-        let is_of_values = matches!(statistic, Statistic::Mean | Statistic::Quantile(_));
-        if is_of_values && self.is_never_negative(column) { [0.0, f64::INFINITY] } else { statistic.range() }
+        let least = if self.is_never_negative(column) { 0.0 } else { f64::NEG_INFINITY };
+        statistic.range_within([least, f64::INFINITY])
     }
 
     /// `statistic` of `column` with the epistemic inputs in their middle, as low and as high as failed runs allow, narrowed like the bounds:
@@ -194,7 +194,7 @@ impl Material<'_> {
     }
 
     /// What is known of `statistic` of `column` from the largest deviation of the whole recorded part: no pose departs further, so
-    /// |E d| <= E max|d| and the quantiles of d lie within those of ± max|d|.
+    /// |E d| <= E max|d|, the quantiles of d lie within those of ± max|d|, and what else grows with d lies within S(- max|d|) and S(max|d|).
     fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
         let largest = StudyColumn { spot: Spot::Reduced(Reduction::MaximumAbsolute), ..planned };
@@ -207,11 +207,8 @@ impl Material<'_> {
             None => Limit { value_si: f64::INFINITY, rests_on: 0 },
         };
         let opposite = |limit: Limit| Limit { value_si: -limit.value_si, ..limit };
-        match statistic {
-            Statistic::Mean => [opposite(most(statistic)), most(statistic)],
-            Statistic::Quantile(probability) => {
-                [opposite(most(Statistic::Quantile(1.0 - probability))), most(statistic)]
-            }
+        match statistic.mirrored() {
+            Some(mirrored) if statistic.grows_with_variable() => [opposite(most(mirrored)), most(statistic)],
             _ => Limit::NONE,
         }
     }

@@ -69,12 +69,7 @@ fn counted(material: &Material<'_>, outside: &BoundPair) -> Option<CountedMechan
 
 /// Whether `value` is where `broken` counts, or not known.
 fn is_outside(value: f64, broken: Statistic) -> bool {
-    match broken {
-        Statistic::ProbabilityAbove(limit) => !(value <= limit),
-        Statistic::ProbabilityBelow(limit) => !(value >= limit),
-        Statistic::ProbabilityBeyond(limit) => !(value.abs() <= limit),
-        _ => false,
-    }
+    broken.event().is_some_and(|event| event.holds(value) || value.is_nan())
 }
 
 #[cfg(test)]

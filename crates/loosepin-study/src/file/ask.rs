@@ -6,13 +6,10 @@ use super::problem::StudyProblem;
 use super::reader::{Asked, StudyReader};
 use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
-use super::words::{
-    DEVIATIONS, METHODS, PLAIN_STATISTICS, PROBABILITY_ABOVE, PROBABILITY_BELOW, QUANTILE, REDUCTIONS,
-    SIMULTANEOUS_BAND, STATISTICS,
-};
+use super::words::{DEVIATIONS, METHODS, PLAIN_STATISTICS, REDUCTIONS, WITH_A_NUMBER};
 use crate::outputs::{COMPONENTS, Seen, StudyOutput};
 use crate::runs::named_angle_rad;
-use loosepin_bounds::{Reading, Statistic};
+use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
 use loosepin_mechanics::model::{OutputKind, WearMeasure};
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
@@ -20,26 +17,15 @@ use loosepin_text::document::{Entry, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Rule, format_number, format_refused, format_value, parse_quantity};
 use loosepin_uncertainty::EpistemicVariable;
 
-/// Words for statistics that are written in another form.
-const FORMS: [(&str, &str); 7] = [
-    ("median", "{ quantile = 0.5 }"),
-    ("quantile", "{ quantile = 0.975 }"),
-    ("probability_above", "{ probability_above = \"0.4 mm\" }"),
-    ("probability_below", "{ probability_below = \"0.4 mm\" }"),
-    ("probability_beyond", "{ probability_beyond = \"0.4 mm\" }"),
-    ("simultaneous_band", "{ simultaneous_band = 0.95 }"),
-    ("std", "\"standard_deviation\""),
-];
-
 /// Keys that say where in the cycle; one is due.
 const PLACES: [&str; 3] = ["at", "poses", "reduce"];
 
 /// The number of a curve that lies beyond the limit of a probability where any of its values does.
 pub fn furthest(statistic: Statistic) -> Reduction {
-    match statistic {
-        Statistic::ProbabilityAbove(_) => Reduction::Maximum,
-        Statistic::ProbabilityBelow(_) => Reduction::Minimum,
-        _ => Reduction::MaximumAbsolute,
+    match statistic.event() {
+        Some(Event::Above(_)) => Reduction::Maximum,
+        Some(Event::Below(_) | Event::UpTo(_)) => Reduction::Minimum,
+        Some(Event::Beyond(_)) | None => Reduction::MaximumAbsolute,
     }
 }
 
@@ -256,13 +242,13 @@ impl StudyReader {
         (!is_input).then(|| self.model.quantities.nominal()[cycles])
     }
 
-    /// Warns of a mean or standard deviation of a life: runs that do not end count as all cycles.
+    /// Warns of a statistic of a life that asks how long each is, not only which are shorter: runs that do not end count as all cycles.
     fn warn_of_moments_of_a_life(&mut self, output: usize, entries: &[(Entry<'_>, Asked)]) {
         if !self.is_life(output) {
             return;
         }
         for (entry, asked) in entries {
-            if matches!(asked, Asked::Statistic(Statistic::Mean | Statistic::StandardDeviation)) {
+            if matches!(asked, Asked::Statistic(statistic) if !statistic.is_by_shares()) {
                 let problem = StudyProblem::MomentOfLife { entry: entry.path.describe() };
                 let place = Place::new(&self.reader.source, entry.span);
                 self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
@@ -378,12 +364,7 @@ impl StudyReader {
     fn statistic(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Asked> {
         if entry.is_text() {
             let text = self.reader.text(entry)?;
-            if let Some((_, form)) = FORMS.into_iter().find(|(word, _)| *word == text) {
-                let (entry_words, word) = (entry.path.describe(), text.to_owned());
-                let problem = StudyProblem::StatisticForm { entry: entry_words, word, form: form.to_owned() };
-                return self.refused(&problem, entry.span);
-            }
-            if let Some(form) = as_quantile(text) {
+            if let Some(form) = other_form(text).or_else(|| as_quantile(text)) {
                 let problem = StudyProblem::StatisticForm { entry: entry.path.describe(), word: text.to_owned(), form };
                 return self.refused(&problem, entry.span);
             }
@@ -394,36 +375,39 @@ impl StudyReader {
             return self.reader.wrong_type(entry, "the name of a statistic or a table such as { quantile = 0.975 }");
         }
         let table = self.reader.table(entry, &STATISTIC_KEYS)?;
-        let key = STATISTICS.into_iter().find(|key| table.has(key))?;
-        let method = self.method(&table, key)?;
-        if let Some(percent) = table.get(key).filter(|entry| entry.is_text() && !key.starts_with("probability")) {
-            let found = self.reader.text(&percent)?.to_owned();
-            return self.refused(&StudyProblem::Percent { entry: percent.path.describe(), found }, percent.span);
-        }
-        if key == QUANTILE {
-            return self.reader.number(&table, key).map(Statistic::Quantile).map(Asked::Statistic);
-        }
-        if key == SIMULTANEOUS_BAND {
-            return self.reader.number(&table, key).map(Asked::SimultaneousBand);
-        }
-        let entry = table.get(key)?;
-        let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
-        let statistic = match key {
-            PROBABILITY_ABOVE => Some(Statistic::ProbabilityAbove(limit)),
-            PROBABILITY_BELOW => Some(Statistic::ProbabilityBelow(limit)),
-            _ => self.limit(&entry, limit, dimension, Rule::NonNegative).map(Statistic::ProbabilityBeyond),
-        };
-        statistic.map(|statistic| match method {
+        let kind = WITH_A_NUMBER.into_iter().find(|statistic| table.has(statistic.word()))?;
+        let method = self.method(&table, kind)?;
+        let number = self.number_of(&table, kind, dimension)?;
+        let statistic = Statistic::from_word(kind.word(), Some(number))?;
+        Some(match method {
+            _ if statistic.is_of_curve() => Asked::SimultaneousBand(number),
             None => Asked::Statistic(statistic),
             Some(method) => Asked::Rare(statistic, method),
         })
     }
 
+    /// The number of a statistic of this kind.
+    fn number_of(&mut self, table: &Table<'_>, kind: Statistic, dimension: Dimension) -> Option<f64> {
+        let entry = table.get(kind.word())?;
+        match kind.description().number?.kind {
+            NumberKind::Share if entry.is_text() => {
+                let found = self.reader.text(&entry)?.to_owned();
+                self.refused(&StudyProblem::Percent { entry: entry.path.describe(), found }, entry.span)
+            }
+            NumberKind::Share => self.reader.number(table, kind.word()),
+            NumberKind::Limit => self.reader.measured(&entry, dimension, Rule::Finite),
+            NumberKind::LimitOfMagnitude => {
+                let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
+                self.limit(&entry, limit, dimension, Rule::NonNegative)
+            }
+        }
+    }
+
     /// How a probability is estimated; inside, nothing where it is only counted.
-    fn method(&mut self, table: &Table<'_>, key: &str) -> Option<Option<RareMethod>> {
+    fn method(&mut self, table: &Table<'_>, kind: Statistic) -> Option<Option<RareMethod>> {
         let Some(entry) = table.get("method") else { return Some(None) };
-        if key == QUANTILE || key == SIMULTANEOUS_BAND {
-            let of = if key == QUANTILE { "a quantile" } else { "a simultaneous band" };
+        if !kind.is_probability() {
+            let of = kind.description().with_article;
             return self.refused(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, entry.span);
         }
         let method = self.reader.choice(&entry, &METHODS)?;
@@ -464,6 +448,17 @@ fn angle_of(entry: &Entry<'_>, reader: &mut Reader) -> Option<String> {
     }
     let Some(Written::Text(text)) = reader.written(entry) else { return None };
     parse_quantity(text).is_ok_and(|read| read.dimension == Dimension::ANGLE).then(|| format!("\"{text}\""))
+}
+
+/// How a statistic is written whose word, or another one for it, stands alone.
+fn other_form(text: &str) -> Option<String> {
+    let with_example = WITH_A_NUMBER.into_iter().find(|statistic| statistic.word() == text).and_then(|statistic| {
+        let number = statistic.description().number?;
+        Some(format!("{{ {text} = {} }}", number.example))
+    });
+    let every = Statistic::PLAIN.into_iter().chain(WITH_A_NUMBER);
+    let mut others = every.flat_map(|statistic| statistic.description().other_words);
+    with_example.or_else(|| others.find(|(word, _)| *word == text).map(|(_, form)| (*form).to_owned()))
 }
 
 /// A percentile as it is written elsewhere (`p95`, `95 %`, `95th percentile`) as a quantile.

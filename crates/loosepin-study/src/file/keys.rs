@@ -1,6 +1,6 @@
 //! The keys of a study file.
 
-use loosepin_bounds::MOST_OUTER;
+use loosepin_bounds::{MOST_OUTER, NumberKind};
 use loosepin_mechanics::model::CYCLE_NUMBERS;
 use loosepin_text::document::{Key, Keys, Kind, optional, required};
 use loosepin_text::units::Rule;
@@ -8,9 +8,7 @@ use loosepin_text::units::Rule;
 use super::measured_keys::MEASURED_KEYS;
 use super::motion_keys::MOTION_KEYS;
 use super::parameter_keys::{PARAMETER_KEYS, ends, moments_of_quantity};
-use super::words::{
-    self, PROBABILITY_ABOVE, PROBABILITY_BELOW, PROBABILITY_BEYOND, QUANTILE, SIMULTANEOUS_BAND, STATISTICS, words,
-};
+use super::words::{self, STATISTICS, WITH_A_NUMBER, words};
 use crate::outputs::COMPONENTS;
 
 /// What a double holds exactly, so that a seed survives every file format.
@@ -469,33 +467,32 @@ const METHODS: [&str; 4] = words(&words::METHODS);
 const PROMISED_ENDS: [&str; 3] = words(&words::PROMISED_ENDS);
 const DECIDED_BY: [&str; 2] = words(&words::DECIDED_BY);
 
-pub(super) static STATISTIC_KEYS: Keys = Keys::new(
-    "a statistic with a number",
-    &[
-        optional(
-            QUANTILE,
-            Kind::Number { rule: Rule::Probability },
-            "0.975",
-            "the value that is not exceeded with this probability",
-        ),
-        optional(PROBABILITY_ABOVE, Kind::AnyQuantity, "\"0.4 mm\"", "probability of a value above this limit"),
-        optional(PROBABILITY_BELOW, Kind::AnyQuantity, "\"-0.4 mm\"", "probability of a value below this limit"),
-        optional(PROBABILITY_BEYOND, Kind::AnyQuantity, "\"0.4 mm\"", "probability of a magnitude above this limit"),
-        optional(
-            SIMULTANEOUS_BAND,
-            Kind::Number { rule: Rule::Probability },
-            "0.95",
-            "of a curve: the band in which this share of mechanisms stays for the whole cycle, whatever the unknown values",
-        ),
-        optional(
-            "method",
-            Kind::Choice(&METHODS),
-            "\"importance\"",
-            "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
-        ),
-    ],
-)
-.with_exactly_one(&[&STATISTICS]);
+const METHOD: Key = optional(
+    "method",
+    Kind::Choice(&METHODS),
+    "\"importance\"",
+    "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
+);
+/// One for each statistic with a number, then what goes with some of them.
+const OF_STATISTICS: [Key; WITH_A_NUMBER.len() + 1] = {
+    let mut keys = [METHOD; WITH_A_NUMBER.len() + 1];
+    let mut place = 0;
+    while place < WITH_A_NUMBER.len() {
+        let description = WITH_A_NUMBER[place].description();
+        if let Some(number) = description.number {
+            let kind = match number.kind {
+                NumberKind::Share => Kind::Number { rule: Rule::Probability },
+                NumberKind::Limit | NumberKind::LimitOfMagnitude => Kind::AnyQuantity,
+            };
+            keys[place] = optional(description.word, kind, number.example, number.meaning);
+        }
+        place += 1;
+    }
+    keys
+};
+
+pub(super) static STATISTIC_KEYS: Keys =
+    Keys::new("a statistic with a number", &OF_STATISTICS).with_exactly_one(&[&STATISTICS]);
 
 const DEVIATION_DOC: &str =
     "value: the output itself; its deviation: dimensional, by lengths alone; clearance, by play alone; total, by both";

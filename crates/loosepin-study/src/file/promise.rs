@@ -5,7 +5,7 @@ use super::keys::PROMISE_KEYS;
 use super::problem::StudyProblem;
 use super::reader::{Asked, StudyReader};
 use super::words::{DECIDED_BY, PROMISED_ENDS};
-use loosepin_bounds::{PromiseSettings, Reading, Statistic, least_promise_runs};
+use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
 use loosepin_result::study::Side;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::format_number;
@@ -32,14 +32,14 @@ impl StudyReader {
         }
         for (asked_entry, asked) in entries {
             let quantile = match asked {
-                Asked::Statistic(Statistic::Quantile(probability)) => Some((*probability, ends)),
                 // The half-width of a band is one number, whose upper end is promised.
                 Asked::SimultaneousBand(share) => Some((*share, &[Side::Upper][..])),
-                Asked::Statistic(statistic) if statistic.is_probability() => None,
+                Asked::Statistic(statistic) if statistic.is_single() && statistic.is_by_shares() => {
+                    statistic.probability_of_quantile().map(|probability| (probability, ends))
+                }
                 _ => {
                     let (entry, of) = (asked_entry.path.describe(), of_words(*asked));
-                    let is_unbounded =
-                        matches!(asked, Asked::Statistic(Statistic::Mean | Statistic::StandardDeviation));
+                    let is_unbounded = matches!(asked, Asked::Statistic(statistic) if !statistic.is_by_shares());
                     self.complain(&StudyProblem::PromiseOf { entry, of, is_unbounded }, asked_entry);
                     continue;
                 }
@@ -120,9 +120,7 @@ impl StudyReader {
 /// What of a question cannot be promised.
 fn of_words(asked: Asked) -> &'static str {
     match asked {
-        Asked::Statistic(Statistic::Mean) => "a mean",
-        Asked::Statistic(Statistic::StandardDeviation) => "a standard deviation",
-        Asked::Statistic(_) => "a distribution function",
+        Asked::Statistic(statistic) => statistic.description().with_article,
         Asked::Contributors => "contributors",
         Asked::Rare(..) => "a probability by a method",
         Asked::SimultaneousBand(_) => "a band",

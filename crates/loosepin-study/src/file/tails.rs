@@ -59,9 +59,8 @@ impl StudyReader {
     pub(super) fn warn_of_quantiles(&mut self, root: &Table<'_>, asks: &[Ask], sampling: &Sampling) {
         let Some(written) = root.get("ask") else { return };
         let far = |ask: &Ask| {
-            let beyond = |statistic: &Statistic| match statistic {
-                Statistic::Quantile(p) if none_beyond(*p, sampling.inner) > 0.5 => Some(*p),
-                _ => None,
+            let beyond = |statistic: &Statistic| {
+                statistic.probability_of_quantile().filter(|p| none_beyond(*p, sampling.inner) > 0.5)
             };
             ask.statistics.iter().find_map(beyond)
         };

@@ -91,12 +91,9 @@ pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.
     table
 };
 
-/// Statistics with a number, by their keys; the word does not depend on it.
-pub(super) const QUANTILE: &str = Statistic::Quantile(0.0).word();
-pub(super) const PROBABILITY_ABOVE: &str = Statistic::ProbabilityAbove(0.0).word();
-pub(super) const PROBABILITY_BELOW: &str = Statistic::ProbabilityBelow(0.0).word();
-pub(super) const PROBABILITY_BEYOND: &str = Statistic::ProbabilityBeyond(0.0).word();
-pub(super) const SIMULTANEOUS_BAND: &str = Statistic::SimultaneousBand(0.0).word();
+/// Statistics with a number, whatever it is, and their keys.
+pub(super) const WITH_A_NUMBER: [Statistic; Statistic::with_parameter(f64::NAN).len()] =
+    Statistic::with_parameter(f64::NAN);
 pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = {
     let mut words = [""; WITH_A_NUMBER.len()];
     let mut place = 0;
@@ -106,24 +103,34 @@ pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = {
     }
     words
 };
-const WITH_A_NUMBER: [Statistic; 5] = Statistic::with_parameter(f64::NAN);
 
 /// Statistics that are one number each, which an accuracy can be of.
-pub(super) const NUMBERS: [&str; SINGLE] = {
-    let (mut words, mut filled, mut place) = ([""; SINGLE], 0, 0);
-    while place < Statistic::PLAIN.len() + WITH_A_NUMBER.len() {
-        let plain = Statistic::PLAIN.len();
-        let statistic = if place < plain { Statistic::PLAIN[place] } else { WITH_A_NUMBER[place - plain] };
-        if statistic.is_single() {
-            words[filled] = statistic.word();
+pub(super) const NUMBERS: [&str; NUMBER_COUNT] = {
+    let (mut words, mut filled, mut place) = ([""; NUMBER_COUNT], 0, 0);
+    while place < EVERY {
+        if every(place).is_single() {
+            words[filled] = every(place).word();
             filled += 1;
         }
         place += 1;
     }
-    assert!(filled == SINGLE, "two statistics are more than a number: the distribution function and the band");
     words
 };
-const SINGLE: usize = Statistic::PLAIN.len() + WITH_A_NUMBER.len() - 2;
+const NUMBER_COUNT: usize = {
+    let (mut count, mut place) = (0, 0);
+    while place < EVERY {
+        count += every(place).is_single() as usize;
+        place += 1;
+    }
+    count
+};
+const EVERY: usize = Statistic::PLAIN.len() + WITH_A_NUMBER.len();
+
+/// The statistics in the order of their lists.
+const fn every(place: usize) -> Statistic {
+    let plain = Statistic::PLAIN.len();
+    if place < plain { Statistic::PLAIN[place] } else { WITH_A_NUMBER[place - plain] }
+}
 
 /// The name that a statistic of one number has in study files; nothing for others.
 pub(crate) fn statistic_name(statistic: Statistic) -> Option<&'static str> {
