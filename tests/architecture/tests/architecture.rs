@@ -1,10 +1,11 @@
 //! The rules of `docs/architecture.md`, held against the tree: which crate stands on which, that no files of a crate import
-//! each other in a circle, how long a file may be, which names say nothing, and that every dependency says what it is for.
+//! each other in a circle, who may name the variants of an enum that is one place, how long a file may be, which names say nothing, and that every dependency says what it is for.
 //! What one crate may name of another is what its manifest says, and the compiler holds it.
 
 #![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
 
 use architecture::imports;
+use architecture::mentions::mentions;
 use architecture::sources::{Source, read, sources_below};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -105,6 +106,44 @@ fn no_files_of_a_crate_import_each_other_in_a_circle() {
         }
     }
     assert!(found.is_empty(), "{found}");
+}
+
+/// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
+const ONE_PLACE: [(&str, &str); 1] = [("Statistic", "loosepin-terms/src/statistic/")];
+
+/// Crates that may name all variants: they compare what is known of each.
+const NAMES_VARIANTS: [&str; 1] = ["loosepin-bench"];
+
+#[test]
+fn variants_of_what_is_one_place_are_named_there_alone() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let mut listed = BTreeMap::new();
+    for row in fenced_block(&page, "mentions").lines().skip(1).filter(|row| !row.is_empty()) {
+        let [name, file, count, reason] = row.splitn(4, " : ").map(str::trim).collect::<Vec<_>>()[..] else {
+            panic!("a row of the block ```mentions is 'enum : file : mentions : reason', not '{row}'");
+        };
+        assert!(!reason.is_empty(), "{row}");
+        listed.insert((name.to_owned(), file.to_owned()), count.parse::<usize>().expect("a number of mentions"));
+    }
+    let mut found = BTreeMap::new();
+    for package in packages() {
+        let crate_name = package.file_name().expect("a name").to_string_lossy().into_owned();
+        if NAMES_VARIANTS.contains(&crate_name.as_str()) {
+            continue;
+        }
+        let sources = sources_below(&package.join("src"));
+        for (name, own_folder) in ONE_PLACE {
+            let counts = mentions(&sources, name).expect("Rust can read its sources");
+            let outside = counts.into_iter().map(|(file, count)| (format!("{crate_name}/src/{file}"), count));
+            let outside = outside.filter(|(file, _)| !file.starts_with(own_folder));
+            found.extend(outside.map(|(file, count)| ((name.to_owned(), file), count)));
+        }
+    }
+    assert_eq!(
+        found, listed,
+        "mentions of variants outside their folder are not those of the block ```mentions of docs/architecture.md; \
+         ask for a property or a method instead, or state the reason there"
+    );
 }
 
 #[test]
@@ -258,6 +297,44 @@ fn a_circle_is_found_and_re_exports_make_none() {
     // A folder whose `mod.rs` defines what its files use, and calls them, is one too.
     let folder = edges(&[("m/mod.rs", "mod x; pub struct S; fn f() { x::f() }"), ("m/x.rs", "use super::S;")]);
     assert_eq!(imports::circles(&folder).len(), 1);
+}
+
+#[test]
+fn every_way_to_name_a_variant_is_a_mention() {
+    let count = |text: &str| {
+        let source = Source { path: "measure.rs".to_owned(), text: text.to_owned() };
+        mentions(&[source], "Kind").expect("Rust can read it").into_values().sum::<usize>()
+    };
+    for (text, expected) in [
+        ("fn f(k: Kind) { match k { Kind::Mean => a(), Kind::Quantile(p) | crate::Kind::Above(p) => b(p) } }", 3),
+        ("fn f(k: Kind) -> bool { matches!(k, Kind::Mean) || k == Kind::Mean }", 2),
+        ("fn f(k: Kind) { if let Kind::Quantile(p) = k { g(p) } }", 1),
+        ("const ALL: [Kind; 2] = [Kind::Mean, Kind::Quantile(0.5)];", 2),
+        ("use crate::Kind::{Mean, Quantile};", 2),
+        ("use crate::Kind::*;", 1),
+        ("use crate::Kind as Other;", 1),
+        ("fn f() { Kind::PLAIN.len() + Kind::from_word(\"mean\") }", 0),
+        ("// Kind::Mean\n/// [`Kind::Mean`]\nstruct S { kind: Kind }", 0),
+        ("use crate::Kind; fn f(k: OtherKind) -> OtherKind { OtherKind::Mean }", 0),
+        ("#[cfg(test)]\nmod tests { fn f() { Kind::Mean } }", 0),
+        ("#[cfg(test)]\nuse crate::Kind::Mean;\nfn f() { Kind::Mean }", 1),
+    ] {
+        assert_eq!(count(text), expected, "in: {text}");
+    }
+}
+
+#[test]
+fn a_file_of_tests_mentions_nothing() {
+    let file = |path: &str, text: &str| Source { path: path.to_owned(), text: text.to_owned() };
+    let sources = [
+        file("lib.rs", "#[cfg(test)]\nmod cases;\nmod plan;"),
+        file("cases/mod.rs", "mod exact;"),
+        file("cases/exact.rs", "fn f() { Kind::Mean }"),
+        file("plan/mod.rs", "#[cfg(test)]\nmod tests;\nfn f() { Kind::Mean }"),
+        file("plan/tests.rs", "fn f() { Kind::Mean }"),
+    ];
+    let found = mentions(&sources, "Kind").expect("Rust can read it");
+    assert_eq!(found, BTreeMap::from([("plan/mod.rs".to_owned(), 1)]));
 }
 
 #[test]
