@@ -1,5 +1,6 @@
 //! Problems whose bounds are known in closed form or by quadrature.
 
+mod any_statistic;
 mod correlated;
 mod curves;
 mod discrete;

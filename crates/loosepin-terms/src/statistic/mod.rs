@@ -6,6 +6,7 @@ mod event;
 mod json;
 mod kind;
 mod mean;
+mod mean_absolute_deviation;
 mod probability;
 mod quantile;
 mod simultaneous_band;
@@ -73,6 +74,8 @@ statistics! {
         Mean in mean,
         /// Standard deviation of Y.
         StandardDeviation in standard_deviation,
+        /// E|Y - E Y|.
+        MeanAbsoluteDeviation in mean_absolute_deviation,
         /// The whole distribution function.
         Cdf in cdf,
     }

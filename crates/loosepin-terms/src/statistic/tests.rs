@@ -7,9 +7,10 @@ const SAMPLE: [f64; 10] = [-1.5, -0.25, 0.125, 0.5, 0.75, 0.875, 1.25, 1.5, 1.75
 
 const ROUND_OFF: f64 = 1e-12;
 
-const JSON: [(Statistic, &str); 8] = [
+const JSON: [(Statistic, &str); 9] = [
     (Statistic::Mean, r#"{"kind":"mean"}"#),
     (Statistic::StandardDeviation, r#"{"kind":"standard_deviation"}"#),
+    (Statistic::MeanAbsoluteDeviation, r#"{"kind":"mean_absolute_deviation"}"#),
     (Statistic::Cdf, r#"{"kind":"cdf"}"#),
     (Statistic::Quantile(0.975), r#"{"kind":"quantile","probability":0.975}"#),
     (Statistic::SimultaneousBand(0.9), r#"{"kind":"simultaneous_band","share":0.9}"#),

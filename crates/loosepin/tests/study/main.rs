@@ -4,6 +4,7 @@
 
 mod allowed_fits;
 mod allowed_together;
+mod any_statistic;
 mod contact_law_lists;
 mod drafts;
 mod efforts;
