@@ -21,28 +21,36 @@ fn main() {
     }
 }
 
+type Tracing = fn(&Case, bool) -> (Program, Program);
+
+/// What writes down an evaluation, in contact or in flight, by name.
+fn tracings() -> [(&'static str, Tracing); 5] {
+    [
+        ("today", |case, contact| {
+            counts::of(case, contact, |sample| Today(Dynamics::new(&case.mechanism, sample), today::traced))
+        }),
+        ("(a) space", |case, contact| {
+            counts::of(case, contact, |sample| Spatial::new(case, sample, false, spatial::traced))
+        }),
+        ("(a) angles from parents", |case, contact| {
+            counts::of(case, contact, |sample| Spatial::new(case, sample, true, spatial::traced))
+        }),
+        ("(b) plane", |case, contact| {
+            counts::of(case, contact, |sample| {
+                Generic::<_, Plane>::new(case, &case.plane, sample, generic::plane_traced)
+            })
+        }),
+        ("(b) space", |case, contact| {
+            counts::of(case, contact, |sample| {
+                Generic::<_, Space>::new(case, &case.space, sample, generic::space_traced)
+            })
+        }),
+    ]
+}
+
 /// Programs of all ways, by name.
 fn programs(case: &Case, in_contact: bool) -> Vec<(&'static str, (Program, Program))> {
-    vec![
-        ("today", counts::of(case, in_contact, |sample| Today(Dynamics::new(&case.mechanism, sample), today::traced))),
-        ("(a) space", counts::of(case, in_contact, |sample| Spatial::new(case, sample, false, spatial::traced))),
-        (
-            "(a) angles from parents",
-            counts::of(case, in_contact, |sample| Spatial::new(case, sample, true, spatial::traced)),
-        ),
-        (
-            "(b) plane",
-            counts::of(case, in_contact, |sample| {
-                Generic::<_, Plane>::new(case, &case.plane, sample, generic::plane_traced)
-            }),
-        ),
-        (
-            "(b) space",
-            counts::of(case, in_contact, |sample| {
-                Generic::<_, Space>::new(case, &case.space, sample, generic::space_traced)
-            }),
-        ),
-    ]
+    tracings().into_iter().map(|(name, make)| (name, make(case, in_contact))).collect()
 }
 
 fn count(case: &Case) {

@@ -70,7 +70,28 @@ pub fn measure(case: &Case) {
     for ((name, _), times_ns) in ways.iter().zip(&mut times_ns) {
         println!("  {name}: {:.0} ns, {:.0} ns", median(times_ns), times_ns[0]);
     }
+    tracing(case);
     lanes(case, &states[0]);
+}
+
+/// How long it takes to write the programs down.
+fn tracing(case: &Case) {
+    let mut times_us: Vec<(&str, Vec<f64>)> = Vec::new();
+    for _ in 0..21 {
+        for (way, (name, make)) in crate::tracings().into_iter().enumerate() {
+            let started = Instant::now();
+            black_box(make(case, true));
+            let elapsed_us = started.elapsed().as_secs_f64() * 1e6;
+            match times_us.get_mut(way) {
+                Some(times_us) => times_us.1.push(elapsed_us),
+                None => times_us.push((name, vec![elapsed_us])),
+            }
+        }
+    }
+    println!("{}, writing the program down", case.name);
+    for (name, times_us) in &mut times_us {
+        println!("  {name}: {:.0} µs, {:.0} µs", median(times_us), times_us[0]);
+    }
 }
 
 fn lanes(case: &Case, state: &State<f64>) {
