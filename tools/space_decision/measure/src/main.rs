@@ -2,6 +2,7 @@
 
 mod case;
 mod counts;
+mod journal;
 mod spatial_checks;
 mod time;
 
@@ -13,10 +14,19 @@ use loosepin_tape::native::Program;
 fn main() {
     let wanted = std::env::args().nth(1).unwrap_or_default();
     match wanted.as_str() {
-        "counts" => CASES.into_iter().for_each(|name| count(&Case::read(name))),
+        "counts" => {
+            CASES.into_iter().for_each(|name| count(&Case::read(name)));
+            for (sections, is_planar) in [(1, true), (2, true), (2, false)] {
+                let place = if is_planar { "in a plane" } else { "in space" };
+                println!("journal {place}, {sections} sections: {}", journal::operations(sections, is_planar));
+            }
+        }
         "check" => CASES.into_iter().for_each(|name| check(&Case::read(name))),
         "time" => CASES.into_iter().for_each(|name| time::measure(&Case::read(name))),
-        "space" => spatial_checks::all(),
+        "space" => {
+            spatial_checks::all();
+            journal::one_pose();
+        }
         _ => eprintln!("counts, check, time or space"),
     }
 }
