@@ -17,6 +17,8 @@ BUILDS = [
     ("generic", "", "(b), nothing"),
     ("generic", "plane", "(b), plane, plain and traced"),
     ("generic", "space", "(b), space, plain and traced"),
+    ("generic", "plane,space-plain", "(b), plane, plain and traced; space, plain"),
+    ("generic", "plane-plain,space", "(b), plane, plain; space, plain and traced"),
     ("generic", "plane,space", "(b), both, plain and traced"),
 ]
 

@@ -21,8 +21,8 @@ pub trait Vector<T: Real>:
 /// The plane, or space.
 pub trait Geometry<T: Real>: Copy + Debug + 'static {
     const COUNTS: Counts;
-    /// Rows that say that two axes of a revolute joint are parallel.
-    const ALIGNMENT_ROWS: usize;
+    /// Rows that keep the axes of a revolute joint parallel.
+    const AXIS_ROWS: usize;
 
     type Vector: Vector<T>;
     /// An angular velocity or acceleration, or a moment.
@@ -37,8 +37,6 @@ pub trait Geometry<T: Real>: Copy + Debug + 'static {
     type Swing: Copy + Debug;
     /// The turnings of an orientation of its own.
     type Turnings: AsRef<[Self::Turning]>;
-    /// Two axes that should be perpendicular.
-    type Alignment: Copy;
 
     // Rotations.
     fn unturned() -> Self::Rotation;
@@ -98,8 +96,6 @@ pub trait Geometry<T: Real>: Copy + Debug + 'static {
     /// Turning · inertia · turning + addend.
     fn coupled(first: &Self::Swing, second: &Self::Swing, addend: T) -> T;
 
-    // Alignment rows of revolute joints that close loops.
-    fn alignment(row: usize, rotations: [&Self::Rotation; 2], mount: &Self::Mount) -> Self::Alignment;
-    fn alignment_slope(alignment: &Self::Alignment, turning: Self::Turning) -> T;
-    fn alignment_bias(alignment: &Self::Alignment, spins: [Self::Spin; 2], changes: [Self::Spin; 2]) -> T;
+    /// The axes of a revolute joint that closes a loop, of both bodies, that are perpendicular in row `row`.
+    fn axes(row: usize, rotations: [&Self::Rotation; 2], mount: &Self::Mount) -> [Self::Vector; 2];
 }

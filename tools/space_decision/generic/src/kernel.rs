@@ -60,10 +60,10 @@ impl<'t, T: Real, G: Geometry<T>> Kernel<'t, T, G> {
         let (offsets, partials) = tree.offsets();
         let (free, speeds) = (tree.free_speeds, tree.free_speeds + tree.driven);
         let points = G::COUNTS.position;
-        let rows = (points + G::ALIGNMENT_ROWS) * tree.cuts.len();
+        let rows = (points + G::AXIS_ROWS) * tree.cuts.len();
         let scales = (0..tree.cuts.len()).flat_map(|cut| {
-            let first = cut * (points + G::ALIGNMENT_ROWS);
-            (0..points + G::ALIGNMENT_ROWS).map(move |row| if row < 2 { [first, first + 1] } else { [first + row; 2] })
+            let first = cut * (points + G::AXIS_ROWS);
+            (0..points + G::AXIS_ROWS).map(move |row| if row < 2 { [first, first + 1] } else { [first + row; 2] })
         });
         let ground = Pose { position: G::Vector::zero(), rotation: G::unturned() };
         let rest = Twist { linear: G::Vector::zero(), spin: G::at_rest() };
@@ -345,10 +345,16 @@ impl<'t, T: Real, G: Geometry<T>> Kernel<'t, T, G> {
             for k in 0..points {
                 self.multipliers[row + k] = -bias.component(k);
             }
-            for k in 0..G::ALIGNMENT_ROWS {
-                let alignment = G::alignment(k, [&rotations[0], &rotations[1]], mount);
-                let bias = G::alignment_bias(&alignment, [i.1.spin, j.1.spin], [i.0.spin, j.0.spin]);
-                self.multipliers[row + points + k] = -bias;
+            for axis in 0..G::AXIS_ROWS {
+                let [a, b] = G::axes(axis, [&rotations[0], &rotations[1]], mount);
+                let zero = G::Vector::zero();
+                // a·b, twice differentiated.
+                let [first, second] = [(&i, a), (&j, b)].map(|((bias, twist), axis)| {
+                    let change = G::pulled(G::swept(zero, bias.spin, axis), twist.spin, axis);
+                    (G::swept(zero, twist.spin, axis), change)
+                });
+                let bias = first.1.dot_plus(b, a.dot(second.1)) + T::from_f64(2.0) * first.0.dot(second.0);
+                self.multipliers[row + points + axis] = -bias;
             }
             for (side, sign) in [(0, -T::one()), (1, T::one())].into_iter().filter(|(side, _)| slots[*side] > 0) {
                 let offset = self.offsets[slots[side]];
@@ -358,14 +364,14 @@ impl<'t, T: Real, G: Geometry<T>> Kernel<'t, T, G> {
                     for point in 0..points {
                         self.jacobian[(row + point) * speeds + speed] += velocity.component(point);
                     }
-                    for axis in 0..G::ALIGNMENT_ROWS {
-                        let alignment = G::alignment(axis, [&rotations[0], &rotations[1]], mount);
-                        let slope = G::alignment_slope(&alignment, turning);
+                    for axis in 0..G::AXIS_ROWS {
+                        let [a, b] = G::axes(axis, [&rotations[0], &rotations[1]], mount);
+                        let slope = G::push(G::moment(a, b), turning, T::zero());
                         self.jacobian[(row + points + axis) * speeds + speed] -= slope * sign;
                     }
                 }
             }
-            row += points + G::ALIGNMENT_ROWS;
+            row += points + G::AXIS_ROWS;
         }
     }
 

@@ -12,9 +12,10 @@ pub use numbers::{Embeds, LinkNumbers, Numbers, PlayNumbers};
 pub use plane::{Plane, PlaneMount};
 pub use space::{Space, SpaceMount};
 
-#[cfg(any(feature = "plane", feature = "space"))]
+/// An evaluation, compiled here.
+#[allow(unused_macros)]
 macro_rules! compiled {
-    ($($name:ident $geometry:ident $number:ty),*) => {$(
+    ($name:ident $geometry:ident $number:ty) => {
         /// The evaluation, compiled here.
         #[inline(never)]
         pub fn $name(
@@ -26,10 +27,14 @@ macro_rules! compiled {
         ) {
             kernel.evaluate(coordinates, speeds, driven, states);
         }
-    )*};
+    };
 }
 
-#[cfg(feature = "plane")]
-compiled!(plane_plain Plane f64, plane_traced Plane loosepin_tape::trace::Traced);
-#[cfg(feature = "space")]
-compiled!(space_plain Space f64, space_traced Space loosepin_tape::trace::Traced);
+#[cfg(feature = "plane-plain")]
+compiled!(plane_plain Plane f64);
+#[cfg(feature = "plane-traced")]
+compiled!(plane_traced Plane loosepin_tape::trace::Traced);
+#[cfg(feature = "space-plain")]
+compiled!(space_plain Space f64);
+#[cfg(feature = "space-traced")]
+compiled!(space_traced Space loosepin_tape::trace::Traced);

@@ -60,7 +60,7 @@ fn angle<T: Real>(angle: T) -> Angle<T> {
 
 impl<T: Real + 'static> Geometry<T> for Plane {
     const COUNTS: Counts = Counts::PLANE;
-    const ALIGNMENT_ROWS: usize = 0;
+    const AXIS_ROWS: usize = 0;
 
     type Vector = Vec2<T>;
     type Spin = T;
@@ -70,7 +70,6 @@ impl<T: Real + 'static> Geometry<T> for Plane {
     type Inertia = T;
     type Swing = PlaneSwing<T>;
     type Turnings = [f64; 1];
-    type Alignment = ();
 
     #[inline(always)]
     fn unturned() -> Angle<T> {
@@ -179,14 +178,7 @@ impl<T: Real + 'static> Geometry<T> for Plane {
         turned_by(addend, first.1, first.0 * second.0)
     }
 
-    #[inline(always)]
-    fn alignment(_: usize, _: [&Angle<T>; 2], _: &PlaneMount<T>) {}
-    #[inline(always)]
-    fn alignment_slope((): &(), _: f64) -> T {
-        T::zero()
-    }
-    #[inline(always)]
-    fn alignment_bias((): &(), _: [T; 2], _: [T; 2]) -> T {
-        T::zero()
+    fn axes(_: usize, _: [&Angle<T>; 2], _: &PlaneMount<T>) -> [Vec2<T>; 2] {
+        unreachable!("axes in the plane are parallel")
     }
 }

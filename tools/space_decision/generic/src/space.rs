@@ -42,17 +42,9 @@ pub struct SpaceMount<T> {
 #[derive(Debug, Clone, Copy)]
 pub struct SpaceSwing<T>(Vector3<T>, Vector3<T>);
 
-/// Axes a and b that should be perpendicular, and a × b.
-#[derive(Debug, Clone, Copy)]
-pub struct Axes<T> {
-    a: Vector3<T>,
-    b: Vector3<T>,
-    cross: Vector3<T>,
-}
-
 impl<T: Real + 'static> Geometry<T> for Space {
     const COUNTS: Counts = Counts::SPACE;
-    const ALIGNMENT_ROWS: usize = 2;
+    const AXIS_ROWS: usize = 2;
 
     type Vector = Vector3<T>;
     type Spin = Vector3<T>;
@@ -62,7 +54,6 @@ impl<T: Real + 'static> Geometry<T> for Space {
     type Inertia = Matrix3<T>;
     type Swing = SpaceSwing<T>;
     type Turnings = [Vector3<T>; 3];
-    type Alignment = Axes<T>;
 
     #[inline(always)]
     fn unturned() -> Matrix3<T> {
@@ -187,17 +178,7 @@ impl<T: Real + 'static> Geometry<T> for Space {
     }
 
     #[inline(always)]
-    fn alignment(row: usize, [i, j]: [&Matrix3<T>; 2], mount: &SpaceMount<T>) -> Axes<T> {
-        let (a, b) = (i.turn(mount.parent.column(row)), j.turn(mount.own.column(2)));
-        Axes { a, b, cross: a.cross(b) }
-    }
-    #[inline(always)]
-    fn alignment_slope(axes: &Axes<T>, turning: Vector3<T>) -> T {
-        axes.cross.dot(turning)
-    }
-    #[inline(always)]
-    fn alignment_bias(axes: &Axes<T>, [i, j]: [Vector3<T>; 2], changes: [Vector3<T>; 2]) -> T {
-        let turned = i.cross(axes.a).cross(axes.b).plus_cross(axes.a, j.cross(axes.b));
-        axes.cross.dot_plus(changes[0] - changes[1], turned.dot(i - j))
+    fn axes(row: usize, [i, j]: [&Matrix3<T>; 2], mount: &SpaceMount<T>) -> [Vector3<T>; 2] {
+        [i.turn(mount.parent.column(row)), j.turn(mount.own.column(2))]
     }
 }

@@ -1,8 +1,13 @@
 //! What only space has: a torque-free body, a four-bar with balls and a contact, and Bricard's mechanism, whose rows repeat each other.
 
 use generic::{Kernel, LinkNumbers, Numbers, PlayNumbers, Space, SpaceMount};
+use loosepin_math::{Numbers as _, Real};
 use loosepin_mechanics::contact::{NormalLaw, PlayState, PointContact};
+use loosepin_tape::native::{OperationCounts, Program, Slot};
+use loosepin_tape::trace::{Traced, record};
 use parts::{Attachment, Counts, Matrix3, Tree, Vector3};
+use std::hint::black_box;
+use std::time::Instant;
 
 type Link = LinkNumbers<f64, Space>;
 
@@ -124,8 +129,8 @@ fn torque_free_body() {
     assert!(worst < 1e-8);
 }
 
-/// The four-bar RSSR with play at its second ball, through its first contact to the second one.
-fn four_bar_with_balls() {
+/// The four-bar RSSR with play at its second ball.
+fn balls() -> (Tree, Numbers<f64, Space>) {
     let revolute = Attachment::Revolute { forward: true, turns_alone: false };
     let bodies = [(0, revolute, true), (1, Attachment::Ball, false), (0, revolute, false)];
     let tree = Tree::new(Counts::SPACE, &bodies, Vec::new(), vec![[2, 3]]);
@@ -137,16 +142,78 @@ fn four_bar_with_balls() {
         mass,
         inertia: diagonal(inertia),
     };
-    let pivot = axes([0.0, 0.0, 1.0], [0.6, 0.8, 0.0]);
     let links = vec![
         link([0.0; 3], [-0.025, 0.0, 0.0], Matrix3::identity(), 0.3, [1e-4; 3]),
         link([0.025, 0.0, 0.0], [-0.125, 0.0, 0.0], Matrix3::identity(), 0.25, [2e-5, 1.4e-3, 1.4e-3]),
-        link([0.22, 0.04, 0.06], [-0.06, 0.0, 0.0], pivot, 0.4, [1e-4, 5e-4, 5e-4]),
+        link([0.22, 0.04, 0.06], [-0.06, 0.0, 0.0], pivot_axes(), 0.4, [1e-4, 5e-4, 5e-4]),
     ];
     let law = PointContact { stiffness_n_m_n: 84706159386.37863, exponent: 1.5, damping_factor: 0.20812500000000006 };
     let arms = [Vector3([0.125, 0.0, 0.0]), Vector3([0.06, 0.0, 0.0])];
     let plays = vec![PlayNumbers { arms, clearance: 2e-4, law: NormalLaw::Point(law) }];
     let numbers = Numbers { links, cuts: Vec::new(), plays, gravity: Vector3([0.0, 0.0, -9.81]) };
+    (tree, numbers)
+}
+
+/// Axes of its pivot.
+fn pivot_axes() -> Matrix3<f64> {
+    axes([0.0, 0.0, 1.0], [0.6, 0.8, 0.0])
+}
+
+/// Operations of its evaluation, its numbers as constants, and how long one takes on plain numbers, ns.
+pub fn count_balls() -> (OperationCounts, f64) {
+    let (tree, plain) = balls();
+    let (graph, outputs) = record(|| {
+        let vector = |vector: Vector3<f64>| Vector3(vector.0.map(Traced::from_f64));
+        let matrix = |matrix: Matrix3<f64>| Matrix3(matrix.0.map(vector));
+        let links = plain.links.iter().map(|link| LinkNumbers::<Traced, Space> {
+            parent_arm: vector(link.parent_arm),
+            own_arm: vector(link.own_arm),
+            mount: SpaceMount { parent: matrix(link.mount.parent), own: matrix(link.mount.own) },
+            centre_of_mass: vector(link.centre_of_mass),
+            mass: Traced::from_f64(link.mass),
+            inertia: matrix(link.inertia),
+        });
+        let plays = plain.plays.iter().map(|play| PlayNumbers {
+            arms: play.arms.map(vector),
+            clearance: Traced::from_f64(play.clearance),
+            law: NormalLaw::broadcast(&play.law),
+        });
+        let (links, plays, gravity) = (links.collect(), plays.collect(), vector(plain.gravity));
+        let mut kernel = Kernel::new(&tree, Numbers { links, plays, cuts: Vec::new(), gravity });
+        let input = |index: u32| Traced::input(Slot { block: 0, index });
+        let numbers: Vec<Traced> = (0..13).map(input).collect();
+        let state = PlayState {
+            contact: numbers[11],
+            inverse_impact_speed_s_m: numbers[12],
+            effective_mass_kg: Traced::zero(),
+        };
+        generic::space_traced(&mut kernel, &numbers[..6], &numbers[6..11], &[Traced::zero()], &[state]);
+        let slot = |index: usize| Slot { block: 1, index: index as u32 };
+        let of_kernel = kernel.accelerations.iter().enumerate();
+        of_kernel.map(|(index, number)| (slot(index), number.value())).collect::<Vec<_>>()
+    });
+    let program = Program::new(&graph, &outputs).expect("one slot each");
+
+    let mut kernel = Kernel::new(&tree, plain);
+    let state = [PlayState { contact: 1.0, inverse_impact_speed_s_m: 2.0, effective_mass_kg: 0.0 }];
+    let mut times_ns: Vec<f64> = (0..201)
+        .map(|_| {
+            let started = Instant::now();
+            for _ in 0..1000 {
+                let coordinates = black_box([0.97, 0.21, 0.1, -0.05, 1.2, 0.4]);
+                generic::space_plain(&mut kernel, &coordinates, &[1.0, 2.0, 3.0, 4.0, 5.0], &[0.0], &state);
+            }
+            started.elapsed().as_secs_f64() * 1e6
+        })
+        .collect();
+    times_ns.sort_by(f64::total_cmp);
+    (program.counts(), times_ns[100])
+}
+
+/// The same through its first contact to the second one.
+fn four_bar_with_balls() {
+    let (tree, numbers) = balls();
+    let pivot = pivot_axes();
     let mut run = Run::new(&tree, numbers, |time| [0.3 + 31.41592653589793 * time, 31.41592653589793, 0.0]);
 
     let coupler = [0.9748215445983072, 0.21203741342300184, 0.014668770809969069, -0.06743825812384392];
