@@ -41,14 +41,10 @@ pub trait Geometry<T: Real>: Copy + Debug + 'static {
     // Rotations.
     fn unturned() -> Self::Rotation;
     fn turn(rotation: &Self::Rotation, vector: Self::Vector) -> Self::Vector;
-    /// The child of a revolute joint at `angle`, and the axis.
-    fn revolved(
-        parent: &Self::Rotation,
-        mount: &Self::Mount,
-        angle: T,
-        turns_alone: bool,
-        forward: bool,
-    ) -> (Self::Rotation, Self::Turning);
+    /// The child of a revolute joint at `angle`.
+    fn revolved(parent: &Self::Rotation, mount: &Self::Mount, angle: T, turns_alone: bool) -> Self::Rotation;
+    /// The axis of a revolute joint.
+    fn axis(parent: &Self::Rotation, mount: &Self::Mount, turns_alone: bool, is_reversed: bool) -> Self::Turning;
     /// A child that does not turn against its parent.
     fn held(parent: &Self::Rotation, mount: &Self::Mount) -> Self::Rotation;
     /// The line of a prismatic joint.

@@ -2,12 +2,14 @@
 
 mod geometry;
 mod kernel;
+mod kinds;
 mod numbers;
 mod plane;
 mod space;
 
 pub use geometry::{Geometry, Vector};
-pub use kernel::{Contact, Kernel, Pose, Twist};
+pub use kernel::{Contact, Kernel};
+pub use kinds::{Column, Kind, Moving, Pose, Speeds, Twist};
 pub use numbers::{Embeds, LinkNumbers, Numbers, PlayNumbers};
 pub use plane::{Plane, PlaneMount};
 pub use space::{Space, SpaceMount};

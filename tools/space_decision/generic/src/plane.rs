@@ -80,11 +80,12 @@ impl<T: Real + 'static> Geometry<T> for Plane {
         vector.rotated(rotation.sine, rotation.cosine)
     }
     #[inline(always)]
-    fn revolved(parent: &Angle<T>, _: &PlaneMount<T>, turn: T, turns_alone: bool, forward: bool) -> (Angle<T>, f64) {
-        if turns_alone {
-            return (angle(turn), 1.0);
-        }
-        (angle(parent.angle + if forward { turn } else { -turn }), if forward { 1.0 } else { -1.0 })
+    fn revolved(parent: &Angle<T>, _: &PlaneMount<T>, turn: T, turns_alone: bool) -> Angle<T> {
+        angle(if turns_alone { turn } else { parent.angle + turn })
+    }
+    #[inline(always)]
+    fn axis(_: &Angle<T>, _: &PlaneMount<T>, _: bool, is_reversed: bool) -> f64 {
+        if is_reversed { -1.0 } else { 1.0 }
     }
     #[inline(always)]
     fn held(parent: &Angle<T>, mount: &PlaneMount<T>) -> Angle<T> {

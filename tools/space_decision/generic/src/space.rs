@@ -64,20 +64,17 @@ impl<T: Real + 'static> Geometry<T> for Space {
         rotation.turn(vector)
     }
     #[inline(always)]
-    fn revolved(
-        parent: &Matrix3<T>,
-        mount: &SpaceMount<T>,
-        angle: T,
-        turns_alone: bool,
-        forward: bool,
-    ) -> (Matrix3<T>, Vector3<T>) {
+    fn revolved(parent: &Matrix3<T>, mount: &SpaceMount<T>, angle: T, turns_alone: bool) -> Matrix3<T> {
         let (sine, cosine) = angle.sin_cos();
         // What turns alone has its axis fixed in the ground: where the parent stands does not matter.
         let marker = if turns_alone { mount.parent } else { parent.times(&mount.parent) };
-        let back = !turns_alone && !forward;
-        let turn = Matrix3::about_z(if back { -sine } else { sine }, cosine);
-        let axis = marker.column(2);
-        (marker.times(&turn).times(&mount.own.transposed()), if back { -axis } else { axis })
+        marker.times(&Matrix3::about_z(sine, cosine)).times(&mount.own.transposed())
+    }
+    #[inline(always)]
+    fn axis(parent: &Matrix3<T>, mount: &SpaceMount<T>, turns_alone: bool, is_reversed: bool) -> Vector3<T> {
+        let axis = mount.parent.column(2);
+        let axis = if turns_alone { axis } else { parent.turn(axis) };
+        if is_reversed { -axis } else { axis }
     }
     #[inline(always)]
     fn held(parent: &Matrix3<T>, mount: &SpaceMount<T>) -> Matrix3<T> {

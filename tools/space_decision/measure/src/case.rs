@@ -190,7 +190,8 @@ pub fn relative<T: Real>(tree: &Tree, absolute: &[T], driven: &[T], back: bool) 
         angles[index + 1] = angles[link.parent];
         if let Attachment::Revolute { forward, .. } = link.attachment {
             let sign = if forward { T::one() } else { -T::one() };
-            let given = if link.speed >= free { driven[link.speed - free] } else { absolute[link.speed] };
+            let given =
+                if link.speeds.start >= free { driven[link.speeds.start - free] } else { absolute[link.speeds.start] };
             if link.is_driven || back {
                 angles[index + 1] += sign * given;
             } else {
@@ -198,7 +199,7 @@ pub fn relative<T: Real>(tree: &Tree, absolute: &[T], driven: &[T], back: bool) 
             }
             if !link.is_driven {
                 let turn = sign * (angles[index + 1] - angles[link.parent]);
-                out[link.speed] = if back { angles[index + 1] } else { turn };
+                out[link.speeds.start] = if back { angles[index + 1] } else { turn };
             }
         }
     }

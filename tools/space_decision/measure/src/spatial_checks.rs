@@ -304,10 +304,10 @@ fn bricard() {
             step += 1;
         }
         run.slope(at, &state);
-        let pose = run.kernel.poses[3];
+        let pose = run.kernel.bodies[3].pose;
         let found = (pose.position + pose.rotation.turn(Vector3([0.0, 0.0, 0.5]))).0;
         let worst = (0..3).map(|k| (found[k] - known[k]).abs()).fold(0.0, f64::max);
-        let tip = run.kernel.poses[5];
+        let tip = run.kernel.bodies[5].pose;
         let gap = tip.position + tip.rotation.turn(last) - Vector3(points[5]);
         println!(
             "Bricard at {at} s: P3 {found:.10?}, {worst:.1e} m from the known one; loop open by {:.1e} m",

@@ -1,5 +1,6 @@
 //! The spanning tree: how bodies hang on each other, and which joints close loops.
 
+use core::ops::Range;
 use loosepin_mechanics::mechanism::{self, Mechanism};
 
 /// How a body hangs on its parent.
@@ -58,9 +59,9 @@ pub struct Link {
     pub parent: usize,
     pub attachment: Attachment,
     pub is_driven: bool,
-    /// Its first coordinate and its first speed.
-    pub coordinate: usize,
-    pub speed: usize,
+    /// Its own coordinates and speeds.
+    pub coordinates: Range<usize>,
+    pub speeds: Range<usize>,
     /// Speeds on which its motion depends: those of the parent, then its own.
     pub dependences: Vec<usize>,
     /// How many of them are the parent's.
@@ -104,7 +105,8 @@ impl Tree {
             let mut dependences = if parent == 0 { Vec::new() } else { links[parent - 1].dependences.clone() };
             let inherited = dependences.len();
             dependences.extend(speed..speed + speeds);
-            links.push(Link { parent, attachment, is_driven, coordinate, speed, dependences, inherited });
+            let (coordinates, speeds) = (coordinate..coordinate + coordinates, speed..speed + speeds);
+            links.push(Link { parent, attachment, is_driven, coordinates, speeds, dependences, inherited });
         }
         Self { links, free_coordinates, free_speeds, driven: next_driven, cuts, plays }
     }

@@ -109,7 +109,7 @@ impl<'t, T: Real> Kernel<'t, T> {
     /// Rates of the free coordinates.
     pub fn coordinate_rates(&self, coordinates: &[T], speeds: &[T], rates: &mut [T]) {
         for link in self.tree.links.iter().filter(|link| !link.is_driven) {
-            let (first, speed) = (link.coordinate, link.speed);
+            let (first, speed) = (link.coordinates.start, link.speeds.start);
             let plain = match link.attachment {
                 Attachment::Revolute { .. } | Attachment::Prismatic { .. } => 1,
                 Attachment::Free => 3,
@@ -128,7 +128,7 @@ impl<'t, T: Real> Kernel<'t, T> {
             let slot = index + 1;
             let LinkNumbers { parent_arm, own_arm, mount, .. } = self.numbers.links[index].clone();
             let parent = self.poses[link.parent];
-            let own = &coordinates[link.coordinate..];
+            let own = &coordinates[link.coordinates.start..];
             let parent_arm = parent.rotation.turn(parent_arm);
             let at_joint = parent.position + parent_arm;
             let place = self.offsets[slot] + link.inherited;
@@ -220,8 +220,8 @@ impl<'t, T: Real> Kernel<'t, T> {
             let (slot, numbers) = (index + 1, &self.numbers.links[index]);
             let (bias, twist) = (self.biases[link.parent], self.twists[link.parent]);
             let own = self.twists[slot];
-            let speed = || speeds[link.speed];
-            let driven = link.is_driven.then(|| driven[link.speed - self.tree.free_speeds]);
+            let speed = || speeds[link.speeds.start];
+            let driven = link.is_driven.then(|| driven[link.speeds.start - self.tree.free_speeds]);
             self.biases[slot] = match link.attachment {
                 Attachment::Free => Twist { linear: Vector3::zero(), spin: Vector3::zero() },
                 Attachment::Prismatic { .. } | Attachment::Rigid => {
