@@ -8,9 +8,11 @@ use std::hint::black_box;
 use std::time::Instant;
 
 const STATES: usize = 64;
-const CALLS: usize = 20;
-const ROUNDS: usize = 201;
+/// Passes over the states in a round: a round is shorter than a slice of time on a machine that others use, too.
+const PASSES: usize = 2;
+const ROUNDS: usize = 2001;
 const LANES: usize = 32;
+const KERNEL_CALLS: usize = 200;
 
 /// The blocks of [`crate::counts::program`] for one state in every lane. What is taken out of the program is filled in by its own.
 fn blocks(case: &Case, state: &State<f64>, program: &Program, lanes: usize) -> Vec<Vec<f64>> {
@@ -58,12 +60,12 @@ pub fn measure(case: &Case) {
     for _ in 0..ROUNDS {
         for ((_, way), times_ns) in ways.iter_mut().zip(&mut times_ns) {
             let started = Instant::now();
-            for _ in 0..CALLS {
+            for _ in 0..PASSES {
                 for state in &states {
                     black_box(way.evaluate(black_box(state)));
                 }
             }
-            times_ns.push(started.elapsed().as_secs_f64() * 1e9 / (CALLS * STATES) as f64);
+            times_ns.push(started.elapsed().as_secs_f64() * 1e9 / (PASSES * STATES) as f64);
         }
     }
     println!("{}, one evaluation on plain numbers: median and shortest of {ROUNDS} rounds", case.name);
@@ -77,7 +79,7 @@ pub fn measure(case: &Case) {
 /// How long it takes to write the programs down.
 fn tracing(case: &Case) {
     let mut times_us: Vec<(&str, Vec<f64>)> = Vec::new();
-    for _ in 0..21 {
+    for _ in 0..101 {
         for (way, (name, make)) in crate::tracings().into_iter().enumerate() {
             let started = Instant::now();
             black_box(make(case, true));
@@ -106,10 +108,10 @@ fn lanes(case: &Case, state: &State<f64>) {
         for ((kernel, data), times_ns) in kernels.iter().zip(&mut data).zip(&mut times_ns) {
             let mut borrowed: Vec<&mut [f64]> = data.iter_mut().map(Vec::as_mut_slice).collect();
             let started = Instant::now();
-            for _ in 0..1000 {
+            for _ in 0..KERNEL_CALLS {
                 kernel.run(&mut borrowed).expect("blocks fit");
             }
-            times_ns.push(started.elapsed().as_secs_f64() * 1e9 / (1000 * LANES) as f64);
+            times_ns.push(started.elapsed().as_secs_f64() * 1e9 / (KERNEL_CALLS * LANES) as f64);
         }
     }
     println!("{}, machine code ({level}, {LANES} lanes), for each lane", case.name);
