@@ -116,8 +116,10 @@ pub trait Way<T: Real> {
     fn evaluate(&mut self, state: &State<T>) -> &[T];
 }
 
+type TodayEvaluate<T> = fn(&mut Dynamics<'_, T>, T, &[T], &[T], &[PlayState<T>]);
+
 /// As the program does it.
-pub struct Today<'c, T>(pub Dynamics<'c, T>, pub fn(&mut Dynamics<'_, T>, T, &[T], &[T], &[PlayState<T>]));
+pub struct Today<'c, T>(pub Dynamics<'c, T>, pub TodayEvaluate<T>);
 
 impl<T: Real> Way<T> for Today<'_, T> {
     fn evaluate(&mut self, state: &State<T>) -> &[T] {

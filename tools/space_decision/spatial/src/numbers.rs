@@ -74,7 +74,7 @@ impl<T: Real> Numbers<T> {
         let plays = sample.plays.iter().map(|play| PlayNumbers {
             arms: [play.bearing_arm_m, play.journal_arm_m].map(vector),
             clearance: play.clearance_m,
-            law: play.normal.clone(),
+            law: play.normal,
         });
         Self {
             links: links.iter().map(link).collect(),
