@@ -126,5 +126,6 @@ fn check(case: &Case) {
     for ((name, _), worst) in programs.iter().zip(traced).filter(|((name, _), _)| !name.contains("parents")) {
         println!("  {name}, as traced: {worst:.1e} of the largest");
     }
+    assert_eq!(same[..3], [STATES; 3], "the same bits");
     assert!(worst[..3].iter().all(|worst| *worst < 1e-12) && worst[3] < 1e-11, "{worst:?}");
 }
