@@ -126,6 +126,14 @@ impl ModelReader {
         let reads = [density_kg_m3, area_m2, length_m];
         let own_mass = if lumps.is_empty() { format!("body.{}.mass", body.name) } else { path("mass") };
         let mass_kg = self.derived(own_mass, Dimension::MASS, Rule::Positive, ops, &reads);
+        // Sizes that are allowed one by one may have products that no number holds.
+        for id in [area_m2, second_moment_m4, axial_stiffness_n_m, bending_stiffness_n_m, mass_kg] {
+            if let Err(problem) = self.quantities[id].check(self.quantities.nominal_value(id)) {
+                let span = self.quantities[id].span.unwrap_or(entry.span);
+                self.reader.complain(&problem, span);
+                return;
+            }
+        }
         self.set_rigid_numbers(body, &Line { mass_kg, length_m, ends: [start, end] }, &lumps);
         body.beam = Some(Beam {
             ends: [from, to],

@@ -45,6 +45,8 @@ fn messages_of_what_a_flexible_body_cannot_have() {
         ),
         (with("to = \"small_end\"", "to = \"end\""), "body 'rod' has no point 'end'"),
         (with("to = \"small_end\"", "to = \"big_end\""), "ends where it begins"),
+        // No number holds the second moment of a section as high as that.
+        (with("height = \"8 mm\" }", "height = \"1e200 m\" }"), "body 'rod': beam second moment"),
         (with("height = \"8 mm\" }", "diameter = \"8 mm\" }"), "cannot be used together; give exactly one of"),
         (with(", height = \"8 mm\" }", ", second_moment = \"341 mm^4\" }"), "'width' needs 'height'"),
         (
