@@ -193,6 +193,15 @@ pub fn add_pose(poses: &mut PoseTable, tree: &Tree, kinematics: &Kinematics<f64>
     }
 }
 
+/// A joint as it is drawn between two points.
+pub fn drawn_joint(joint: &Joint, [first, second]: [PointReference; 2], values: &Values) -> DrawnJoint {
+    // Only in a hole does the clearance leave room to draw it in.
+    let radial_clearance_m = joint.kind.pin_clearance().map_or(0.0, |pin| values[pin.radial_clearance_m]);
+    let guide_angle_rad = joint.kind.line().map_or(0.0, |line| values[line.angle_rad]);
+    let kind = DrawnJointKind::of(joint.kind.word(), radial_clearance_m > 0.0);
+    DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -204,13 +213,4 @@ mod tests {
         assert_eq!(sense(&[-2.0, 0.0, 1.0]), DriveSense::ToAndFro);
         assert_eq!(sense(&[0.0, f64::NAN]), DriveSense::Still);
     }
-}
-
-/// A joint as it is drawn between two points.
-pub fn drawn_joint(joint: &Joint, [first, second]: [PointReference; 2], values: &Values) -> DrawnJoint {
-    // Only in a hole does the clearance leave room to draw it in.
-    let radial_clearance_m = joint.kind.pin_clearance().map_or(0.0, |pin| values[pin.radial_clearance_m]);
-    let guide_angle_rad = joint.kind.line().map_or(0.0, |line| values[line.angle_rad]);
-    let kind = DrawnJointKind::of(joint.kind.word(), radial_clearance_m > 0.0);
-    DrawnJoint { name: joint.name.clone(), kind, first, second, guide_angle_rad, radial_clearance_m }
 }
