@@ -29,9 +29,10 @@ TREE = HERE.parent.parent
 def added(name: str) -> str | None:
     """Nothing if the addition works and costs no more than it may; else what is wrong."""
     addition = tomllib.loads((HERE / f"{name}.toml").read_text())
+    # Always at the same place, so that what one addition has compiled serves the next.
+    copy = TREE / "target" / "additions" / "tree"
     with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder) / "tree"
-        subprocess.run(["git", "worktree", "add", "--quiet", "--detach", copy, "HEAD"], cwd=TREE, check=True)
+        subprocess.run(["git", "worktree", "add", "--quiet", "--force", "--detach", copy, "HEAD"], cwd=TREE, check=True)
         try:
             return added_to(copy, addition, pathlib.Path(folder), name)
         finally:
@@ -54,7 +55,7 @@ def added_to(copy: pathlib.Path, addition: dict, folder: pathlib.Path, name: str
         path.write_text("\n".join(lines))
     touched = sorted({entry["path"] for key in ("file", "line") for entry in addition.get(key, [])})
     sources = [path for path in touched if path.endswith(".rs")]
-    target = TREE / "target" / "additions"
+    target = TREE / "target" / "additions" / "target"
     build = ["cargo", "build", "--quiet", "--locked", "--bin", "loosepin", "--target-dir", target]
     if subprocess.run(build, cwd=copy).returncode != 0:
         return "it does not build"
