@@ -184,6 +184,10 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
     let mut residuals = vec![0.0; rows];
     let mut jacobian = vec![0.0; rows * columns];
     let mut filled = Vec::with_capacity(n);
+    // Of large mechanisms these are megabytes: taken once, not in each step.
+    let [mut normal, mut damped] = [(); 2].map(|()| vec![0.0; n * n]);
+    let [mut step, mut delta] = [(); 2].map(|()| vec![0.0; n]);
+    let mut trial = z.to_vec();
     let mut damping = 1e-3;
     let evaluate = |kinematics: &mut Kinematics<f64>, z: &[f64], residuals: &mut [f64]| {
         kinematics.set_positions(tree, geometry, z);
@@ -199,8 +203,8 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
         steps += 1;
         equations.jacobian(kinematics, &mut jacobian);
         // The upper triangle of JᵀJ, row by row over what the row depends on.
-        let mut normal = vec![0.0; n * n];
-        let mut step = vec![0.0; n];
+        normal.fill(0.0);
+        step.fill(0.0);
         for row in 0..rows {
             let slopes = &jacobian[row * columns..row * columns + n];
             filled.clear();
@@ -216,16 +220,16 @@ fn close(equations: &StartEquations<'_>, kinematics: &mut Kinematics<f64>, z: &m
         let largest = (0..n).fold(0.0_f64, |l, i| l.max(normal[i * n + i]));
         let mut improved = false;
         for _ in 0..12 {
-            let mut damped = normal.clone();
+            damped.copy_from_slice(&normal);
             for i in 0..n {
                 damped[i * n + i] += damping * largest + f64::MIN_POSITIVE;
             }
-            let mut delta = step.clone();
+            delta.copy_from_slice(&step);
             solve_sparse_symmetric(&mut damped, n, &mut delta);
             // A turn of more than half a radian at once would jump between branches.
             let longest = delta.iter().fold(0.0_f64, |l, d| l.max(d.abs()));
             let shorten = f64::min(1.0, 0.5 / longest);
-            let mut trial = z.to_vec();
+            trial.copy_from_slice(z);
             for i in 0..n {
                 trial[i] += shorten * delta[i] * scale[i];
             }
