@@ -43,7 +43,11 @@ pub fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyErr
     }
     let runs = spread(&restless, number_of_runs(study, table.len()));
     let mut longer = study.clone();
-    longer.asks = columns.iter().map(|&(column, reduction)| ask(plan.columns[column], reduction)).collect();
+    let ask = |&(column, reduction): &(usize, Reduction)| {
+        let StudyColumn { output, deviation, .. } = plan.columns[column];
+        Ask::of_values(output, deviation, Where::Reduced(reduction))
+    };
+    longer.asks = columns.iter().map(ask).collect();
     longer.requirements.clear();
     longer.cycle.recorded_turns += f64::from(TURNS);
     // More turns than a run may have.
@@ -81,12 +85,13 @@ pub fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyErr
             largest_excess_si: excesses.iter().copied().fold(0.0, f64::max),
         }
     });
-    let broken_later = plan.requirements.iter().map(|planned| {
+    // As the outcomes of requirements are listed: one for the whole cycle, or for each pose.
+    let outcomes = plan.requirements.iter().flat_map(|planned| planned.columns.iter().map(move |own| (planned, *own)));
+    let broken_later = outcomes.map(|(planned, own)| {
         let is_whole = planned.requirement.location == Where::Cycle;
-        let place = columns.iter().position(|(column, _)| is_whole && planned.columns == [*column])?;
+        let place = columns.iter().position(|(column, _)| is_whole && *column == own)?;
         let is_kept = |value: f64| keeps(planned.requirement.limit, value);
-        let breaks =
-            continued.iter().filter(|(recorded, later)| is_kept(recorded[columns[place].0]) && !is_kept(later[place]));
+        let breaks = continued.iter().filter(|(recorded, later)| is_kept(recorded[own]) && !is_kept(later[place]));
         Some(breaks.count() as u64)
     });
     Ok(Some(FurtherTurns {
@@ -104,19 +109,6 @@ fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)>
             reduction @ (Reduction::Maximum | Reduction::Minimum | Reduction::MaximumAbsolute | Reduction::Range),
         ) => Some((index, reduction)),
         Spot::Reduced(Reduction::RootMeanSquare | Reduction::Mean) | Spot::Pose { .. } => None,
-    }
-}
-
-fn ask(column: StudyColumn, reduction: Reduction) -> Ask {
-    Ask {
-        output: column.output,
-        deviation: column.deviation,
-        location: Where::Reduced(reduction),
-        statistics: Vec::new(),
-        contributors: false,
-        rare: Vec::new(),
-        simultaneous_bands: Vec::new(),
-        promised: Vec::new(),
     }
 }
 

@@ -74,11 +74,11 @@ impl<'s> Bank<'s> {
                 }
             };
             asks.push(Some(asked.asks.len()));
-            asked.asks.push(ask(output, deviation, location));
+            asked.asks.push(Ask::of_values(output, deviation, location));
         }
         if asked.asks.is_empty() {
             // A row of impacts alone still needs a column.
-            asked.asks.push(ask(0, Deviation::Value, Where::Reduced(Reduction::Mean)));
+            asked.asks.push(Ask::of_values(0, Deviation::Value, Where::Reduced(Reduction::Mean)));
         }
         let most = features.iter().map(|feature| feature.repeats).max().unwrap_or(1);
         let stretches = (0..most).map(|stretch| {
@@ -256,19 +256,6 @@ fn all_made(found: usize, due: usize) -> Result<(), StudyError> {
         return Ok(());
     }
     Err(StudyError::NotMade { reason: format!("{found} of {due} rows were made") })
-}
-
-fn ask(output: usize, deviation: Deviation, location: Where) -> Ask {
-    Ask {
-        output,
-        deviation,
-        location,
-        statistics: Vec::new(),
-        contributors: false,
-        rare: Vec::new(),
-        simultaneous_bands: Vec::new(),
-        promised: Vec::new(),
-    }
 }
 
 #[cfg(test)]

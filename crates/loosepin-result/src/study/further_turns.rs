@@ -15,8 +15,8 @@ pub struct FurtherTurns {
     pub runs: u64,
     /// What they were looked at for: every largest or smallest value of the study.
     pub outputs: Vec<FurtherOutput>,
-    /// Of each requirement, how many of these runs keep its limit in the recorded turns and leave it in the turns after them; nothing where it
-    /// is not of the whole cycle.
+    /// Of each of [`super::StudyResult::requirements`], how many of these runs keep its limit in the recorded turns and leave it in the turns
+    /// after them; nothing where it is not of the whole cycle.
     pub broken_later: Vec<Option<u64>>,
 }
 

@@ -37,14 +37,9 @@ fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
     }
     let rare = std::mem::take(&mut ask.rare);
     let anywhere = rare.iter().map(|&(statistic, method)| Ask {
-        output: ask.output,
-        deviation: ask.deviation,
-        location: Where::Reduced(furthest(statistic)),
         statistics: vec![statistic],
-        contributors: false,
         rare: vec![(statistic, method)],
-        simultaneous_bands: Vec::new(),
-        promised: Vec::new(),
+        ..Ask::of_values(ask.output, ask.deviation, Where::Reduced(furthest(statistic)))
     });
     let anywhere = anywhere.collect();
     ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));

@@ -355,6 +355,22 @@ pub struct Ask {
     pub promised: Vec<Side>,
 }
 
+impl Ask {
+    /// A question for the values of runs alone, without a statistic of them.
+    pub fn of_values(output: usize, deviation: Deviation, location: Where) -> Self {
+        Self {
+            output,
+            deviation,
+            location,
+            statistics: Vec::new(),
+            contributors: false,
+            rare: Vec::new(),
+            simultaneous_bands: Vec::new(),
+            promised: Vec::new(),
+        }
+    }
+}
+
 /// How a small probability is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RareMethod {
