@@ -4,7 +4,7 @@ use super::column::{Arms, Reading};
 use super::motion::Motion;
 use loosepin_math::{KnownAngle, Real};
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointKind, PlayId, PlayParts};
+use loosepin_mechanics::model::{PlayId, PlayParts};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.
@@ -28,22 +28,21 @@ pub struct ReadLayout {
 impl ReadLayout {
     /// For the contacts of `mechanism` and this many followed outputs.
     pub fn new(mechanism: &Mechanism, outputs: usize) -> Self {
-        let kind = |play: &PlayId| match *play {
-            PlayId::Joint(joint) => Some(&mechanism.model.joints[joint.0].kind),
+        let parts = mechanism.plays.iter().filter_map(|play| match *play {
+            PlayId::Joint(joint) => mechanism.model.joints[joint.0].kind.play_parts(),
             PlayId::Coupling(_) => None,
-        };
-        let has_shares = |play: &PlayId| kind(play).is_some_and(JointKind::has_shares);
-        let has_ends = |play: &PlayId| kind(play).is_some_and(JointKind::has_ends);
-        let is_in_slot =
-            |play: &PlayId| kind(play).is_some_and(|kind| matches!(kind.play_parts(), Some(PlayParts::Slot { .. })));
+        });
+        let parts: Vec<PlayParts<'_>> = parts.collect();
+        let has_ends = parts.iter().any(|parts| parts.has_face_ends());
+        let has_slots = parts.iter().any(|parts| parts.is_in_slot());
         let is_worn = mechanism.model.has_worn_geometry();
         Self {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_shares: is_worn || mechanism.plays.iter().any(has_shares),
-            has_ends: mechanism.plays.iter().any(has_ends),
-            has_slots: mechanism.plays.iter().any(is_in_slot),
+            has_shares: is_worn || has_ends || has_slots,
+            has_ends,
+            has_slots,
             turning: mechanism.real.turning_slots().count(),
         }
     }

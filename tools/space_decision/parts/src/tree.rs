@@ -125,7 +125,7 @@ impl Tree {
                 }
                 Planar::Prismatic { coordinate, forward, .. } => (Attachment::Prismatic { forward }, coordinate),
                 Planar::Rigid { .. } => (Attachment::Rigid, 0),
-                other => unimplemented!("{other:?}"),
+                other => panic!("the prototypes have no {other:?}"),
             };
             (link.parent_slot, attachment, coordinate >= real.free)
         };
@@ -134,7 +134,7 @@ impl Tree {
             loosepin_mechanics::model::PlayId::Joint(joint) => {
                 mechanism.model.joints[joint.0].kind.points().map(|point| real.slot_of_point(point))
             }
-            other => unimplemented!("{other:?}"),
+            other => panic!("the prototypes have no {other:?}"),
         });
         Self::new(counts, &bodies, real.cuts.iter().map(|cut| cut.slots).collect(), plays.collect())
     }

@@ -45,29 +45,9 @@ pub trait KindOfJoint: Sized {
         [None; 2]
     }
 
-    /// The line fixed to the first body along which the second point moves.
-    fn line(&self) -> Option<Line> {
-        None
-    }
-
-    /// Its play, where it may have any.
-    fn play(&self) -> Option<JointPlay> {
-        None
-    }
-
     /// The parts between which it has play, where it states any.
     fn play_parts(&self) -> Option<PlayParts<'_>> {
         None
-    }
-
-    /// Whether its faces end within reach.
-    fn has_ends(&self) -> bool {
-        false
-    }
-
-    /// Whether a contact of it may be on a face and at its end at once, so that each has a share of the force.
-    fn has_shares(&self) -> bool {
-        self.has_ends()
     }
 
     /// Why it cannot be driven; nothing where it can. `is_zero` tells whether a clearance is zero for good.
@@ -189,6 +169,38 @@ pub enum PlayParts<'k> {
         /// Direction of the slot from the first body's x axis, rad.
         slot_angle_rad: QuantityId,
     },
+}
+
+impl PlayParts<'_> {
+    /// Clearance, contact, and the radius that the clearance is part of.
+    pub fn play(self) -> JointPlay {
+        match self {
+            Self::Pin(own) => JointPlay {
+                clearance_m: own.radial_clearance_m,
+                contact: own.contact,
+                radius_m: Some(own.bearing_radius_m),
+            },
+            Self::Block { clearance: own, .. } => {
+                JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: None }
+            }
+            Self::Slot { clearance: own, .. } => {
+                JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: Some(own.end_radius_m) }
+            }
+        }
+    }
+
+    /// Whether the faces of a guide end.
+    pub fn has_face_ends(self) -> bool {
+        match self {
+            Self::Block { clearance, .. } => clearance.ends_m.is_some(),
+            Self::Pin(_) | Self::Slot { .. } => false,
+        }
+    }
+
+    /// Whether a pin has a place along a slot.
+    pub fn is_in_slot(self) -> bool {
+        matches!(self, Self::Slot { .. })
+    }
 }
 
 /// Why a joint cannot be driven.

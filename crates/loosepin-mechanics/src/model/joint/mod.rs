@@ -151,14 +151,15 @@ impl JointKind {
         self.rows().holds_angle.then(|| angle_rad(0) - angle_rad(1))
     }
 
-    /// See [`KindOfJoint::line`].
+    /// The line fixed to the first body along which the second point moves.
     pub fn line(&self) -> Option<Line> {
-        ask!(self, kind => kind.line())
+        let angle_rad = self.angles_rad()[0].filter(|_| self.rows().is_on_line())?;
+        Some(Line { point: self.points()[0], angle_rad })
     }
 
-    /// See [`KindOfJoint::play`].
+    /// Its play, where it may have any.
     pub fn play(&self) -> Option<JointPlay> {
-        ask!(self, kind => kind.play())
+        self.play_parts().map(PlayParts::play)
     }
 
     /// See [`KindOfJoint::play_parts`].
@@ -172,16 +173,6 @@ impl JointKind {
             Some(PlayParts::Pin(clearance)) => Some(clearance),
             _ => None,
         }
-    }
-
-    /// See [`KindOfJoint::has_ends`].
-    pub fn has_ends(&self) -> bool {
-        ask!(self, kind => kind.has_ends())
-    }
-
-    /// See [`KindOfJoint::has_shares`].
-    pub fn has_shares(&self) -> bool {
-        ask!(self, kind => kind.has_shares())
     }
 
     /// See [`KindOfJoint::why_not_driven`].

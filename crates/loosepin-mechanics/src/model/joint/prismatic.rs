@@ -1,7 +1,7 @@
 //! A slider moves along a line of its guide and does not turn against it; with a clearance it has play.
 
 use super::clearance::GuideClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
@@ -68,23 +68,10 @@ impl KindOfJoint for Prismatic {
         [Some(self.guide_angle_rad), Some(self.slider_angle_rad)]
     }
 
-    fn line(&self) -> Option<Line> {
-        Some(Line { point: self.guide, angle_rad: self.guide_angle_rad })
-    }
-
-    fn play(&self) -> Option<JointPlay> {
-        let own = self.clearance.as_ref()?;
-        Some(JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: None })
-    }
-
     fn play_parts(&self) -> Option<PlayParts<'_>> {
         let clearance = self.clearance.as_ref()?;
         let (guide_angle_rad, slider_angle_rad) = (self.guide_angle_rad, self.slider_angle_rad);
         Some(PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad })
-    }
-
-    fn has_ends(&self) -> bool {
-        self.clearance.as_ref().is_some_and(|own| own.ends_m.is_some())
     }
 
     fn why_not_driven(&self, is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {

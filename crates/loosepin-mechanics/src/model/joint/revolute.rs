@@ -1,7 +1,7 @@
 //! A pin (journal) turns in a hole (bearing); with a radial clearance it has play.
 
 use super::clearance::Clearance;
-use super::kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, PointId};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
@@ -48,12 +48,6 @@ impl KindOfJoint for Revolute {
 
     fn points(&self) -> [PointId; 2] {
         [self.bearing, self.journal]
-    }
-
-    fn play(&self) -> Option<JointPlay> {
-        let own = self.clearance.as_ref()?;
-        let (clearance_m, contact) = (own.radial_clearance_m, own.contact);
-        Some(JointPlay { clearance_m, contact, radius_m: Some(own.bearing_radius_m) })
     }
 
     fn play_parts(&self) -> Option<PlayParts<'_>> {

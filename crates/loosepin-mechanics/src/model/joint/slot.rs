@@ -1,7 +1,7 @@
 //! A pin slides and turns in a straight slot with round ends; with a clearance it has play.
 
 use super::clearance::SlotClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, PointId};
 use crate::model::quantity::QuantityId;
@@ -56,22 +56,9 @@ impl KindOfJoint for Slot {
         [Some(self.slot_angle_rad), None]
     }
 
-    fn line(&self) -> Option<Line> {
-        Some(Line { point: self.slot, angle_rad: self.slot_angle_rad })
-    }
-
-    fn play(&self) -> Option<JointPlay> {
-        let own = self.clearance.as_ref()?;
-        Some(JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: Some(own.end_radius_m) })
-    }
-
     fn play_parts(&self) -> Option<PlayParts<'_>> {
         let clearance = self.clearance.as_ref()?;
         Some(PlayParts::Slot { clearance, slot_angle_rad: self.slot_angle_rad })
-    }
-
-    fn has_shares(&self) -> bool {
-        true
     }
 
     fn why_not_driven(&self, _is_zero: &dyn Fn(QuantityId) -> bool) -> Option<NotDriven> {
