@@ -118,7 +118,7 @@ def test_the_first_minute_by_keyboard_alone(studio):
     keyboard.reach("iframe")
     # What was said stands in the files, and nothing else has changed in the study but for these three.
     study = (studio.folder / "slider-crank/study.toml").read_text()
-    assert 'interval = ["0.1 mm", "0.3 mm"]' in study and '"120 mm ±0.09 mm"' in study.replace("± ", "±")
+    assert 'interval = ["0.1 mm", "0.3 mm"]' in study and '{ tolerance = "±0.09 mm" }' in study.replace("± ", "±")
     limit = [line.split('"')[1] for line in study.split("\n") if line.startswith("within")]
     assert len(limit) == 1 and 0.4 < float(limit[0].split()[0]) < 0.6, limit
     changed = [(old, new) for old, new in zip(before.split("\n"), study.split("\n"), strict=True) if old != new]

@@ -25,9 +25,10 @@ function shortOf(written: string, kind: 'scatter' | 'unknown', nominal: string |
     return only('fit', `,\\s*diameter\\s*=\\s*(${quoted})\\s*`) ? (values(written, 'fit')[0] ?? null) : null;
   }
   if (only('tolerance')) return values(written, 'tolerance')[0] ?? null;
-  const normal = new RegExp(`^\\s*\\{\\s*normal\\s*=\\s*\\{\\s*mean\\s*=\\s*(${quoted})\\s*,\\s*standard_deviation\\s*=\\s*(${quoted})\\s*\\}\\s*\\}\\s*$`);
-  // Another mean than that of the model would be lost.
-  if (!normal.test(written) || values(written, 'mean')[0] !== nominal) return null;
+  const normal = new RegExp(`^\\s*\\{\\s*normal\\s*=\\s*\\{\\s*(?:mean\\s*=\\s*(?:${quoted})\\s*,\\s*)?standard_deviation\\s*=\\s*(${quoted})\\s*\\}\\s*\\}\\s*$`);
+  if (!normal.test(written)) return null;
+  // A mean that is left out is that of the model; another one would be lost.
+  if ((values(written, 'mean')[0] ?? nominal) !== nominal) return null;
   return 'sd ' + (values(written, 'standard_deviation')[0] ?? '');
 }
 

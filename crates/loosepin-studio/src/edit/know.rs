@@ -208,12 +208,13 @@ fn entry(known: &Knowledge, number: &Number, model: &Model, path: &str) -> Resul
     Ok(match known {
         Knowledge::Exact(_) => None,
         Knowledge::Tolerance(own, limits) => {
-            let nominal = if let Some(own) = own { own } else { nominal()? };
-            Some((RANDOM, format!("{{ tolerance = \"{nominal} {limits}\" }}")))
+            let own = own.as_ref().map(|own| format!("{own} ")).unwrap_or_default();
+            nominal()?;
+            Some((RANDOM, format!("{{ tolerance = \"{own}{limits}\" }}")))
         }
         Knowledge::StandardDeviation(deviation) => {
-            let (mean, deviation) = (nominal()?.quoted(), deviation.quoted());
-            Some((RANDOM, format!("{{ normal = {{ mean = {mean}, standard_deviation = {deviation} }} }}")))
+            nominal()?;
+            Some((RANDOM, format!("{{ normal = {{ standard_deviation = {} }} }}", deviation.quoted())))
         }
         Knowledge::Uniform(half) => {
             let [lower, upper] = around(nominal()?, half).map(|end| end.quoted());

@@ -97,7 +97,8 @@ impl StudyReader {
         }
     }
 
-    /// Warns of distributions and intervals of lengths and angles that are elsewhere in the model: one dimension has one nominal value.
+    /// Refuses distributions of lengths and angles that are elsewhere in the model: one dimension has one nominal value. A measured sample,
+    /// and an interval in which the value of one mechanism is known to lie (as `identify` finds it), may lie beside it, which is warned of.
     /// A clearance changes no ideal motion, and what it is in the model plays no part.
     fn check_model_values(&mut self, root: &Table<'_>) {
         // A specimen may be anywhere in its series, and the model stays that of the series.
@@ -106,16 +107,15 @@ impl StudyReader {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
-            ("random", &input.path, input.quantity, all)
+            ("random", &input.path, input.quantity, all, input.origin.is_some())
         });
         let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
-        let epistemic =
-            self.epistemic.iter().filter(is_between).filter_map(|input| {
-                Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec()))
-            });
+        let epistemic = self.epistemic.iter().filter(is_between).filter_map(|input| {
+            Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec(), true))
+        });
         let nominal = self.model.quantities.nominal();
-        type Range<'a> = (&'static str, &'a String, QuantityId, Vec<f64>);
-        let far = |(table, path, quantity, ends): Range<'_>| {
+        type Range<'a> = (&'static str, &'a String, QuantityId, Vec<f64>, bool);
+        let far = |(table, path, quantity, ends, may_be_beside): Range<'_>| {
             let known = &self.model.quantities[quantity];
             let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
             let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
@@ -125,13 +125,19 @@ impl StudyReader {
                 return None;
             }
             let [value, from, to] = format_apart([nominal[quantity], from, to], known.dimension);
-            Some((table, path.clone(), StudyProblem::FarFromModel { path: path.clone(), value, from, to }))
+            Some((
+                table,
+                path.clone(),
+                StudyProblem::FarFromModel { path: path.clone(), value, from, to },
+                may_be_beside,
+            ))
         };
-        let found: Vec<(&str, String, StudyProblem)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, path, problem) in found {
+        let found: Vec<(&str, String, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
+        for (table, path, problem, may_be_beside) in found {
             let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
             let place = Some(Place::new(&self.reader.source, span));
-            self.reader.complaints.push(Complaint::warning(&problem, place));
+            let complain = if may_be_beside { Complaint::warning } else { Complaint::error };
+            self.reader.complaints.push(complain(&problem, place));
         }
     }
 
