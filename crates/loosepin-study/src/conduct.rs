@@ -1,30 +1,20 @@
-//! Conducting a study: its questions one after the other, then its result.
+//! Conducting a study: its bounds, its questions one after the other, then its result.
 
-use super::allow::{allocation, allowances};
-use super::allow_together::together;
-use super::assemble::{Answers, Material, assemble, pictures, saved_surrogates};
-use super::contributors::ContributorQuestion;
-use super::double_loop::{Direct, DirectQuestion};
+use super::assemble::{assemble, pictures, witness_commands};
 use super::draft::Drafting;
 use super::elsewhere::RunMaker;
 use super::error::StudyError;
 use super::file::Study;
-use super::further_turns::further_turns;
 use super::goals::goals;
 use super::keep::Keeping;
-use super::learned::{LearnedBounds, SurrogateQuestion};
 use super::part::Part;
 use super::plans::{Plans, refuse_time};
-use super::promise::{PromiseQuestion, Promised};
-use super::question::ask;
-use super::rare::{Rare, RareQuestion};
+use super::question::{Conclusion, DirectSteps, Found, Question, SavedSurrogates, SurrogateSteps, take_steps};
 use super::response::StudyResponse;
 use super::runs::RunsTable;
-use super::saved_surrogates::SavedSurrogates;
 use super::sheet::{Drafts, Progress, Runner, Sheet, Stage};
-use super::simultaneous::curve_bands;
-use loosepin_bounds::{Bounds, PromisedBound, SampleTable, TableError};
-use loosepin_result::study::{AllocationRecord, AllowanceRecord, StudyResult, TogetherRecord};
+use loosepin_bounds::{DoubleLoop, SampleTable, TableError};
+use loosepin_result::study::StudyResult;
 use loosepin_store::RunStore;
 use std::sync::atomic::{AtomicBool, AtomicUsize};
 
@@ -110,57 +100,43 @@ fn conduct_with(
     let drafting = is_told.then(|| Drafting::new(study, &response, plans.refinement.plan(&sheet.table)));
     sheet.drafts = drafting.as_ref().map(|drafting| drafting as &dyn Drafts);
     progress.runs(0, sheet.most_runs);
-    let direct = direct(&plans, &mut sheet)?;
-    let refined = direct.as_ref().map_or_else(|| study.clone(), |direct| grown(study, direct));
-    let rare = match &direct {
-        Some(direct) => around(&plans, &refined, direct, &mut sheet)?,
-        None => Vec::new(),
-    };
-    let learned = learned(&plans, &mut sheet)?;
-    let rounds = sheet.table.rounds();
-    let promised = match &plans.promise {
-        Some(plan) => ask(PromiseQuestion::new(plan, rounds), &mut sheet, None)?,
-        None => Vec::new(),
-    };
-    let loosened = inverse_question(&sheet)?;
-    let found = Found { refined, direct, rare, learned, rounds, promised, loosened };
-    tell(&sheet, plans, found, input_hash)
-}
-
-/// Answers of the questions.
-struct Found {
-    /// The study with the samples that it came to have.
-    refined: Study,
-    direct: Option<Direct>,
-    rare: Vec<Rare>,
-    learned: Option<LearnedBounds>,
-    /// Rounds of the bounds, without that of the promise.
-    rounds: u32,
-    promised: Vec<PromisedBound>,
-    loosened: LoosestValues,
-}
-
-/// How loose inputs may be.
-struct LoosestValues {
-    one_at_a_time: Vec<AllowanceRecord>,
-    together: Option<TogetherRecord>,
-    cheapest: Option<AllocationRecord>,
-}
-
-/// The direct double loop; nothing where the surrogate stands alone.
-fn direct(plans: &Plans, sheet: &mut Sheet<'_>) -> Result<Option<Direct>, StudyError> {
-    if plans.is_surrogate_alone {
-        return Ok(None);
+    let mut found = bounds_of(&plans, &mut sheet)?;
+    let mut questions = plans.questions;
+    for question in &mut questions {
+        question.run(&mut sheet, &mut found)?;
     }
-    let question = DirectQuestion::new(plans.refinement.clone(), plans.limits.budget);
-    let direct = ask(question, sheet, Some(&plans.limits))?;
-    refuse_all_failed(sheet)?;
-    Ok(Some(direct))
+    conclude(&sheet, found, &questions, input_hash)
+}
+
+/// The bounds of a study: of its double loop, or of the surrogate where it stands alone.
+///
+/// # Errors
+/// Those of the runs; the budget does not suffice; every run failed.
+fn bounds_of(plans: &Plans, sheet: &mut Sheet<'_>) -> Result<Found, StudyError> {
+    let found = match &plans.surrogate {
+        Some(plan) if plans.is_surrogate_alone => {
+            let goals = goals(sheet.study, &sheet.response.shared.plan);
+            let steps = SurrogateSteps::new(plan, goals, plans.limits.budget)?;
+            let (learned, ended) = take_steps(steps, sheet, Some(&plans.limits))?;
+            let bounds = learned.bounds.to_bounds(&learned.plan, sheet.table.rounds());
+            let mut found = Found::new(sheet.study.clone(), bounds, ended);
+            found.surrogate = Some(learned);
+            found
+        }
+        _ => {
+            let steps = DirectSteps::new(plans.refinement.clone(), plans.limits.budget);
+            let direct = take_steps(steps, sheet, Some(&plans.limits))?;
+            let mut found = Found::new(grown(sheet.study, &direct.plan), direct.bounds, direct.ended);
+            found.double_loop = Some(direct.plan);
+            found
+        }
+    };
+    if sheet.table.failed() < sheet.table.len() { Ok(found) } else { Err(all_failed(sheet.response, &sheet.table)) }
 }
 
 /// `study` with the samples that its double loop came to have.
-fn grown(study: &Study, direct: &Direct) -> Study {
-    let sampling = direct.plan.problem().sampling;
+fn grown(study: &Study, double_loop: &DoubleLoop) -> Study {
+    let sampling = double_loop.problem().sampling;
     let mut grown = study.clone();
     grown.sampling.outer = sampling.outer;
     grown.sampling.inner = sampling.inner;
@@ -168,104 +144,30 @@ fn grown(study: &Study, direct: &Direct) -> Study {
     grown
 }
 
-/// The questions around the double loop: contributors, and small probabilities that it leaves to be estimated.
-fn around(plans: &Plans, study: &Study, direct: &Direct, sheet: &mut Sheet<'_>) -> Result<Vec<Rare>, StudyError> {
-    if let Some(contributors) = &plans.contributors {
-        ask(ContributorQuestion::new(contributors, direct), sheet, None)?;
-    }
-    ask(RareQuestion::new(study, &sheet.response.shared.plan.asks, direct), sheet, None)
-}
-
-/// The surrogates, where the study asks for them: towards its goals where they stand alone.
-fn learned(plans: &Plans, sheet: &mut Sheet<'_>) -> Result<Option<LearnedBounds>, StudyError> {
-    let Some(plan) = &plans.surrogate else { return Ok(None) };
-    let is_alone = plans.is_surrogate_alone;
-    let goals = if is_alone { goals(sheet.study, &sheet.response.shared.plan) } else { Vec::new() };
-    let question = SurrogateQuestion::new(plan, goals, is_alone, plans.limits.budget)?;
-    let learned = ask(question, sheet, Some(&plans.limits).filter(|_| is_alone))?;
-    refuse_all_failed(sheet)?;
-    Ok(Some(learned))
-}
-
-/// How loose inputs may be. Its studies have sheets of their own; what is in `sheet` is kept whatever happens to them.
-fn inverse_question(sheet: &Sheet<'_>) -> Result<LoosestValues, StudyError> {
-    sheet.close();
-    let answers = || {
-        let together = together(sheet)?;
-        let one_at_a_time = if together.is_some() { Vec::new() } else { allowances(sheet)? };
-        Ok(LoosestValues { one_at_a_time, together, cheapest: allocation(sheet)? })
-    };
-    answers().map_err(|error| match error {
-        StudyError::Interrupted { most_runs, .. } => {
-            StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs }
-        }
-        error => error,
-    })
-}
-
-/// Puts the result together.
-fn tell(sheet: &Sheet<'_>, plans: Plans, found: Found, input_hash: &str) -> Result<Conducted, StudyError> {
-    let Found { refined, direct, rare, learned, rounds, promised, loosened } = found;
-    let LoosestValues { one_at_a_time: allowances, together, cheapest: allocation } = loosened;
-    let (study, table, pool, progress) = (sheet.study, &sheet.table, sheet.runner.pool, sheet.runner.progress);
+/// Puts the result together: the bounds, then what each question writes into it.
+fn conclude(
+    sheet: &Sheet<'_>,
+    mut found: Found,
+    questions: &[Box<dyn Question>],
+    input_hash: &str,
+) -> Result<Conducted, StudyError> {
+    let Runner { pool, progress, .. } = *sheet.runner;
     progress.stage(Stage::Assembling);
-    let (plan, mut ended, bounds) = match direct {
-        Some(Direct { plan, bounds, ended }) => (Some(plan), Some(ended), Some(bounds)),
-        None => (None, None, None),
-    };
-    let (mut learned, mut bounds) = (learned, bounds);
-    if let Some(learned) = learned.as_mut() {
-        // The bounds that the study states are those of the surrogate that stands alone.
-        ended = learned.ended.take().or(ended);
-        bounds = bounds.or_else(|| Some(learned.bounds.to_bounds(&learned.plan, rounds)));
-    }
-    let (Some(ended), Some(bounds)) = (ended, bounds) else { return Err(all_failed(sheet.response, table)) };
-    let material = Material {
-        study: &refined,
-        response: sheet.response,
-        table,
-        bounds: &bounds,
-        pairs: &bounds.pairs,
-        rare: &rare,
-    };
-    let (mut beside, mut bands): (Vec<Bounds>, _) = (Vec::new(), Vec::new());
-    if let Some(plan) = &plan {
-        for &reading in &study.readings[1..] {
-            beside.push(pool.install(|| plan.read_as(reading).statistics_alone().results(table))?);
-        }
-        bands = pool.install(|| curve_bands(&material, plan))?;
-    }
-    let surrogates =
-        learned.as_ref().map(|learned| saved_surrogates(&material, input_hash, &learned.plan, &learned.bounds));
-    let contributors = plans.contributors;
-    let promise = plans.promise.map(|plan| Promised::new(plan, promised, &bands, table)).transpose()?;
+    found.complete(sheet)?;
+    let (found, material) = (&found, found.material(sheet));
     progress.stage(Stage::Pictures);
-    let drawn = pool.install(|| pictures(&material));
+    let pictures = pool.install(|| pictures(&material));
     progress.stage(Stage::Assembling);
-    let curve_bands = bands;
-    let further_turns = further_turns(sheet)?;
-    let answers = Answers {
-        plan,
-        ended,
-        contributors,
-        learned,
-        promise,
-        allowances,
-        together,
-        allocation,
-        curve_bands,
-        further_turns,
-        beside,
-        pictures: drawn,
-    };
-    let result = pool.install(|| assemble(&material, input_hash, answers));
+    let result = pool.install(|| assemble(found, &material, input_hash, pictures));
+    let mut conclusion = Conclusion { material, found, input_hash, result, surrogates: None };
+    for question in questions {
+        pool.install(|| question.record(&mut conclusion))?;
+    }
+    let Conclusion { mut result, surrogates, .. } = conclusion;
+    result.witness_commands = witness_commands(&found.study, &result);
     let runs = sheet.runs_table();
     progress.stage(Stage::Finished);
     Ok(Conducted { result, runs, surrogates })
-}
-
-fn refuse_all_failed(sheet: &Sheet<'_>) -> Result<(), StudyError> {
-    if sheet.table.failed() < sheet.table.len() { Ok(()) } else { Err(all_failed(sheet.response, &sheet.table)) }
 }
 
 /// That every run of `table` failed, with the reason of the first one.

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::files::SURROGATES_FILE;
-use super::saved_surrogates::{SavedSurrogateError, SavedSurrogates};
+use super::question::{SavedSurrogateError, SavedSurrogates};
 use loosepin_files::{io_error_words, read_named_text};
 use loosepin_store::results::{Claim, FinishedResult, InputsHasher, Place, ResultKind, ResultsError, ResultsFolder};
 use loosepin_text::diagnostics::{Code, problems};

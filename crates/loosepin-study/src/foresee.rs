@@ -2,10 +2,11 @@
 
 use super::error::StudyError;
 use super::file::Study;
+use super::foreseen::Foreseen;
 use super::plans::{default_threads, planned};
 use super::problem::problem;
 use super::response::StudyResponse;
-use loosepin_bounds::{DoubleLoop, PromisePlan, RunInputs};
+use loosepin_bounds::{DoubleLoop, RunInputs};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
 use std::time::{Duration, Instant};
@@ -27,38 +28,6 @@ const LEAST_EVALUATIONS: f64 = 100.0;
 /// tells nothing of the rest.
 const LEAST_FREE_SHARE: f64 = 0.1;
 
-/// What a study will come to.
-#[derive(Debug, Clone, Copy)]
-pub struct Foreseen {
-    /// As [`super::plan_runs`].
-    pub most_runs: usize,
-    /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
-    pub run_s: Option<f64>,
-    /// Those of the runs that stand behind a promise, where something is promised.
-    pub promise: Option<ForeseenPromise>,
-}
-
-/// What a promise costs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ForeseenPromise {
-    /// Ends that are promised together.
-    pub ends: usize,
-    /// Boxes: combinations of the members of lists and focal elements.
-    pub boxes: usize,
-    /// Values in each box.
-    pub values: usize,
-    /// Runs at each value.
-    pub inner: usize,
-    /// All of them.
-    pub runs: usize,
-}
-
-impl ForeseenPromise {
-    fn new(plan: &PromisePlan) -> Self {
-        Self { ends: plan.ends(), boxes: plan.boxes(), values: plan.values(), inner: plan.inner(), runs: plan.runs() }
-    }
-}
-
 /// How many runs `study` comes to, and how long they take: measured on the first runs of its plan, each given up after some hundred
 /// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
 ///
@@ -67,16 +36,18 @@ impl ForeseenPromise {
 pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;
-    let (most_runs, promise) = (plans.limits.most_runs(), plans.promise.as_ref().map(ForeseenPromise::new));
+    let mut foreseen = Foreseen { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
+    plans.questions.iter().for_each(|question| question.foresee(&mut foreseen));
     let variants = response.mechanisms.len().min(MOST_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
     // What has no room for the lanes of a thread runs on its own.
     let runs = ((all / LEAST_EVALUATIONS) as usize).min(TIMED_RUNS);
     if runs == 0 {
-        return Ok(Foreseen { most_runs, run_s: None, promise });
+        return Ok(foreseen);
     }
     response.limit_evaluations((all / runs as f64) as u64);
-    Ok(Foreseen { most_runs, run_s: time_runs_s(study, &response, runs)?, promise })
+    foreseen.run_s = time_runs_s(study, &response, runs)?;
+    Ok(foreseen)
 }
 
 /// What is known of the timed runs.

@@ -4,16 +4,12 @@
 
 pub mod cases;
 
-mod allow;
-mod allow_together;
 mod assemble;
 mod budget;
 mod columns;
 mod complaint;
 mod conduct;
-mod contributors;
 mod distribution_words;
-mod double_loop;
 mod draft;
 mod draft_curves;
 mod elsewhere;
@@ -26,8 +22,8 @@ mod file;
 pub mod files;
 mod folder;
 mod foresee;
+mod foreseen;
 mod further_outputs;
-mod further_turns;
 mod goals;
 mod ideal_motion;
 mod ideal_tables;
@@ -38,16 +34,12 @@ mod iso_286;
 mod judge;
 mod keep;
 mod lanes;
-mod learned;
-mod loosened;
 mod memory_at_hand;
 mod outputs;
 mod part;
 mod plans;
 mod problem;
-mod promise;
 mod question;
-mod rare;
 mod recorder;
 mod response;
 pub use loosepin_result::study as result;
@@ -55,12 +47,9 @@ mod run_rows;
 pub mod runs;
 mod runs_table;
 mod sampled_feature;
-mod saved_surrogates;
 mod sheet;
 mod simulate_command;
-mod simultaneous;
 mod single_run;
-mod surrogate;
 mod texts;
 mod widest_play;
 
@@ -78,7 +67,8 @@ pub use file::{
     signed_parts, states_nominal, study_schema, takes_mean_of_model,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
-pub use foresee::{Foreseen, ForeseenPromise, foresee};
+pub use foresee::foresee;
+pub use foreseen::{Foreseen, ForeseenPromise};
 pub use further_outputs::{FurtherOutputs, RecordedOutput};
 pub use input_file::{InputFile, InputFileProblem};
 pub use inputs::{add_model, add_study, study_inputs};
@@ -87,10 +77,10 @@ pub use memory_at_hand::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS, MemoryKind, STATE
 pub use outputs::Seen;
 pub use part::{OpenRound, Part};
 pub use plans::{default_threads, plan_runs, plan_runs_on, plan_shards};
+pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use response::MOST_COLUMNS;
 pub use run_rows::RunRows;
 pub use sampled_feature::sampled_feature;
-pub use saved_surrogates::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use sheet::{Progress, Stage};
 pub use single_run::{FinishedRun, run_inputs, run_into, witness_run};
 pub use texts::{NamedText, StudyTexts};

@@ -1,19 +1,14 @@
 //! Plans of all questions of a study, made once, before anything has run.
 
-use super::allow::{most_studies, runs_of_a_study};
-use super::allow_together::most_tried_together;
 use super::budget::{Limits, budget};
-use super::contributors::ContributorPlan;
 use super::error::StudyError;
 use super::file::{Budget, MOST_RUNS, Study};
 use super::goals::goals;
 use super::memory_at_hand::{MemoryAtHand, MemoryKind};
 use super::problem::problem;
-use super::promise::promise_plan;
-use super::rare::{most_rare_runs, requests};
+use super::question::{Basis, Question, most_surrogate_runs, questions, surrogate_plan};
 use super::response::StudyResponse;
-use super::surrogate::{most_surrogate_runs, surrogate_plan};
-use loosepin_bounds::{PromisePlan, Refinement, SampleTable, Scratch, SurrogatePlan};
+use loosepin_bounds::{Refinement, SampleTable, Scratch, SurrogatePlan};
 use std::path::Path;
 use std::thread::available_parallelism;
 
@@ -43,12 +38,10 @@ const BYTES_PER_GIB: f64 = (1_u64 << 30) as f64;
 pub(super) struct Plans {
     /// The direct double loop; it is not run where the surrogate stands alone.
     pub refinement: Refinement,
-    /// Shares of the variance, where a question asks for them.
-    pub contributors: Option<ContributorPlan>,
     /// The surrogates, where the study asks for them.
     pub surrogate: Option<SurrogatePlan>,
-    /// The promise for a share of the box, where something is promised.
-    pub promise: Option<PromisePlan>,
+    /// All questions beside the bounds, in the order in which they make their runs.
+    pub questions: Vec<Box<dyn Question>>,
     /// Whether all bounds are those of the surrogates.
     pub is_surrogate_alone: bool,
     /// Limits of the question that gives the bounds.
@@ -61,33 +54,27 @@ impl Plans {
     /// The plans of `study` on so many threads; its runs may be in a file where it has a folder.
     ///
     /// # Errors
-    /// Its sampling, its surrogates or its contributors are not possible.
+    /// Its sampling, its surrogates or one of its questions are not possible.
     pub fn new(study: &Study, response: &StudyResponse, has_folder: bool, threads: usize) -> Result<Self, StudyError> {
         let row_length = response.row_length();
         let refinement = Refinement::try_new(problem(study, response), goals(study, &response.shared.plan))?;
         let direct = refinement.plan(&SampleTable::new(row_length));
-        let contributors = ContributorPlan::new(study, direct)?;
         let surrogate = surrogate_plan(study, response)?;
-        let promise = promise_plan(study, response)?;
-        let promised = promise.as_ref().map_or(0, PromisePlan::runs);
-        let surrogate_runs = surrogate.as_ref().map_or(0, |plan| most_surrogate_runs(study, plan));
         let is_surrogate_alone = study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
-        let rare = most_rare_runs(direct) * requests(&response.shared.plan.asks).count();
-        let of_allowances = study.together.map_or_else(|| most_studies(study), |how| 2 * most_tried_together(how));
-        let allowed = of_allowances.saturating_mul(runs_of_a_study(study));
-        let contributing = contributors.as_ref().map_or(0, ContributorPlan::runs);
-        let beside = [contributing, rare, allowed, surrogate_runs, promised].into_iter().fold(0, usize::saturating_add);
-        let (stated_runs, reserved) = if is_surrogate_alone {
-            (surrogate_runs.saturating_add(promised), promised)
-        } else {
-            (direct.most_runs().saturating_add(beside), beside)
+        let basis = Basis { study, response, double_loop: direct, surrogate: surrogate.as_ref(), is_surrogate_alone };
+        let questions = questions(&basis)?;
+        let reserved = questions.iter().map(|question| question.most_runs()).fold(0, usize::saturating_add);
+        let of_bounds = match &surrogate {
+            Some(plan) if is_surrogate_alone => most_surrogate_runs(study, plan),
+            _ => direct.most_runs(),
         };
+        let stated_runs = of_bounds.saturating_add(reserved);
         let limits = Limits { budget: budget(study, stated_runs, row_length), stated_runs, reserved };
         let numbers = row_length + study.random.len() + study.epistemic.len();
         let points = if has_folder { Some(direct.problem().sampling.outer) } else { None };
         let size = Size { runs: limits.most_runs().min(stated_runs), numbers, points, threads };
         size.check(&MemoryAtHand::now())?;
-        Ok(Self { refinement, contributors, surrogate, promise, is_surrogate_alone, limits, row_length })
+        Ok(Self { refinement, surrogate, questions, is_surrogate_alone, limits, row_length })
     }
 
     /// An empty table with room for the runs of the first question. Where they are many their numbers are in a file in `folder`, which

@@ -3,7 +3,7 @@
 use super::error::StudyError;
 use super::evaluate::{Row, Work, evaluate};
 use super::file::Study;
-use super::loosened::with_loosened;
+use super::question::with_loosened;
 use super::response::StudyResponse;
 use loosepin_bounds::{Failure, Purpose, RunInputs};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -3,7 +3,7 @@
 use super::coherent::{nest_cuts, nest_readings, order_percentiles};
 use super::material::{Material, unknown_ends};
 use crate::file::Where;
-use crate::simultaneous::CurveBand;
+use crate::question::CurveBand;
 use loosepin_bounds::{BoundPair, Bounds, Percentile};
 use loosepin_result::study::{BoundRecord, CutBounds, Guarantee, PercentileBounds, Statistic, Treatment};
 use loosepin_text::units::SiUnit;

@@ -6,7 +6,7 @@ use super::value_bands::value_bands;
 use crate::columns::{BAND, PlannedAsk, Spot};
 use crate::file::{Deviation, Where};
 use crate::outputs::Seen;
-use crate::simultaneous::CurveBand;
+use crate::question::CurveBand;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
 use loosepin_simulate::Reading;

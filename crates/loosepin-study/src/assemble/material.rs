@@ -4,7 +4,7 @@ use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller,
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::file::{Deviation, EpistemicInput, Reduction, Study};
 use crate::outputs::Seen;
-use crate::rare::Rare;
+use crate::question::Rare;
 use crate::response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable, Sampling};
 use loosepin_mechanics::model::Component;
@@ -13,6 +13,7 @@ use loosepin_simulate::Reading;
 use loosepin_text::units::SiUnit;
 
 /// Everything that a result is made from.
+#[derive(Clone, Copy)]
 pub struct Material<'m> {
     pub study: &'m Study,
     pub response: &'m StudyResponse,

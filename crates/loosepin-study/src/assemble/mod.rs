@@ -1,21 +1,17 @@
-//! From the runs and answers of a study to its result: names, units, curves, boxes, pictures.
+//! From the runs and bounds of a study to its result: names, units, curves, boxes, pictures. What a question adds is written in `question`.
 
 mod accuracy;
 mod bounds;
 mod boxes;
 mod coherent;
-mod contributors;
 mod curves;
 mod describe;
 mod drawing;
 #[cfg(test)]
 mod few_runs;
-pub(super) mod material;
-mod promise;
-mod rare;
+mod material;
 mod requirements;
 mod summary;
-mod surrogate;
 mod treatments;
 mod value_bands;
 mod witness_commands;
@@ -25,76 +21,20 @@ pub(super) use drawing::pictures;
 pub(super) use material::Material;
 pub(super) use requirements::requirements;
 pub(super) use summary::SETTLED;
-pub(super) use surrogate::saved_surrogates;
+pub(super) use treatments::learned_treatments;
+pub(super) use witness_commands::witness_commands;
 
-use super::contributors::ContributorPlan;
 use super::failures::failures;
-use super::goals::Ended;
 use super::inputs::repeat;
-use super::learned::LearnedBounds;
-use super::promise::Promised;
-use super::simultaneous::CurveBand;
-use loosepin_bounds::{Bounds, DoubleLoop};
-use loosepin_result::study::{
-    AllocationRecord, AllowanceRecord, Contributors, FORMAT, FurtherTurns, StudyResult, SurrogateRecord, TogetherRecord,
-};
+use super::question::Found;
+use drawing::Pictures;
+use loosepin_result::study::{FORMAT, StudyResult};
 use loosepin_text::units::DisplayUnits;
 
-/// Answers of a study beside its bounds.
-pub(super) struct Answers {
-    /// The direct double loop with the samples that it came to have; nothing where the surrogate stands alone.
-    pub plan: Option<DoubleLoop>,
-    /// How the steps towards the goals ended.
-    pub ended: Ended,
-    /// The runs of the contributors, where they were asked for.
-    pub contributors: Option<ContributorPlan>,
-    pub learned: Option<LearnedBounds>,
-    /// What is promised for a share of the box.
-    pub promise: Option<Promised>,
-    pub allowances: Vec<AllowanceRecord>,
-    pub together: Option<TogetherRecord>,
-    pub allocation: Option<AllocationRecord>,
-    pub curve_bands: Vec<CurveBand>,
-    /// What turns after the recorded ones change.
-    pub further_turns: Option<FurtherTurns>,
-    /// Bounds by the other readings of intervals.
-    pub beside: Vec<Bounds>,
-    /// What is drawn from runs with nominal dimensions.
-    pub pictures: drawing::Pictures,
-}
-
-/// Puts the result together.
-pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answers) -> StudyResult {
-    let Answers {
-        plan,
-        ended,
-        contributors,
-        learned,
-        promise,
-        allowances,
-        together,
-        allocation,
-        curve_bands,
-        further_turns,
-        beside,
-        pictures,
-    } = answers;
+/// The result as far as bounds and pictures go; questions write the rest.
+pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str, pictures: Pictures) -> StudyResult {
     let study = material.study;
-    let contributors = plan.as_ref().map_or_else(Vec::new, |plan| -> Vec<Contributors> {
-        contributors::contributors(material, plan, contributors.as_ref())
-    });
-    let surrogate: Option<SurrogateRecord> =
-        learned.as_ref().map(|learned| surrogate::surrogate_record(material, &learned.plan, &learned.bounds));
-    let treatments = match &learned {
-        Some(learned) if plan.is_none() => treatments::learned_treatments(material, &learned.plan, &learned.bounds),
-        _ => treatments::treatments(material),
-    };
-    let mut requirements = requirements(material);
-    let promise = promise.map(|promised| {
-        promise::decide(material, &promised.ends, &mut requirements);
-        promise::promise_record(material, &promised)
-    });
-    let mut result = StudyResult {
+    StudyResult {
         format: FORMAT,
         name: study.name.clone(),
         model: study.model.name.clone(),
@@ -106,33 +46,31 @@ pub(super) fn assemble(material: &Material<'_>, input_hash: &str, answers: Answe
         cycle: describe::cycle(material),
         outputs: describe::outputs(material),
         counts: summary::counts(material),
-        accuracy: accuracy::accuracy(material, &ended),
+        accuracy: accuracy::accuracy(material, &found.ended),
         failures: failures(material.study, material.response, material.table),
         settled_share: summary::settled_share(material),
-        further_turns,
-        requirements,
-        allowances,
-        together,
-        allocation,
-        bounds: bounds::all_bounds(material, &curve_bands, &beside),
+        further_turns: None,
+        requirements: requirements(material),
+        allowances: Vec::new(),
+        together: None,
+        allocation: None,
+        bounds: bounds::all_bounds(material, &found.curve_bands, &found.other_readings),
         cuts: bounds::cuts(material),
         percentiles: bounds::percentiles(material),
-        rare: rare::rare_records(material),
-        promise,
-        surrogate,
-        contributors,
-        treatments,
+        rare: Vec::new(),
+        promise: None,
+        surrogate: None,
+        contributors: Vec::new(),
+        treatments: treatments::treatments(material),
         energy: summary::energy(material),
         impacts: summary::impacts(material),
         repeat: repeat(material.study),
         witness_commands: Vec::new(),
         display_units: material.study.model.shown_in(DisplayUnits::default()),
-        curves: curves::curves(material, &pictures, &curve_bands),
+        curves: curves::curves(material, &pictures, &found.curve_bands),
         boxes: boxes::boxes(material),
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
         drawing: pictures.drawing,
-    };
-    result.witness_commands = witness_commands::witness_commands(study, &result);
-    result
+    }
 }

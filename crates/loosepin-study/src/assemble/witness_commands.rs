@@ -9,7 +9,7 @@ use loosepin_result::study::{ResponsePoint, StudyResult, Treatment, Witness, Wit
 const MOST_WITNESSES: usize = 6;
 
 /// The commands, to be given in the folder of the input files.
-pub(super) fn witness_commands(study: &Study, result: &StudyResult) -> Vec<WitnessCommand> {
+pub fn witness_commands(study: &Study, result: &StudyResult) -> Vec<WitnessCommand> {
     let Some(model) = result.repeat.file_of(InputRole::Model) else { return Vec::new() };
     let commands = witnesses(result).into_iter().filter_map(|witness| {
         Some(WitnessCommand { witness: witness.clone(), command: witness_command(study, &model.name, witness)? })

@@ -13,8 +13,8 @@ pub use runs_table::{read_runs_parquet, runs_parquet};
 use serde::Deserialize;
 pub use timing::Timing;
 
+use super::question::SavedSurrogates;
 use super::runs::RunsTable;
-use super::saved_surrogates::SavedSurrogates;
 use loosepin_result::json::{Stored, to_json};
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;

@@ -1,15 +1,14 @@
-//! Surrogates as a question: runs to learn from, direct runs at the witnesses, and what both say.
+//! Runs to learn from, direct runs at the witnesses, and what both say.
 
-use super::error::StudyError;
-use super::file::Budget;
-use super::goals::Ended;
-use super::question::{Next, Question};
+use crate::error::StudyError;
+use crate::file::Budget;
+use crate::goals::Ended;
+use crate::question::steps::{Next, Steps};
 use loosepin_bounds::{Confirmation, Goal, Learned, SampleTable, SurrogateBounds, SurrogatePlan, SurrogateRounds};
 
-/// Surrogates: step by step towards goals where they stand alone, in one step beside direct bounds.
-pub(super) struct SurrogateQuestion {
+/// Step by step towards goals where surrogates stand alone, in one step beside direct bounds.
+pub(crate) struct SurrogateSteps {
     rounds: SurrogateRounds,
-    is_alone: bool,
     budget: Option<Budget>,
     stage: Stage,
     /// Steps that were made.
@@ -22,13 +21,11 @@ pub(super) struct SurrogateQuestion {
 }
 
 /// Answer of the surrogates.
-pub(super) struct LearnedBounds {
+pub struct LearnedBounds {
     /// The plan of the last step.
     pub plan: SurrogatePlan,
     /// Its bounds.
     pub bounds: SurrogateBounds,
-    /// How its steps ended, where the surrogate stands alone.
-    pub ended: Option<Ended>,
 }
 
 /// What comes next.
@@ -45,26 +42,22 @@ enum Stage {
     Hold(Box<(SurrogatePlan, SurrogateBounds)>, usize),
 }
 
-impl SurrogateQuestion {
+impl SurrogateSteps {
     /// The steps of `plan` towards `goals`.
     ///
     /// # Errors
     /// The plan is not possible.
-    pub fn new(
-        plan: &SurrogatePlan,
-        goals: Vec<Goal>,
-        is_alone: bool,
-        budget: Option<Budget>,
-    ) -> Result<Self, StudyError> {
+    pub fn new(plan: &SurrogatePlan, goals: Vec<Goal>, budget: Option<Budget>) -> Result<Self, StudyError> {
         let rounds = SurrogateRounds::new(plan.clone(), goals)?;
-        Ok(Self { rounds, is_alone, budget, stage: Stage::Train, steps: 0, left: None, learned: None, found: None })
+        Ok(Self { rounds, budget, stage: Stage::Train, steps: 0, left: None, learned: None, found: None })
     }
 }
 
-impl Question for SurrogateQuestion {
-    type Answer = LearnedBounds;
+impl Steps for SurrogateSteps {
+    /// With how the steps ended.
+    type Answer = (LearnedBounds, Ended);
 
-    fn next(&mut self, runs: &SampleTable) -> Result<Next<LearnedBounds>, StudyError> {
+    fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError> {
         loop {
             match std::mem::replace(&mut self.stage, Stage::Compare) {
                 Stage::Train => {
@@ -103,10 +96,8 @@ impl Question for SurrogateQuestion {
                 Stage::Hold(held, first) => {
                     let (plan, bounds) = *held;
                     let bounds = bounds.held_against_extremes(&plan, runs, first)?;
-                    let ended = self
-                        .is_alone
-                        .then(|| Ended::of_surrogates(&self.rounds, self.left, (self.steps, runs.len()), self.budget));
-                    return Ok(Next::Answer(LearnedBounds { plan, bounds, ended }));
+                    let ended = Ended::of_surrogates(&self.rounds, self.left, (self.steps, runs.len()), self.budget);
+                    return Ok(Next::Answer((LearnedBounds { plan, bounds }, ended)));
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! What contributes to the answers.
 
-use super::material::Material;
+use super::plan::{ContributorPlan, groups};
+use crate::assemble::Material;
 use crate::columns::{PlannedAsk, Spot};
-use crate::contributors::{ContributorPlan, groups};
 use crate::file::{Deviation, EpistemicInput, Study, Where};
 use crate::outputs::Seen;
 use loosepin_bounds::{DoubleLoop, Pinching};

@@ -1,9 +1,6 @@
-//! Contributors as a question: the runs that tell shares of the variance.
+//! The runs that tell shares of the variance.
 
-use super::double_loop::Direct;
-use super::error::StudyError;
-use super::file::Study;
-use super::question::{Next, Question};
+use crate::file::Study;
 use loosepin_bounds::{DoubleLoop, Purpose, RunInputs, SampleTable};
 use loosepin_uncertainty::contributors::{IndexPlan, IndexPlanError, Indices, independent_groups};
 use loosepin_uncertainty::hash;
@@ -18,7 +15,7 @@ const MOST_POINTS: usize = 5;
 const CONTRIBUTORS: u64 = 0x636f_6e74_7269_6200;
 
 /// The runs of the indices: the same points of the random inputs at a handful of values of the epistemic ones.
-pub(super) struct ContributorPlan {
+pub struct ContributorPlan {
     /// Points of the random inputs.
     pub indices: IndexPlan,
     /// Values of the epistemic inputs.
@@ -26,12 +23,12 @@ pub(super) struct ContributorPlan {
 }
 
 impl ContributorPlan {
-    /// The plan of `study`; nothing where no question asks for contributors or nothing is random.
+    /// The plan of `study`; nothing where nothing is random.
     ///
     /// # Errors
     /// More random inputs than indices can be had of.
     pub fn new(study: &Study, plan: &DoubleLoop) -> Result<Option<Self>, IndexPlanError> {
-        if study.random.is_empty() || !study.asks.iter().any(|ask| ask.contributors) {
+        if study.random.is_empty() {
             return Ok(None);
         }
         let groups = groups(study);
@@ -86,7 +83,7 @@ impl ContributorPlan {
 }
 
 /// Random inputs that are correlated belong together.
-pub(super) fn groups(study: &Study) -> Vec<Vec<usize>> {
+pub fn groups(study: &Study) -> Vec<Vec<usize>> {
     if study.specimen.is_some() {
         // A row is drawn whole.
         return vec![(0..study.random.len()).collect()];
@@ -94,25 +91,4 @@ pub(super) fn groups(study: &Study) -> Vec<Vec<usize>> {
     let stated = study.correlation.iter().flat_map(|correlation| &correlation.stated);
     let pairs: Vec<(usize, usize)> = stated.map(|pair| (pair.first, pair.second)).collect();
     independent_groups(study.random.len(), &pairs)
-}
-
-/// The runs of the indices, all at once.
-pub(super) struct ContributorQuestion {
-    runs: Option<Vec<RunInputs>>,
-}
-
-impl ContributorQuestion {
-    /// The runs of `plan` behind those of `direct`.
-    pub fn new(plan: &ContributorPlan, direct: &Direct) -> Self {
-        Self { runs: Some(plan.round(&direct.plan, direct.bounds.rounds)) }
-    }
-}
-
-impl Question for ContributorQuestion {
-    /// The rows of the table.
-    type Answer = ();
-
-    fn next(&mut self, _runs: &SampleTable) -> Result<Next<()>, StudyError> {
-        Ok(self.runs.take().map_or(Next::Answer(()), Next::Beside))
-    }
 }

@@ -1,17 +1,17 @@
 //! The plan of the surrogates of a study.
 
-use super::columns::ColumnPlan;
-use super::error::StudyError;
-use super::file::{Study, StudySurrogate, Where};
-use super::problem::problem;
-use super::response::StudyResponse;
+use crate::columns::ColumnPlan;
+use crate::error::StudyError;
+use crate::file::{Study, StudySurrogate, Where};
+use crate::problem::problem;
+use crate::response::StudyResponse;
 use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
 
 /// The plan of the surrogates of `study`; nothing where it asks for none.
 ///
 /// # Errors
 /// The numbers of runs are not possible.
-pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
+pub fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<Option<SurrogatePlan>, StudyError> {
     let Some(StudySurrogate { choice, training_runs, confirming_runs, .. }) = study.surrogate else {
         return Ok(None);
     };
@@ -24,7 +24,7 @@ pub(super) fn surrogate_plan(study: &Study, response: &StudyResponse) -> Result<
 }
 
 /// How many runs `plan` comes to at most.
-pub(super) fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
+pub fn most_surrogate_runs(study: &Study, plan: &SurrogatePlan) -> usize {
     let combinations: usize = study.epistemic.iter().map(|input| input.variable.choices()).product();
     plan.settings().training * combinations + plan.settings().confirming * MOST_WITNESSES
 }

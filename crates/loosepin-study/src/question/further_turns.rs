@@ -3,13 +3,15 @@
 //! Statistics are those of the recorded turns. Where a motion never repeats itself, later turns may go further: some of the runs are made
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
 
-use super::assemble::SETTLED;
-use super::columns::{Spot, StudyColumn};
-use super::error::StudyError;
-use super::evaluate::{Row, Work, evaluate};
-use super::file::{Ask, Limit, Study, Where};
-use super::response::StudyResponse;
-use super::sheet::Sheet;
+use super::found::{Conclusion, Found};
+use super::kind::{Basis, Planned, Question};
+use crate::assemble::SETTLED;
+use crate::columns::{Spot, StudyColumn};
+use crate::error::StudyError;
+use crate::evaluate::{Row, Work, evaluate};
+use crate::file::{Ask, Limit, Study, Where};
+use crate::response::StudyResponse;
+use crate::sheet::Sheet;
 use loosepin_bounds::RunInputs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
@@ -22,12 +24,34 @@ const SHARE_OF_STUDY: f64 = 0.05;
 const FEWEST_RUNS: usize = 8;
 const MOST_RUNS: usize = 64;
 
+/// What turns after the recorded ones change.
+struct FurtherTurnsQuestion {
+    answer: Option<FurtherTurns>,
+}
+
+/// Planned always: whether a motion repeats itself is known once it has run.
+pub fn planned(_basis: &Basis<'_>) -> Planned {
+    Ok(Some(Box::new(FurtherTurnsQuestion { answer: None })))
+}
+
+impl Question for FurtherTurnsQuestion {
+    fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
+        self.answer = further_turns(sheet)?;
+        Ok(())
+    }
+
+    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
+        conclusion.result.further_turns.clone_from(&self.answer);
+        Ok(())
+    }
+}
+
 /// What more turns change in the study of `sheet`; nothing where every motion repeats itself, where no largest or smallest value is asked
 /// for, and where the recorded turns are not a part of many equal ones.
 ///
 /// # Errors
 /// The study was interrupted.
-pub fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
+fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
     let (study, table, plan) = (sheet.study, &sheet.table, &sheet.response.shared.plan);
     // A life of wear is extrapolated from its cycles.
     if matches!(study.cycle.span, CycleSpan::Duration(_)) || study.model.wear.is_some() {

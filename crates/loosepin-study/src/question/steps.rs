@@ -1,25 +1,24 @@
-//! Questions of a study, and the one loop that makes their runs.
+//! The runs of a question step by step, and the one loop that makes them.
 
-use super::budget::Limits;
-use super::error::StudyError;
-use super::sheet::{Sheet, Stage};
+use crate::budget::Limits;
+use crate::error::StudyError;
+use crate::sheet::{Sheet, Stage};
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
-/// Question of a study. It says which runs it wants next, given all runs so far, and in the end what its answer is.
+/// Says which runs are wanted next, given all runs so far, and in the end what the answer is.
 ///
-/// Each kind of question is a file: the direct double loop, contributors, small probabilities, surrogates. What it wants depends on
-/// nothing but the runs so far, so that a study that goes on, or that shards share, asks for the same runs again.
-pub(super) trait Question: Send {
+/// What is wanted depends on nothing but the runs so far, so that a study that goes on, or that shards share, asks for the same runs again.
+pub(crate) trait Steps: Send {
     /// What is known once all runs are made.
     type Answer: Send;
 
     /// The next runs, given those in `runs`, or the answer.
     ///
     /// # Errors
-    /// The question cannot be answered.
+    /// There is no answer.
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError>;
 
-    /// The plan of bounds that the runs so far allow; nothing where the question has none.
+    /// The plan of bounds that the runs so far allow; nothing where there is none.
     fn plan_so_far(&self, runs: &SampleTable) -> Option<DoubleLoop> {
         let _ = runs;
         None
@@ -31,8 +30,8 @@ pub(super) trait Question: Send {
     }
 }
 
-/// What a question says.
-pub(super) enum Next<A> {
+/// What is wanted next.
+pub(crate) enum Next<A> {
     /// Runs, in their order, that begin a step, and how many the step takes at most: the budget may refuse it.
     Step(Vec<RunInputs>, usize),
     /// Further runs of the step that has begun.
@@ -43,38 +42,38 @@ pub(super) enum Next<A> {
     Answer(A),
 }
 
-/// Makes the runs that `question` wants on `sheet` until it has its answer. With `limits` the budget may end it, and too many failed
-/// runs give the study up: of its answer the study states its bounds.
+/// Makes the runs that `steps` want on `sheet` until they have their answer. With `limits` the budget may end them, and too many failed
+/// runs give the study up: of that answer the study states its bounds.
 ///
 /// # Errors
-/// Those of the question and of the runs; the budget does not suffice for the first step.
-pub(super) fn ask<Q: Question>(
-    mut question: Q,
+/// Those of the steps and of the runs; the budget does not suffice for the first step.
+pub(crate) fn take_steps<S: Steps>(
+    mut steps: S,
     sheet: &mut Sheet<'_>,
     limits: Option<&Limits>,
-) -> Result<Q::Answer, StudyError> {
+) -> Result<S::Answer, StudyError> {
     let watch = limits.map(Limits::watch);
-    let mut steps = 0;
+    let mut begun = 0;
     loop {
         let pool = sheet.runner.pool;
         sheet.runner.progress.stage(Stage::Planning);
-        let (runs, may_fail) = match pool.install(|| question.next(&sheet.table))? {
+        let (runs, may_fail) = match pool.install(|| steps.next(&sheet.table))? {
             Next::Answer(answer) => return Ok(answer),
             Next::Beside(runs) => (runs, true),
             Next::Further(runs) => (runs, false),
             Next::Step(runs, most) => {
                 if let (Some(limits), Some(watch)) = (limits, &watch) {
                     let made = sheet.table.len();
-                    if !watch.allows(most, made, steps) {
+                    if !watch.allows(most, made, begun) {
                         if made == 0 {
                             return Err(limits.too_small(most));
                         }
-                        question.refuse(most);
+                        steps.refuse(most);
                         continue;
                     }
                     sheet.most_runs = limits.most_runs_with(made + most);
                 }
-                steps += 1;
+                begun += 1;
                 (runs, false)
             }
         };
@@ -83,7 +82,7 @@ pub(super) fn ask<Q: Question>(
             sheet.refuse_failures()?;
         }
         if sheet.drafts.is_some()
-            && let Some(plan) = question.plan_so_far(&sheet.table)
+            && let Some(plan) = steps.plan_so_far(&sheet.table)
         {
             sheet.tell_draft(&plan);
         }

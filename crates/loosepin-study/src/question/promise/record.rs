@@ -1,14 +1,14 @@
 //! What is promised for a share of the box, and the requirements that it decides.
 
-use super::material::Material;
+use super::promised::Promised;
+use crate::assemble::Material;
 use crate::file::Where;
-use crate::promise::Promised;
 use loosepin_bounds::{PromisedBound, Request, SimultaneousBand};
 use loosepin_result::study::{CurveRange, PromiseRecord, PromisedBand, PromisedEnd, RequirementOutcome, Side};
 use loosepin_text::units::SiUnit;
 
 /// The promise as it is stored.
-pub fn promise_record(material: &Material<'_>, promised: &Promised) -> PromiseRecord {
+pub fn promise_record(material: &Material<'_>, promised: &Promised<'_>) -> PromiseRecord {
     let Promised { plan, ends, bands } = promised;
     let settings = plan.settings();
     PromiseRecord {

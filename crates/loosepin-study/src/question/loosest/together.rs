@@ -1,9 +1,9 @@
 //! The inverse question for several inputs at once: all by the same share, or two of them against each other.
 
-use super::allow::{HALVINGS, described, is_met_twice, least_tried_si};
-use super::error::StudyError;
-use super::file::{Allowance, Study};
-use super::sheet::Sheet;
+use super::one::{HALVINGS, described, is_met_twice, least_tried_si};
+use crate::error::StudyError;
+use crate::file::{Allowance, Study};
+use crate::sheet::Sheet;
 use loosepin_result::study::{LoosenedInput, Together, TogetherCheck, TogetherRecord};
 
 /// Values of the first input for which a frontier has the loosest value of the second.
@@ -12,7 +12,7 @@ const COLUMNS: usize = 7;
 const COLUMN_HALVINGS: usize = 5;
 
 /// Combinations that are tried at most, for the plan.
-pub(super) fn most_tried_together(how: Together) -> usize {
+pub fn most_tried_together(how: Together) -> usize {
     match how {
         Together::Proportional => 2 + HALVINGS,
         // Both ends of the first input, and each column.
@@ -27,7 +27,7 @@ pub(super) fn most_tried_together(how: Together) -> usize {
 ///
 /// # Errors
 /// Those of the studies.
-pub(super) fn together(sheet: &Sheet<'_>) -> Result<Option<TogetherRecord>, StudyError> {
+pub fn together(sheet: &Sheet<'_>) -> Result<Option<TogetherRecord>, StudyError> {
     let Some(how) = sheet.study.together else { return Ok(None) };
     let allowances = &sheet.study.allowances;
     let (mut checks, mut runs) = (Vec::new(), 0);

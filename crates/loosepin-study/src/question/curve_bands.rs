@@ -1,12 +1,12 @@
 //! Bands in which a share of mechanisms stays for the whole cycle.
 
-use super::assemble::material::Material;
-use super::columns::pointwise_ends;
+use crate::assemble::Material;
+use crate::columns::pointwise_ends;
 use loosepin_bounds::{DoubleLoop, PlanError, SimultaneousBand};
 
 /// A band for the columns of a curve.
 #[derive(Debug)]
-pub(super) struct CurveBand {
+pub struct CurveBand {
     /// The columns, pose by pose.
     pub columns: Vec<usize>,
     /// The share that was asked for.
@@ -22,7 +22,7 @@ pub(super) struct CurveBand {
 /// # Errors
 ///
 /// [`PlanError`] where the table lacks runs.
-pub(super) fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<Vec<CurveBand>, PlanError> {
+pub fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<Vec<CurveBand>, PlanError> {
     let asks = material.response.shared.plan.asks.iter();
     let asked = asks.flat_map(|planned| planned.ask.simultaneous_bands.iter().map(move |&share| (planned, share)));
     asked

@@ -1,12 +1,12 @@
 //! How small probabilities were estimated.
 
-use super::material::Material;
-use crate::rare::{self, Rare};
+use super::bounds::Rare;
+use crate::assemble::Material;
 use loosepin_result::study::{RareEnd, RareRecord};
 
 /// How small probabilities were estimated.
 pub fn rare_records(material: &Material<'_>) -> Vec<RareRecord> {
-    let end = |end: &rare::RareEnd| RareEnd {
+    let end = |end: &super::bounds::RareEnd| RareEnd {
         method: end.method,
         probability: end.estimate.value,
         standard_error: end.estimate.standard_error,

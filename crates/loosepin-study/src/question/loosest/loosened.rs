@@ -1,14 +1,14 @@
 //! Studies with inputs that the inverse question has loosened.
 
-use super::error::StudyError;
-use super::file::{Allowance, AllowedFit, AllowedInput, Study};
+use crate::error::StudyError;
+use crate::file::{Allowance, AllowedFit, AllowedInput, Study};
 use loosepin_uncertainty::{EpistemicVariable, Interval, Parameter, RandomVariable};
 
 /// `study` with other values of some inputs, by the places of their allowances, and nothing asked but its requirements.
 ///
 /// # Errors
 /// An input cannot have that value.
-pub(super) fn with_loosened(study: &Study, set: &[(usize, f64)]) -> Result<Study, StudyError> {
+pub fn with_loosened(study: &Study, set: &[(usize, f64)]) -> Result<Study, StudyError> {
     let mut loosened = study.clone();
     loosened.asks.clear();
     for &(place, value) in set {

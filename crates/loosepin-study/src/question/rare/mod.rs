@@ -1,12 +1,21 @@
 //! Probabilities too small to be counted in the double loop: where they are largest and smallest over the epistemic inputs, and how
 //! large there.
 
-use super::columns::PlannedAsk;
-use super::double_loop::Direct;
-use super::error::StudyError;
-use super::file::{RareMethod, Study, Where};
-use super::question::{Next, Question};
-use loosepin_bounds::{Bound, BoundError, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness};
+mod bounds;
+mod record;
+
+pub use bounds::{Rare, RareEnd};
+
+use super::found::{Conclusion, Found};
+use super::kind::{Basis, Planned, Question};
+use super::steps::{Next, Steps, take_steps};
+use crate::columns::PlannedAsk;
+use crate::error::StudyError;
+use crate::file::{RareMethod, Study, Where};
+use crate::sheet::Sheet;
+use loosepin_bounds::{
+    Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
+};
 use loosepin_result::study::RareMethodUsed;
 use loosepin_uncertainty::reliability::{
     BoxSearch, DesignSearch, ImportanceSampling, IndexExtreme, RARE_CONFIDENCE, RareEstimate, RareProbability,
@@ -34,7 +43,7 @@ const MOST_DESIGN_RUNS: usize = 40_000;
 
 /// Runs that a rare probability takes at most: a search for design points that is given up, sampling around them that is not near
 /// enough, then subset simulations at every place that is compared and at both ends.
-pub(super) fn most_rare_runs(plan: &DoubleLoop) -> usize {
+fn most_rare_runs(plan: &DoubleLoop) -> usize {
     let comparing = SubsetSimulation { level: COMPARING_LEVEL, seed: 0 }.most_runs();
     let compared = plan.box_combinations() * (MOST_DESIGN_RUNS + places(plan).len() * comparing);
     compared + ImportanceSampling::default().most_runs + 2 * SubsetSimulation::default().most_runs()
@@ -47,34 +56,42 @@ fn places(plan: &DoubleLoop) -> Vec<Vec<f64>> {
     places.into_iter().enumerate().filter(|(k, _)| *k == 0 || (k - 1) % stride == 0).map(|(_, place)| place).collect()
 }
 
-/// The bounds of a rare probability.
-pub(super) struct Rare {
-    /// Column of the response.
-    pub column: usize,
-    /// The statistic.
-    pub statistic: Statistic,
-    /// Its bounds, to stand in place of the counted ones.
-    pub bounds: [Bound; 2],
-    /// Whether the values of the epistemic inputs at both ends are the only ones. Otherwise the search for them is not confirmed
-    /// by points everywhere: the true range is at least as wide.
-    pub is_confirmed: bool,
-    /// How both ends were estimated.
-    pub ends: [RareEnd; 2],
+/// The small probabilities that the double loop leaves to be estimated.
+struct RareQuestion {
+    most_runs: usize,
 }
 
-/// One end.
-pub(super) struct RareEnd {
-    pub method: RareMethodUsed,
-    pub estimate: RareEstimate,
-    /// Reliability index, where there is one.
-    pub index: Option<f64>,
-    pub runs: usize,
-    /// Failed runs: no event at the lower end, the event at the upper one.
-    pub failed: usize,
+/// Planned where an ask names a method.
+pub fn planned(basis: &Basis<'_>) -> Planned {
+    let number = requests(&basis.response.shared.plan.asks).count();
+    let is_asked = number > 0 && !basis.is_surrogate_alone;
+    Ok(if is_asked {
+        Some(Box::new(RareQuestion { most_runs: most_rare_runs(basis.double_loop) * number }))
+    } else {
+        None
+    })
+}
+
+impl Question for RareQuestion {
+    fn most_runs(&self) -> usize {
+        self.most_runs
+    }
+
+    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+        let Some(double_loop) = &found.double_loop else { return Ok(()) };
+        let steps = RareSteps::new(&found.study, &sheet.response.shared.plan.asks, double_loop, &found.bounds);
+        found.rare = take_steps(steps, sheet, None)?;
+        Ok(())
+    }
+
+    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
+        conclusion.result.rare = record::rare_records(&conclusion.material);
+        Ok(())
+    }
 }
 
 /// Every probability that is asked for so.
-pub(super) fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
+fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
     asks.iter().filter(|planned| planned.ask.location != Where::Cycle).flat_map(|planned| {
         let rare =
             move |&column: &usize| planned.ask.rare.iter().map(move |&(statistic, method)| (column, statistic, method));
@@ -86,7 +103,7 @@ pub(super) fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Stat
 ///
 /// The estimates ask for values of the limit state in the middle of what they do. Each is begun anew whenever runs were added, takes the
 /// values that are there, and ends at the first that are not: these runs are wanted next.
-pub(super) struct RareQuestion<'s> {
+struct RareSteps<'s> {
     study: &'s Study,
     plan: &'s DoubleLoop,
     round: u32,
@@ -97,22 +114,22 @@ pub(super) struct RareQuestion<'s> {
     first: Option<usize>,
 }
 
-impl<'s> RareQuestion<'s> {
-    /// The small probabilities of `study`, whose double loop has given `direct`.
-    pub fn new(study: &'s Study, asks: &[PlannedAsk], direct: &'s Direct) -> Self {
+impl<'s> RareSteps<'s> {
+    /// The small probabilities of `study`, whose double loop `plan` has given `bounds`.
+    fn new(study: &'s Study, asks: &[PlannedAsk], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
         let hits = |column: usize, statistic: Statistic| {
-            let pair = direct.bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
+            let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
             pair.map_or(0.0, |pair| pair.upper.value * study.sampling.inner as f64)
         };
         let is_counted = |&(column, statistic, method): &(usize, Statistic, RareMethod)| {
             method == RareMethod::Automatic && hits(column, statistic) >= LEAST_HITS
         };
         let waiting = requests(asks).filter(|request| !is_counted(request)).collect();
-        Self { study, plan: &direct.plan, round: direct.bounds.rounds, waiting, found: Vec::new(), first: None }
+        Self { study, plan, round: bounds.rounds, waiting, found: Vec::new(), first: None }
     }
 }
 
-impl Question for RareQuestion<'_> {
+impl Steps for RareSteps<'_> {
     type Answer = Vec<Rare>;
 
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Vec<Rare>>, StudyError> {

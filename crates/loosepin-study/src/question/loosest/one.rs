@@ -1,14 +1,14 @@
 //! The inverse question: the loosest value that meets the requirements, and the cheapest combination of offers.
 
-use super::assemble::{Material, requirements};
-use super::double_loop::DirectQuestion;
-use super::error::StudyError;
-use super::file::{Allowance, AllowedFit, AllowedInput, Study};
+use super::super::direct::DirectSteps;
+use super::super::steps::take_steps;
 use super::loosened::with_loosened;
-use super::problem::problem;
-use super::question::ask;
-use super::response::StudyResponse;
-use super::sheet::Sheet;
+use crate::assemble::{Material, requirements};
+use crate::error::StudyError;
+use crate::file::{Allowance, AllowedFit, AllowedInput, Study};
+use crate::problem::problem;
+use crate::response::StudyResponse;
+use crate::sheet::Sheet;
 use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
@@ -18,7 +18,7 @@ use loosepin_text::units::SiUnit;
 use loosepin_uncertainty::hash;
 
 /// Times that the range is halved: to a 128th of it.
-pub(super) const HALVINGS: usize = 7;
+pub const HALVINGS: usize = 7;
 /// The least standard deviation that is tried, as a share of the largest.
 const LEAST_DEVIATION_SHARE: f64 = 1.0 / 128.0;
 /// Combinations that are run in search of the cheapest, at most.
@@ -27,7 +27,7 @@ const MOST_TRIED: usize = 24;
 const CONFIRMATION: u64 = 0x0063_6f6e_6669_726d;
 
 /// Studies that may be run at most, for the plan.
-pub(super) fn most_studies(study: &Study) -> usize {
+pub fn most_studies(study: &Study) -> usize {
     let of_one = |one: &Allowance| if one.fits.is_empty() { 2 + HALVINGS } else { one.fits.len() };
     let searches = 2 * study.allowances.iter().map(of_one).sum::<usize>();
     let has_costs = study.allowances.iter().any(|allowance| !allowance.costs.is_empty());
@@ -35,14 +35,14 @@ pub(super) fn most_studies(study: &Study) -> usize {
 }
 
 /// Runs of one such study at most: the double loop alone.
-pub(super) fn runs_of_a_study(study: &Study) -> usize {
+pub fn runs_of_a_study(study: &Study) -> usize {
     let inner = if study.random.is_empty() { 1 } else { study.sampling.inner };
     let outer = if study.epistemic.is_empty() { 1 } else { study.sampling.outer };
     outer * inner
 }
 
 /// What a direct study says.
-pub(super) struct Answer {
+pub struct Answer {
     outcomes: Vec<RequirementOutcome>,
     pub runs: usize,
 }
@@ -73,7 +73,7 @@ impl Answer {
 ///
 /// # Errors
 /// Those of the studies.
-pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
+pub fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
     let of = |allowance: &Allowance| {
         let (mut checks, mut runs) = (Vec::new(), 0);
         let is_met = |(value_si, fit): Tried<'_>| {
@@ -104,7 +104,7 @@ pub(super) fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, Stud
 }
 
 /// Whether the requirements are met twice, with two sets of random numbers; `heard` gets each answer, and whether it confirms one.
-pub(super) fn is_met_twice(
+pub fn is_met_twice(
     sheet: &Sheet<'_>,
     set: &[(&Allowance, f64)],
     mut heard: impl FnMut(&Answer, bool),
@@ -140,7 +140,7 @@ fn loosest_fit<'a>(
 }
 
 /// The least value that is tried.
-pub(super) fn least_tried_si(allowance: &Allowance) -> f64 {
+pub fn least_tried_si(allowance: &Allowance) -> f64 {
     match allowance.input {
         AllowedInput::UpperEnd(_) | AllowedInput::FitInterval(_) | AllowedInput::FitScatter(_) => allowance.least_si,
         AllowedInput::StandardDeviation(_) => LEAST_DEVIATION_SHARE * allowance.up_to_si,
@@ -178,7 +178,7 @@ fn loosest<'a>(
 ///
 /// # Errors
 /// Those of the studies.
-pub(super) fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, StudyError> {
+pub fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, StudyError> {
     let offered: Vec<&Allowance> = sheet.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
     if offered.is_empty() {
         return Ok(None);
@@ -271,7 +271,7 @@ fn cheapest<E>(
     Ok(found)
 }
 
-pub(super) fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
+pub fn described(study: &Study, allowance: &Allowance) -> (Loosened, SiUnit) {
     let table = &study.model.quantities;
     match allowance.input {
         AllowedInput::UpperEnd(index) => (Loosened::UpperEnd, study.epistemic[index].unit(&study.model)),
@@ -301,7 +301,7 @@ fn run(sheet: &Sheet<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer
     let table = SampleTable::new(response.row_length());
     let mut own = Sheet::new(sheet.runner, &study, &response, table, sheet.most_runs);
     own.loosened = &loosened;
-    let bounds = ask(DirectQuestion::new(rounds, None), &mut own, None)?.bounds;
+    let bounds = take_steps(DirectSteps::new(rounds, None), &mut own, None)?.bounds;
     let material = Material {
         study: &study,
         response: &response,

@@ -1,10 +1,8 @@
 //! What surrogates learned, how well, and the bounds that they give.
 
-use super::bounds::asked_bounds;
-use super::material::Material;
-use super::treatments::learned_treatments;
+use super::saved::{SavedInput, SavedOutput, SavedSurrogates};
+use crate::assemble::{Material, asked_bounds, learned_treatments};
 use crate::columns::Spot;
-use crate::saved_surrogates::{SavedInput, SavedOutput, SavedSurrogates};
 use loosepin_bounds::{GroupBounds, SurrogateBounds, SurrogateInput, SurrogatePlan};
 use loosepin_result::study::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,

@@ -1,13 +1,13 @@
-//! The direct double loop as a question: rounds until its goals are reached.
+//! The direct double loop: rounds until its goals are reached.
 
-use super::error::StudyError;
-use super::file::Budget;
-use super::goals::Ended;
-use super::question::{Next, Question};
+use super::steps::{Next, Steps};
+use crate::error::StudyError;
+use crate::file::Budget;
+use crate::goals::Ended;
 use loosepin_bounds::{Bounds, DoubleLoop, Refinement, SampleTable};
 
 /// The direct double loop.
-pub(super) struct DirectQuestion {
+pub struct DirectSteps {
     refinement: Refinement,
     budget: Option<Budget>,
     rounds: u32,
@@ -16,7 +16,7 @@ pub(super) struct DirectQuestion {
 }
 
 /// Answer of the direct double loop.
-pub(super) struct Direct {
+pub struct Direct {
     /// The plan of its last round.
     pub plan: DoubleLoop,
     /// The bounds.
@@ -25,14 +25,14 @@ pub(super) struct Direct {
     pub ended: Ended,
 }
 
-impl DirectQuestion {
+impl DirectSteps {
     /// The rounds of `refinement`, none made yet.
     pub fn new(refinement: Refinement, budget: Option<Budget>) -> Self {
         Self { refinement, budget, rounds: 0, left: None }
     }
 }
 
-impl Question for DirectQuestion {
+impl Steps for DirectSteps {
     type Answer = Direct;
 
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Direct>, StudyError> {

@@ -1,0 +1,59 @@
+//! What contributes to an answer: the runs that tell shares of the variance.
+
+mod plan;
+mod record;
+
+use super::found::{Conclusion, Found};
+use super::kind::{Basis, Planned, Question};
+use super::steps::{Next, Steps, take_steps};
+use crate::error::StudyError;
+use crate::sheet::Sheet;
+use loosepin_bounds::{RunInputs, SampleTable};
+use plan::ContributorPlan;
+
+/// What contributes to the answers that are asked so.
+struct ContributorQuestion {
+    /// Nothing where nothing is random: then unknown inputs contribute, which needs no further runs.
+    plan: Option<ContributorPlan>,
+}
+
+/// Planned where an ask wants contributors.
+pub fn planned(basis: &Basis<'_>) -> Planned {
+    if basis.is_surrogate_alone || !basis.study.asks.iter().any(|ask| ask.contributors) {
+        return Ok(None);
+    }
+    Ok(Some(Box::new(ContributorQuestion { plan: ContributorPlan::new(basis.study, basis.double_loop)? })))
+}
+
+impl Question for ContributorQuestion {
+    fn most_runs(&self) -> usize {
+        self.plan.as_ref().map_or(0, ContributorPlan::runs)
+    }
+
+    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+        let (Some(plan), Some(double_loop)) = (&self.plan, &found.double_loop) else { return Ok(()) };
+        take_steps(AllAtOnce { runs: Some(plan.round(double_loop, found.bounds.rounds)) }, sheet, None)
+    }
+
+    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
+        if let Some(double_loop) = &conclusion.found.double_loop {
+            conclusion.result.contributors =
+                record::contributors(&conclusion.material, double_loop, self.plan.as_ref());
+        }
+        Ok(())
+    }
+}
+
+/// The runs of the indices, all at once.
+struct AllAtOnce {
+    runs: Option<Vec<RunInputs>>,
+}
+
+impl Steps for AllAtOnce {
+    /// The rows of the table.
+    type Answer = ();
+
+    fn next(&mut self, _runs: &SampleTable) -> Result<Next<()>, StudyError> {
+        Ok(self.runs.take().map_or(Next::Answer(()), Next::Beside))
+    }
+}

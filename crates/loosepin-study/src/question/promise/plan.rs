@@ -1,0 +1,45 @@
+//! What a study promises, before anything has run.
+
+use crate::columns::ColumnPlan;
+use crate::error::StudyError;
+use crate::file::Study;
+use crate::problem::problem;
+use crate::response::StudyResponse;
+use loosepin_bounds::{PromisePlan, PromiseRequest, Request};
+use loosepin_result::study::Side;
+
+/// The plan of what `study` promises; nothing where it promises nothing.
+///
+/// # Errors
+/// Nothing can be promised.
+pub fn promise_plan(study: &Study, response: &StudyResponse) -> Result<Option<PromisePlan>, StudyError> {
+    let Some(settings) = study.promise else { return Ok(None) };
+    let plan = &response.shared.plan;
+    let promised = plan.asks.iter().filter(|planned| !planned.ask.promised.is_empty());
+    let bands = promised.flat_map(|planned| planned.ask.simultaneous_bands.iter().copied()).collect();
+    Ok(Some(PromisePlan::try_new(problem(study, response), promised_ends(plan), bands, settings)?))
+}
+
+/// Every end that is promised, once: those of the questions, then those that decide requirements.
+fn promised_ends(plan: &ColumnPlan) -> Vec<PromiseRequest> {
+    let of_asks = plan.asks.iter().flat_map(|planned| {
+        let statistics = planned
+            .columns
+            .iter()
+            .flat_map(|&column| planned.ask.statistics.iter().map(move |&statistic| Request { column, statistic }));
+        statistics.flat_map(|request| planned.ask.promised.iter().map(move |&side| PromiseRequest { request, side }))
+    });
+    let decided = plan.requirements.iter().filter(|planned| planned.requirement.is_promised);
+    let of_requirements = decided.flat_map(|planned| {
+        let statistic = planned.requirement.limit.broken();
+        let request = move |&column: &usize| Request { column, statistic };
+        planned.columns.iter().map(move |column| PromiseRequest { request: request(column), side: Side::Upper })
+    });
+    let mut ends: Vec<PromiseRequest> = Vec::new();
+    for end in of_asks.chain(of_requirements) {
+        if !ends.contains(&end) {
+            ends.push(end);
+        }
+    }
+    ends
+}

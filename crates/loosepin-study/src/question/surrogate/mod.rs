@@ -1,0 +1,61 @@
+//! Surrogates: runs to learn from, direct runs at the witnesses, and what both say.
+
+mod plan;
+mod record;
+mod saved;
+mod steps;
+
+pub use plan::{most_surrogate_runs, surrogate_plan};
+pub use saved::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
+pub use steps::LearnedBounds;
+pub(crate) use steps::SurrogateSteps;
+
+use super::found::{Conclusion, Found};
+use super::kind::{Basis, Planned, Question};
+use super::steps::take_steps;
+use crate::assemble::learned_treatments;
+use crate::error::StudyError;
+use crate::sheet::Sheet;
+use loosepin_bounds::SurrogatePlan;
+
+/// What surrogates say, beside direct bounds or alone.
+struct SurrogateQuestion {
+    plan: SurrogatePlan,
+    most_runs: usize,
+    is_alone: bool,
+}
+
+/// Planned where the study asks for surrogates.
+pub fn planned(basis: &Basis<'_>) -> Planned {
+    let question = |plan: &SurrogatePlan| -> Box<dyn Question> {
+        let is_alone = basis.is_surrogate_alone;
+        Box::new(SurrogateQuestion { plan: plan.clone(), most_runs: most_surrogate_runs(basis.study, plan), is_alone })
+    };
+    Ok(basis.surrogate.map(question))
+}
+
+impl Question for SurrogateQuestion {
+    fn most_runs(&self) -> usize {
+        // Alone they give the bounds.
+        if self.is_alone { 0 } else { self.most_runs }
+    }
+
+    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+        if found.surrogate.is_none() {
+            let (learned, _) = take_steps(SurrogateSteps::new(&self.plan, Vec::new(), None)?, sheet, None)?;
+            found.surrogate = Some(learned);
+        }
+        Ok(())
+    }
+
+    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
+        let Conclusion { material, found, input_hash, result, surrogates } = conclusion;
+        let Some(LearnedBounds { plan, bounds }) = &found.surrogate else { return Ok(()) };
+        *surrogates = Some(record::saved_surrogates(material, input_hash, plan, bounds));
+        result.surrogate = Some(record::surrogate_record(material, plan, bounds));
+        if self.is_alone {
+            result.treatments = learned_treatments(material, plan, bounds);
+        }
+        Ok(())
+    }
+}
