@@ -4,9 +4,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::description::{Ask, Study};
-use super::keys::MOST_RUNS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::sizes::MOST_RUNS;
 use super::target::AccuracyTarget;
 use super::words::{NUMBERS, statistic_name};
 use loosepin_result::study::Budget;

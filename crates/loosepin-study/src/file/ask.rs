@@ -1,9 +1,10 @@
 //! Questions and requirements.
 
 use super::description::{Ask, Limit, RareMethod, Requirement, Where};
-use super::keys::{ASK_KEYS, LIMITS, MOST_POSES, REQUIRE_KEYS, STATISTIC_KEYS};
+use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
 use super::reader::{Asked, StudyReader};
+use super::sizes::MOST_POSES;
 use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
 use super::words::{DEVIATIONS, METHODS, PLAIN_STATISTICS, REDUCTIONS, WITH_A_NUMBER};

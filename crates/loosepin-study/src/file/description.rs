@@ -4,12 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::measurement::{Measured, MeasuredMotion};
+use super::question_settings::QuestionSettings;
 use super::target::AccuracyTarget;
 use crate::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading, Statistic};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::model::{ContactId, Cycle, Model, QuantityId};
-use loosepin_result::study::{Budget, Deviation, Reduction, Side, Together};
+pub use loosepin_result::study::{Budget, Deviation, Reduction};
+use loosepin_result::study::{Side, Together};
 use loosepin_surrogate::Choice;
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
@@ -62,6 +64,8 @@ pub struct Study {
     pub allowances: Vec<Allowance>,
     /// How they are loosened together; nothing where each is by itself, the others as stated.
     pub together: Option<Together>,
+    /// What the tables of single questions state.
+    pub(crate) questions: QuestionSettings,
     /// How near the bounds are to be; empty where the samples are as stated.
     pub accuracy: Vec<AccuracyTarget>,
     /// Where the study ends although its bounds are not yet as near.

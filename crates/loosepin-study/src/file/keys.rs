@@ -15,10 +15,6 @@ use crate::outputs::COMPONENTS;
 const LARGEST_SEED: u64 = (1 << 53) - 1;
 /// Samples of the random inputs, at most: that many Sobol' points are distinct.
 const MOST_INNER: u64 = 1 << 24;
-/// Poses of a question, at most: every one has bounds of its own, and a chart of 2000 points has one for each pixel.
-pub const MOST_POSES: usize = 2000;
-/// Runs of a study, at most: at 10,000 a second they take a day and a half.
-pub const MOST_RUNS: u64 = 1 << 30;
 /// Randomisations, at most.
 const MOST_REPLICATES: u64 = 1024;
 
@@ -584,7 +580,8 @@ pub(super) static ALLOW_KEYS: Keys = Keys::new(
 )
 .with_exactly_one(&[&["up_to", "fit"]]);
 
-pub(super) static STUDY_KEYS: Keys = Keys::new(
+/// The keys of a study that all questions share.
+pub(super) static SHARED_KEYS: Keys = Keys::new(
     "what is uncertain in a model, and what is asked",
     &[
         required("name", Kind::Text, "\"worn pin at 5000 rpm\"", "name of the study"),

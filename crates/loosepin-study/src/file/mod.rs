@@ -22,13 +22,16 @@ mod parameter_keys;
 mod plausible;
 mod problem;
 mod promise;
+mod question_settings;
 mod random;
 mod random_problem;
 mod reader;
 mod requirement_runs;
 mod resolution;
+mod sizes;
 mod specimen;
 mod specimen_problem;
+mod study_keys;
 mod surrogate;
 mod tails;
 mod target;
@@ -42,28 +45,31 @@ use std::sync::Arc;
 pub use accuracy::AccuracyProblem;
 use accuracy::WrittenAccuracies;
 pub use description::{
-    Allowance, AllowedFit, AllowedInput, Ask, Correlation, CorrelationMeasure, EpistemicInput, EpistemicSubject, Limit,
-    RandomInput, RareMethod, Requirement, Sampling, SpecimenRows, StatedCorrelation, Study, StudySurrogate,
-    UncertainParameter, Where,
+    Allowance, AllowedFit, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
+    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, SpecimenRows,
+    StatedCorrelation, Study, StudySurrogate, UncertainParameter, Where,
 };
-pub use keys::{MOST_POSES, MOST_RUNS, takes_mean_of_model};
-use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS, STUDY_KEYS};
-pub use loosepin_result::study::{Budget, Deviation, Reduction};
+pub use keys::takes_mean_of_model;
+use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS};
 pub use measured::MeasuredProblem;
 pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
 pub use motion::MotionProblem;
 pub use problem::StudyProblem;
+pub use question_settings::QuestionSettings;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
+pub use sizes::{MOST_POSES, MOST_RUNS};
 pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
 pub use specimen_problem::SpecimenProblem;
+use study_keys::STUDY_KEYS;
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts, states_nominal};
 use words::READINGS;
 pub(super) use words::statistic_name;
 
 use crate::outputs::study_outputs;
+use crate::question::read_questions;
 use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_simulate::accuracy::ScatterCorrelation;
@@ -255,6 +261,7 @@ fn read(
     if root.get("specimen").is_some() && surrogate.is_some() {
         file.refuse_surrogate(&root);
     }
+    let questions = read_questions(&root, &mut file.reader);
     file.check_whole(&root);
     if !file.reader.complaints.has_errors() {
         file.check_tolerance(&root, sampling.tolerance_m);
@@ -293,6 +300,7 @@ fn read(
         motion,
         allowances,
         together,
+        questions,
         accuracy,
         budget,
         stated: Vec::new(),

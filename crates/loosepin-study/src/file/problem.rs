@@ -1,6 +1,6 @@
 //! What can be wrong with a study beyond its single entries.
 
-use super::keys::MOST_POSES;
+use super::sizes::MOST_POSES;
 use loosepin_mechanics::model::{LawError, PathError, QuantityError};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::document::{describe_path, listed};

@@ -4,39 +4,94 @@
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
 
 use super::found::{Conclusion, Found};
-use super::kind::{Basis, Planned, Question};
+use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
 use crate::assemble::SETTLED;
 use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
 use crate::evaluate::{Row, Work, evaluate};
-use crate::file::{Ask, Limit, Study, Where};
+use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
 use crate::response::StudyResponse;
 use crate::sheet::Sheet;
 use loosepin_bounds::RunInputs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
+use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
 use std::sync::atomic::Ordering;
 
-/// Turns after the recorded ones.
-const TURNS: u32 = 5;
-/// They take this share of the turns that the study has taken, or as many as the fewest runs need.
+/// Without `runs` they take this share of the turns that the study has taken, within these limits.
 const SHARE_OF_STUDY: f64 = 0.05;
 const FEWEST_RUNS: usize = 8;
-const MOST_RUNS: usize = 64;
+const LARGEST_SHARE_RUNS: usize = 64;
+/// As many as a run of a cycle may record.
+const MOST_TURNS: u64 = 10_000;
+
+static KEYS: Keys = Keys::new(
+    "what turns after the recorded ones change, where the motion does not repeat itself",
+    &[
+        optional(
+            "count",
+            Kind::Count { least: 1, most: MOST_TURNS },
+            "20",
+            "turns after the recorded ones; 5 if left out",
+        ),
+        optional(
+            "runs",
+            Kind::Count { least: 1, most: MOST_RUNS },
+            "200",
+            "runs that are made again; if left out 8 to 64, for about a twentieth of the work of the study",
+        ),
+    ],
+);
+
+/// The question as it is listed.
+pub const KIND: QuestionKind = QuestionKind {
+    table: Some(QuestionTable {
+        key: optional(
+            "further_turns",
+            Kind::Table(&KEYS),
+            "",
+            "how many turns after the recorded ones some runs are looked at, where the motion does not repeat itself",
+        ),
+        read,
+    }),
+    planned,
+};
+
+/// How far some runs go on.
+#[derive(Debug, Clone, Copy)]
+struct Settings {
+    /// Turns after the recorded ones.
+    turns: u32,
+    /// Runs that are made again; none where their share of the study decides.
+    runs: Option<usize>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { turns: 5, runs: None }
+    }
+}
+
+fn read(table: &Table<'_>, reader: &mut Reader, stated: &mut QuestionSettings) {
+    let turns = reader.count(table, "count").map_or(Settings::default().turns, |turns| turns as u32);
+    stated.state(Settings { turns, runs: reader.count(table, "runs").map(|runs| runs as usize) });
+}
 
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
+    settings: Settings,
     answer: Option<FurtherTurns>,
 }
 
 /// Planned always: whether a motion repeats itself is known once it has run.
-pub fn planned(_basis: &Basis<'_>) -> Planned {
-    Ok(Some(Box::new(FurtherTurnsQuestion { answer: None })))
+fn planned(basis: &Basis<'_>) -> Planned {
+    let settings = basis.study.questions.get::<Settings>().copied().unwrap_or_default();
+    Ok(Some(Box::new(FurtherTurnsQuestion { settings, answer: None })))
 }
 
 impl Question for FurtherTurnsQuestion {
     fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
-        self.answer = further_turns(sheet)?;
+        self.answer = further_turns(self.settings, sheet)?;
         Ok(())
     }
 
@@ -51,7 +106,7 @@ impl Question for FurtherTurnsQuestion {
 ///
 /// # Errors
 /// The study was interrupted.
-fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
+fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
     let (study, table, plan) = (sheet.study, &sheet.table, &sheet.response.shared.plan);
     // A life of wear is extrapolated from its cycles.
     if matches!(study.cycle.span, CycleSpan::Duration(_)) || study.model.wear.is_some() {
@@ -65,7 +120,7 @@ fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> 
     if columns.is_empty() || restless.is_empty() {
         return Ok(None);
     }
-    let runs = spread(&restless, number_of_runs(study, table.len()));
+    let runs = spread(&restless, number_of_runs(settings, study, table.len()));
     let mut longer = study.clone();
     let ask = |&(column, reduction): &(usize, Reduction)| {
         let StudyColumn { output, deviation, .. } = plan.columns[column];
@@ -73,7 +128,7 @@ fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> 
     };
     longer.asks = columns.iter().map(ask).collect();
     longer.requirements.clear();
-    longer.cycle.recorded_turns += f64::from(TURNS);
+    longer.cycle.recorded_turns += f64::from(settings.turns);
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
     let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
@@ -119,7 +174,7 @@ fn further_turns(sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> 
         Some(breaks.count() as u64)
     });
     Ok(Some(FurtherTurns {
-        turns: TURNS,
+        turns: settings.turns,
         runs: continued.len() as u64,
         broken_later: broken_later.collect(),
         outputs: outputs.collect(),
@@ -147,11 +202,14 @@ fn keeps(limit: Limit, value_si: f64) -> bool {
     (lower..=upper).contains(&value_si)
 }
 
-/// So many runs that they take a small share of the turns of the study.
-fn number_of_runs(study: &Study, made: usize) -> usize {
+/// As many runs as are stated, or so many that they take a small share of the turns of the study.
+fn number_of_runs(settings: Settings, study: &Study, made: usize) -> usize {
+    if let Some(runs) = settings.runs {
+        return runs;
+    }
     let own = study.cycle.transient_turns + study.cycle.recorded_turns;
-    let affordable = SHARE_OF_STUDY * made as f64 * own / (own + f64::from(TURNS));
-    (affordable as usize).clamp(FEWEST_RUNS, MOST_RUNS)
+    let affordable = SHARE_OF_STUDY * made as f64 * own / (own + f64::from(settings.turns));
+    (affordable as usize).clamp(FEWEST_RUNS, LARGEST_SHARE_RUNS)
 }
 
 /// `count` of `runs`, spread evenly; all of them where there are no more.

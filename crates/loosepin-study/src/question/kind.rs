@@ -1,12 +1,13 @@
-//! What every question is asked.
+//! What every question is asked, and how a study file asks it.
 
 use super::found::{Conclusion, Found};
 use crate::error::StudyError;
-use crate::file::Study;
+use crate::file::{QuestionSettings, Study};
 use crate::foreseen::Foreseen;
 use crate::response::StudyResponse;
 use crate::sheet::Sheet;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
+use loosepin_text::document::{Key, Kind, Reader, Table};
 
 /// A question that a study asks beside its bounds.
 ///
@@ -51,3 +52,36 @@ pub struct Basis<'b> {
 
 /// The plan of a question; nothing where the study does not ask it.
 pub type Planned = Result<Option<Box<dyn Question>>, StudyError>;
+
+/// A kind of question.
+pub struct QuestionKind {
+    /// Its table in a study file; `None` where what a study states besides tells whether it is asked.
+    pub table: Option<QuestionTable>,
+    /// Plans it.
+    pub planned: fn(&Basis<'_>) -> Planned,
+}
+
+/// The table of a single question in a study file.
+pub struct QuestionTable {
+    /// Its key, of a table that may be left out.
+    pub key: Key,
+    /// Reads the table and states what stands there.
+    pub read: fn(&Table<'_>, &mut Reader, &mut QuestionSettings),
+}
+
+impl QuestionKind {
+    /// A question that is asked by what a study states besides.
+    pub const fn without_table(planned: fn(&Basis<'_>) -> Planned) -> Self {
+        Self { table: None, planned }
+    }
+}
+
+impl QuestionTable {
+    /// Reads the table of `root`, where it is there.
+    pub fn read(&self, root: &Table<'_>, reader: &mut Reader, settings: &mut QuestionSettings) {
+        let Kind::Table(keys) = self.key.kind else { return };
+        if let Some(table) = root.get(self.key.name).and_then(|entry| reader.table(&entry, keys)) {
+            (self.read)(&table, reader, settings);
+        }
+    }
+}

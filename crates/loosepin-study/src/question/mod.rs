@@ -26,22 +26,38 @@ pub use surrogate::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogate
 pub(super) use surrogate::{SurrogateSteps, most_surrogate_runs, surrogate_plan};
 
 use super::error::StudyError;
-use kind::Planned;
+use super::file::QuestionSettings;
+use kind::QuestionKind;
+use loosepin_text::document::{Key, Reader, Table};
 
-/// How each question is planned, in the order in which they make their runs.
-const QUESTIONS: [fn(&Basis<'_>) -> Planned; 6] = [
-    contributors::planned,
-    rare::planned,
-    surrogate::planned,
-    promise::planned,
-    loosest::planned,
-    further_turns::planned,
+/// Every kind of question, in the order in which they make their runs.
+static QUESTIONS: &[QuestionKind] = &[
+    QuestionKind::without_table(contributors::planned),
+    QuestionKind::without_table(rare::planned),
+    QuestionKind::without_table(surrogate::planned),
+    QuestionKind::without_table(promise::planned),
+    QuestionKind::without_table(loosest::planned),
+    further_turns::KIND,
 ];
+
+/// The keys of a study file that are tables of single questions.
+pub(super) fn question_keys() -> impl Iterator<Item = Key> {
+    QUESTIONS.iter().filter_map(|kind| kind.table.as_ref()).map(|table| table.key)
+}
+
+/// Reads the tables of single questions.
+pub(super) fn read_questions(root: &Table<'_>, reader: &mut Reader) -> QuestionSettings {
+    let mut settings = QuestionSettings::default();
+    for table in QUESTIONS.iter().filter_map(|kind| kind.table.as_ref()) {
+        table.read(root, reader, &mut settings);
+    }
+    settings
+}
 
 /// The questions that the study asks.
 ///
 /// # Errors
 /// One of them is not possible.
 pub(super) fn questions(basis: &Basis<'_>) -> Result<Vec<Box<dyn Question>>, StudyError> {
-    QUESTIONS.iter().filter_map(|planned| planned(basis).transpose()).collect()
+    QUESTIONS.iter().filter_map(|kind| (kind.planned)(basis).transpose()).collect()
 }

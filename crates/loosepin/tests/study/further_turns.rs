@@ -21,13 +21,20 @@ fn study(turns: u32, play: &str) -> Study {
          [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"maximum\"\nstatistics = [\"mean\"]\n\
          [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"minimum\"\nstatistics = [\"mean\"]\n\
          [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n\
-         [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"{limit}\"\nposes = [\"40 deg\", \"90 deg\"]\nprobability_at_least = 0.5\n\
+         [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"{limit}\"\nposes = {{ crank = [\"40 deg\", \"90 deg\"] }}\nprobability_at_least = 0.5\n\
          [[require]]\noutput = \"slider\"\nof = \"total\"\nwithin = \"{limit}\"\nover = \"cycle\"\nprobability_at_least = 0.5\n"
     );
     let template = find_template("slider-crank").expect("the template");
     let model = template.model.replace("radial_clearance = \"0.5 mm\"", &format!("radial_clearance = \"{play}\""));
     let model = Model::from_text("model.toml", &model).expect("a model");
     Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+/// [`study`] with one turn and this table after it.
+fn with_table(table: &str) -> Result<Study, String> {
+    let one = study(1, "0.5 mm");
+    let text = format!("{}[further_turns]\n{table}\n", one.source().text());
+    Study::from_text("study.toml", &text, one.model).map_err(|complaints| complaints.to_string())
 }
 
 fn conducted(study: &Study) -> Conducted {
@@ -85,4 +92,20 @@ fn identity_later_turns_are_those_of_the_same_runs_with_more_of_them_recorded() 
 #[test]
 fn nothing_is_told_where_every_motion_repeats_itself() {
     assert_eq!(conducted(&study(1, "0 mm")).result.further_turns, None);
+}
+
+#[test]
+fn a_study_states_how_many_runs_go_on_and_how_far() {
+    let further = |table: &str| conducted(&with_table(table).expect("a study")).result.further_turns.expect("turns");
+    let fewer = further("count = 2\nruns = 3");
+    assert_eq!((fewer.turns, fewer.runs), (2, 3));
+    // Two of the five turns cannot exceed the recorded one by more than all five.
+    let five = further("runs = 3");
+    assert_eq!((five.turns, five.runs), (5, 3));
+    for (two, five) in fewer.outputs.iter().zip(&five.outputs) {
+        assert!(two.largest_excess_si <= five.largest_excess_si, "{two:?} {five:?}");
+    }
+    assert!(five.outputs.iter().any(|output| output.largest_excess_si > 0.0));
+    let wrong = with_table("count = 0").expect_err("no turn at all");
+    assert!(wrong.contains("further turns count is 0; must be a whole number from 1"), "{wrong}");
 }
