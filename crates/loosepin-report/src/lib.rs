@@ -30,6 +30,7 @@
 
 mod accuracy_text;
 mod answer;
+mod article_text;
 mod axes;
 mod bending_words;
 mod bound_words;
@@ -100,6 +101,7 @@ mod witness_words;
 mod wording;
 mod zone_figure;
 
+pub use article_text::article_text;
 pub use cases_page::{cases_page, cases_text};
 pub use compare::{
     ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison, Weight,

@@ -4,6 +4,7 @@ use comfy_table::Table;
 
 use super::accuracy_text::accuracy_sentences;
 use super::answer::{answer, treatment_sentences, verdict_headline};
+use super::article_text::as_shown;
 use super::bound_words::{bound_error, bound_value};
 use super::contributors_text::contributors_text;
 use super::inverse::{inverse_sentences, rare_sentences};
@@ -497,16 +498,4 @@ fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, wr
         treatments.add_row(cells.into_iter().chain(error).chain(further));
     }
     trimmed(&treatments)
-}
-
-/// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
-fn as_shown(text: &str) -> String {
-    let is_command =
-        |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let shown = |c| match c {
-        '\u{a0}' => ' ',
-        c if is_command(c) => char::REPLACEMENT_CHARACTER,
-        c => c,
-    };
-    text.chars().map(shown).collect()
 }

@@ -2,43 +2,36 @@
 
 use std::fmt::Write;
 
-use loosepin::model::{
+use loosepin_mechanics::model::{
     Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, LoadKind, Model, PointId,
     QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
 };
-use loosepin::units::{Dimension, format_value, listed};
+use loosepin_text::article::{Fact, Section};
+use loosepin_text::units::{Dimension, counted, format_value, listed};
 
 use super::law_words::law_words;
-use crate::console::counted;
 
-/// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them;
-/// nothing where there are none.
-pub fn push_elements(text: &mut String, model: &Model, values: &Values, coupling_lines: &[Vec<String>]) {
-    let name_of = |coupling: &'_ Coupling| coupling.path.rsplit('.').next().unwrap_or_default().to_owned();
-    let names: Vec<String> = model.couplings.iter().map(name_of).collect();
-    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
-    let couplings = model.couplings.iter().zip(&names).zip(coupling_lines).map(|((coupling, name), lines)| {
-        let below = lines.iter().map(|line| format!("\n{:1$}{line}", "", width + 4));
-        (name.as_str(), std::iter::once(coupling_words(model, coupling, values)).chain(below).collect::<String>())
+/// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them; no
+/// section where there are none.
+pub fn elements(model: &Model, values: &Values, coupling_lines: &[Vec<String>]) -> Vec<Section> {
+    let couplings = model.couplings.iter().zip(coupling_lines).map(|(coupling, lines)| {
+        let name = coupling.path.rsplit('.').next().unwrap_or_default();
+        Fact::new(name, std::iter::once(coupling_words(model, coupling, values)).chain(lines.iter().cloned()))
     });
-    push_list(text, couplings.collect(), ("coupling", "couplings"));
-    let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
-    push_list(text, springs.collect(), ("spring", "springs"));
-    let loads = model.loads.iter().map(|load| (load.name.as_str(), load_words(model, load, values)));
-    push_list(text, loads.collect(), ("load", "loads"));
-    let controls = model.controls.iter().map(|control| (control.name.as_str(), control_words(model, control, values)));
-    push_list(text, controls.collect(), ("control", "controls"));
-}
-
-fn push_list(text: &mut String, items: Vec<(&str, String)>, (one, many): (&str, &str)) {
-    if items.is_empty() {
-        return;
-    }
-    let _ = writeln!(text, "\n{}", counted(items.len(), one, many));
-    let width = items.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    for (name, words) in items {
-        let _ = writeln!(text, "  {name:width$}  {words}");
-    }
+    let springs = model.springs.iter().map(|spring| Fact::new(&spring.name, [spring_words(model, spring, values)]));
+    let loads = model.loads.iter().map(|load| Fact::new(&load.name, [load_words(model, load, values)]));
+    let controls =
+        model.controls.iter().map(|control| Fact::new(&control.name, [control_words(model, control, values)]));
+    [
+        ("couplings", couplings.collect(), "coupling"),
+        ("springs", springs.collect(), "spring"),
+        ("loads", loads.collect(), "load"),
+        ("controls", controls.collect(), "control"),
+    ]
+    .into_iter()
+    .filter(|(_, facts, _): &(_, Vec<Fact>, _)| !facts.is_empty())
+    .map(|(id, facts, noun)| Section::of_facts(id, counted(facts.len(), noun), facts))
+    .collect()
 }
 
 fn point(model: &Model, id: PointId) -> String {

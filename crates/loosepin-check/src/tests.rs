@@ -2,16 +2,16 @@
 //!
 //! `LOOSEPIN_FUZZ_CASES` sets how many files are tried (100 if unset; the long campaign tries 100,000 and more).
 
-use std::collections::HashSet;
 use std::path::Path;
 
-use loosepin::diagnostics::Colour;
-use loosepin::model::Model;
-use loosepin::study::{InputFile, Study};
+use loosepin_mechanics::model::Model;
+use loosepin_report::article_text;
+use loosepin_study::{InputFile, Study};
+use loosepin_text::diagnostics::Colour;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-use super::{Failure, describe_input};
+use super::check;
 
 /// Cases tried where the environment does not say.
 const DEFAULT_CASES: u32 = 100;
@@ -132,18 +132,15 @@ fn case_text(case: &str, file: &str) -> String {
 }
 
 /// Describes the model, or shows what is wrong with it.
-fn check(text: &str) {
-    let described = Model::from_text("model.toml", text)
-        .map_err(Failure::from)
-        .and_then(|model| describe_input(InputFile::Model(Box::new(model)), &mut HashSet::new()));
+fn describe(text: &str) {
+    let described = Model::from_text("model.toml", text).and_then(|model| check(&InputFile::Model(Box::new(model))));
     match described {
-        Ok(words) => assert!(words.contains("A run: ")),
-        Err(Failure::Complaints(complaints)) => {
+        Ok(article) => assert!(article_text(&article, None).contains("A run: ")),
+        Err(complaints) => {
             assert!(!complaints.is_empty());
             assert!(!complaints.to_string().is_empty());
             assert!(!complaints.render(Colour::Never).is_empty());
         }
-        Err(Failure::Output(error)) => panic!("{error}"),
     }
 }
 
@@ -158,7 +155,7 @@ fn no_mutated_model_makes_check_panic() {
     let mut runner = TestRunner::new(Config { cases: cases(), failure_persistence: None, ..Config::default() });
     runner
         .run(&strategy, |(text, changes)| {
-            check(&changes.iter().fold(text, |text, change| apply(&text, change)));
+            describe(&changes.iter().fold(text, |text, change| apply(&text, change)));
             Ok(())
         })
         .unwrap_or_else(|error| panic!("{error}"));
@@ -179,10 +176,9 @@ fn no_mutated_study_makes_check_panic() {
                 .iter()
                 .fold(case_text("slider_crank_worn_pin", "study.toml"), |text, change| apply(&text, change));
             let model = Model::from_text("model.toml", &model_text).expect("the model is sound");
-            if let Ok(study) = Study::from_text("study.toml", &study_text, model) {
-                let described = describe_input(InputFile::Study(Box::new(study)), &mut HashSet::new());
-                assert!(!matches!(described, Err(Failure::Output(_))));
-            }
+            let checked = Study::from_text("study.toml", &study_text, model)
+                .and_then(|study| check(&InputFile::Study(Box::new(study))));
+            assert!(checked.is_ok() || checked.is_err_and(|complaints| !complaints.is_empty()));
             Ok(())
         })
         .unwrap_or_else(|error| panic!("{error}"));
@@ -191,10 +187,9 @@ fn no_mutated_study_makes_check_panic() {
 /// What `check` says of a model, or complains about.
 fn said(text: &str) -> String {
     let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
-    match describe_input(InputFile::Model(Box::new(model)), &mut HashSet::new()) {
-        Ok(words) => words,
-        Err(Failure::Complaints(complaints)) => complaints.to_string(),
-        Err(Failure::Output(error)) => panic!("{error}"),
+    match check(&InputFile::Model(Box::new(model))) {
+        Ok(article) => article_text(&article, None),
+        Err(complaints) => complaints.to_string(),
     }
 }
 

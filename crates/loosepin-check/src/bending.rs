@@ -1,11 +1,9 @@
 //! How far flexible bodies bend under the loads of the rigid mechanism, and whether their formulation fits that.
 
-use std::fmt::Write;
-
-use loosepin::model::{Beam, Model};
-use loosepin::result::simulation::OtherFormulation;
-use loosepin::simulate::{BendingEstimate, other_formulation};
-use loosepin::units::{Dimension, format_number, format_value};
+use loosepin_mechanics::model::{Beam, Model};
+use loosepin_result::simulation::OtherFormulation;
+use loosepin_simulate::{BendingEstimate, other_formulation};
+use loosepin_text::units::{Dimension, format_number, format_value};
 
 /// Angle of a section from the frame at which foreshortening to second order is off by half a percent, rad.
 const LARGEST_ANGLE_RAD: f64 = 0.1;
@@ -24,16 +22,15 @@ const LARGEST_LEFT_OUT: f64 = 0.05;
 const ROUND_OFF: f64 = 1e-12;
 
 /// What is known of a body's bending before a run: numbers, then warnings with what to do.
-pub fn push_bending(text: &mut String, indent: &str, model: &Model, estimate: &BendingEstimate, is_driven: bool) {
-    let Some(beam) = &model.bodies[estimate.body.0].beam else { return };
+pub fn bending_lines(model: &Model, estimate: &BendingEstimate, is_driven: bool) -> Vec<String> {
+    let Some(beam) = &model.bodies[estimate.body.0].beam else { return Vec::new() };
     let force = |force_n: f64| {
         let is_round_off = force_n < ROUND_OFF * estimate.buckling_load_n;
         format_value(if is_round_off { 0.0 } else { two_digits(force_n) }, Dimension::FORCE)
     };
     let when = if is_driven { "over a turn" } else { "at the start" };
-    let _ = writeln!(
-        text,
-        "{indent}as a rigid link {when}: its loads {}pull by {}, push by {}",
+    let mut lines = vec![format!(
+        "as a rigid link {when}: its loads {}pull by {}, push by {}",
         if estimate.largest_angle_rad.is_nan() {
             String::new()
         } else {
@@ -41,13 +38,14 @@ pub fn push_bending(text: &mut String, indent: &str, model: &Model, estimate: &B
         },
         force(estimate.largest_tension_n),
         force(estimate.largest_compression_n),
-    );
+    )];
     if estimate.largest_angle_rad.is_nan() {
-        let _ = writeln!(text, "{indent}both its ends are held: how far it bends is not estimated");
+        lines.push("both its ends are held: how far it bends is not estimated".to_owned());
     }
     for (warning, hint) in warnings(beam, other_formulation(model, estimate.body), estimate, is_driven) {
-        let _ = writeln!(text, "{indent}warning: {warning}\n{indent}hint: {hint}");
+        lines.extend([format!("warning: {warning}"), format!("hint: {hint}")]);
     }
+    lines
 }
 
 /// Warnings, each with a hint.
@@ -131,9 +129,9 @@ fn two_digits(number: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{angle_in_words, push_bending, warnings};
-    use loosepin::model::{BodyId, Model};
-    use loosepin::simulate::{BendingEstimate, other_formulation};
+    use super::{angle_in_words, bending_lines, warnings};
+    use loosepin_mechanics::model::{BodyId, Model};
+    use loosepin_simulate::{BendingEstimate, other_formulation};
 
     fn model(from: &str, to: &str) -> Model {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/flexible_slider_crank/model.toml");
@@ -238,18 +236,16 @@ mod tests {
             assert!(found(&model, &needed, true).is_empty(), "{needed:?}");
         }
         assert_eq!(angle_in_words(&estimate(250.0, 0.0, 0.0)), "more than 1");
-        let mut text = String::new();
-        push_bending(&mut text, "  ", &model, &estimate(0.02, 1e-15, 1e-4), true);
         assert_eq!(
-            text,
-            "  as a rigid link over a turn: its loads turn sections by 0.02 rad, pull by 12 N, push by 0 N\n"
+            bending_lines(&model, &estimate(0.02, 1e-15, 1e-4), true),
+            ["as a rigid link over a turn: its loads turn sections by 0.02 rad, pull by 12 N, push by 0 N"]
         );
-        let mut text = String::new();
-        push_bending(&mut text, "  ", &model, &estimate(f64::NAN, 0.01, 1e-4), true);
         assert_eq!(
-            text,
-            "  as a rigid link over a turn: its loads pull by 12 N, push by 10 N\n  both its ends are held: how far it bends is not \
-             estimated\n"
+            bending_lines(&model, &estimate(f64::NAN, 0.01, 1e-4), true),
+            [
+                "as a rigid link over a turn: its loads pull by 12 N, push by 10 N",
+                "both its ends are held: how far it bends is not estimated"
+            ]
         );
     }
 }

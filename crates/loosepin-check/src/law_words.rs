@@ -1,7 +1,7 @@
 //! The motion of a drive in words.
 
-use loosepin::model::{DriveLaw, Values};
-use loosepin::units::{Dimension, format_value};
+use loosepin_mechanics::model::{DriveLaw, Values};
+use loosepin_text::units::{Dimension, format_value};
 
 /// A motion in words, of a position or of an angle.
 pub fn law_words(law: &DriveLaw, is_prismatic: bool, values: &Values) -> String {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use loosepin::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
-use loosepin::model::{DriveId, Values};
-use loosepin::simulate::{Observer, Plan, RunFailure, Settings, Step, Window, input, run};
+use loosepin_mechanics::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
+use loosepin_mechanics::model::{DriveId, Values};
+use loosepin_simulate::{Observer, Plan, RunFailure, Settings, Step, Window, input, run};
 
 /// Positions of a turn in which the ideal mechanism is closed; of hundreds of links fewer, since each takes the square of the free
 /// coordinates. Between them the motion is followed in steps of a fifth of a radian.
@@ -151,7 +151,7 @@ fn body_starts(mechanism: &Mechanism, values: &Values, ideal: &Kinematics<f64>) 
         .map(|(index, body)| {
             let pose = &ideal.poses[mechanism.ideal.slot_of_body[index]];
             let point_m = |x: f64, y: f64| {
-                let point = pose.point_m(loosepin::math::Vec2::new(x, y));
+                let point = pose.point_m(loosepin_math::Vec2::new(x, y));
                 [point.x, point.y]
             };
             BodyStart {
