@@ -1,22 +1,22 @@
 //! Self-contained HTML pages and terminal tables from results. This module only reads; it computes nothing that is not
 //! in the result, except how to show it.
 //!
-//! Here sentences on results are made, most of them for pages and terminals alike:
+//! What a page and a terminal both say is made once, as sections of an article (`loosepin_text::article`); `article_page.rs` and
+//! `article_text.rs` show it. Here sentences on results are made:
 //!
 //! | Sentences on | File |
 //! |---|---|
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
 //! | each output: one sentence | `told.rs` |
-//! | the required accuracy and the budget | `accuracy_text.rs` |
+//! | a study: its bounds, treatments, sensitivity, surrogates, promises, required accuracy; tables and sentences at once | `study_sections`, shown by `study_page` and `study_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
 //! | how far play goes without dynamics, and what of that is proven; the requirements judged so | `play_effect.rs`, `motion_verdicts.rs` |
 //! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs`; what that gains `identification_gain.rs` |
 //! | how a result is made again | `repeat_section.rs` |
-//! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
-//! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
+//! | histories that no surrogate can learn | `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
 //! | the law behind contact forces, and deep penetrations | `force_words.rs` |
 //! | the wear of joints | `wear_words.rs` |
@@ -28,8 +28,8 @@
 //! Parts of sentences: `wording.rs` (statistic, deviation, place, verdict), `bound_words.rs` (a bound and its error), `number.rs`
 //! (digits, units, rounding outwards), `tag.rs` (what a number is, so that no two texts contradict each other).
 
-mod accuracy_text;
 mod answer;
+mod article_page;
 mod article_text;
 mod axes;
 mod bending_words;
@@ -39,7 +39,6 @@ mod chart;
 mod chart_drawing;
 mod chart_figure;
 mod compare;
-mod contributors_text;
 mod draft_band;
 mod draft_text;
 mod error_words;
@@ -72,7 +71,6 @@ mod percentile_words;
 mod play_effect;
 mod posterior_figure;
 mod posterior_text;
-mod promise_text;
 mod repeat_section;
 mod rounding;
 mod script_data;
@@ -82,9 +80,10 @@ mod simulation_page;
 mod spectrum_section;
 mod still_figures;
 mod study_page;
+mod study_sections;
+mod study_text;
 mod styles;
 mod surrogate_figure;
-mod surrogate_text;
 mod sweep_page;
 mod tag;
 mod terminal;
@@ -120,10 +119,11 @@ pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;
 pub use study_page::{KnownValue, known_values, study_excerpt, study_page};
+pub use study_text::study_text;
 pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
 pub use tag::{ResultTag, Tag, TaggedNumber, TaggedText, among_cut, among_percentile, tagged};
-pub use terminal::{motion_text, simulation_text, study_text, sweep_text, wear_text};
+pub use terminal::{motion_text, simulation_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
 pub use witness_words::{WitnessWords, witness_words};
 pub use wording::verdict_words;

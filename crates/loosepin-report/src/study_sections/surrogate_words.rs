@@ -1,22 +1,11 @@
-//! Quality and bounds of surrogates: sentences and tables for pages and terminals.
+//! Quality of surrogates in sentences.
 
-use super::bound_words::bound_value;
-use super::history_words::history_words;
-use super::number::{NumberWriter, Rounding};
-use super::tag::Tag;
-use super::terminal_table::{push_table, table, wrapped};
-use super::wording::output_unit;
-use super::wording::{
-    band_digits, count, counted, deviation_words, listed, output_words, place_words, response_words, share_words,
-    statistic_words, treatment_words,
-};
+use crate::history_words::history_words;
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::{count, counted, deviation_words, listed, output_words, place_words};
 use loosepin_result::study::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateLearning, SurrogateOutput, SurrogateRecord, SurrogateVerdict,
-    TreatmentBand, TreatmentComparison,
 };
-
-/// Rows of a table; the others stand in `summary.json`.
-pub(super) const MOST_ROWS: usize = 24;
 
 /// Title of the section.
 pub(super) fn title(record: &SurrogateRecord) -> &'static str {
@@ -154,112 +143,6 @@ fn verdict_words(output: &SurrogateOutput, size: &dyn Fn(f64) -> String, writer:
 fn still_falls(learning: &[SurrogateLearning]) -> bool {
     const VISIBLY: f64 = 0.9;
     matches!(learning, [.., half, all] if all.held_out_si < VISIBLY * half.held_out_si)
-}
-
-/// The direct bound of the same statistic.
-pub(super) fn direct_bound<'r>(result: &'r StudyResult, bound: &BoundRecord) -> Option<&'r BoundRecord> {
-    result.bounds.iter().find(|direct| {
-        (&direct.output, direct.of, direct.at, direct.statistic, direct.treatment)
-            == (&bound.output, bound.of, bound.at, bound.statistic, bound.treatment)
-    })
-}
-
-/// The bounds that are not points of curves.
-pub(super) fn single_bounds(record: &SurrogateRecord) -> Vec<&BoundRecord> {
-    record.bounds.iter().filter(|bound| !matches!(bound.at, ResponsePoint::Curve { .. })).collect()
-}
-
-/// "-0.55 mm to 0.55 mm".
-pub(super) fn range_words(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    format!(
-        "{} to {}",
-        bound_value(&bound.lower, bound, Rounding::Down, writer),
-        bound_value(&bound.upper, bound, Rounding::Up, writer)
-    )
-}
-
-/// The larger error of the surrogate at both ends.
-pub(super) fn surrogate_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
-    let error = bound.lower.error.surrogate_si.max(bound.upper.error.surrogate_si);
-    if bound.statistic.is_probability() {
-        writer.percent(error.min(1.0), Rounding::Up)
-    } else {
-        writer.error(error, &bound.unit)
-    }
-}
-
-/// "-0.55 mm to 0.55 mm", to the digits that tell the bands of `comparison` from each other.
-pub(super) fn band_words(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
-    let digits = band_digits(comparison);
-    let rounded = |part: &str, value_si: f64, rounding| {
-        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
-    };
-    format!("{} to {}", rounded("lower", band.lower_si, Rounding::Down), rounded("upper", band.upper_si, Rounding::Up))
-}
-
-/// Treatment, direct band, band by surrogate, error of the surrogate, share inside: a row a treatment.
-pub(super) fn treatment_rows(
-    result: &StudyResult,
-    comparison: &TreatmentComparison,
-    writer: &NumberWriter,
-) -> Vec<[String; 5]> {
-    let is_same =
-        |of: &&TreatmentComparison| (&of.output, of.of, of.at) == (&comparison.output, comparison.of, comparison.at);
-    let direct = result.treatments.iter().find(is_same);
-    let row = |band: &TreatmentBand| {
-        let of_direct = direct.and_then(|of| Some((of.bands.iter().find(|own| own.treatment == band.treatment)?, of)));
-        [
-            treatment_words(band.treatment).to_owned(),
-            of_direct.map_or("–".to_owned(), |(band, of)| band_words(band, of, writer)),
-            band_words(band, comparison, writer),
-            band.surrogate_error_si().map_or(String::new(), |error| writer.error(error, &comparison.unit)),
-            share_words(band, comparison, writer),
-        ]
-    };
-    comparison.bands.iter().map(row).collect()
-}
-
-/// Heads of the columns of [`treatment_rows`].
-pub(super) const TREATMENT_HEAD: [&str; 5] = ["treatment", "direct", "by surrogate", "± surrogate", "share inside"];
-
-/// The surrogates of a study for a terminal; empty where there are none.
-pub(super) fn surrogate_text(result: &StudyResult, writer: &NumberWriter) -> String {
-    let Some(record) = &result.surrogate else { return String::new() };
-    let mut text = format!("\n{}\n\n{}\n", title(record), wrapped(&runs_sentence(record, writer), ""));
-    for sentence in output_sentences(result, record, writer) {
-        text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
-    }
-    let shown = single_bounds(record);
-    for group in shown[..shown.len().min(MOST_ROWS)].chunk_by(|a, b| (&a.output, a.of, a.at) == (&b.output, b.of, b.at))
-    {
-        let mut rows = table(&["statistic", "direct", "by surrogate", "± surrogate"], &[1, 2, 3]);
-        for bound in group {
-            let direct = direct_bound(result, bound);
-            rows.add_row([
-                statistic_words(bound.statistic, &output_unit(result, &bound.output), writer),
-                direct.map_or("-".to_owned(), |direct| range_words(direct, writer)),
-                range_words(bound, &writer.about(&Tag::Among("surrogate".to_owned()))),
-                surrogate_error(bound, writer),
-            ]);
-        }
-        text.push_str(&format!("\n{}\n", response_words(result, (&group[0].output, group[0].of, group[0].at), writer)));
-        push_table(&mut text, &rows);
-    }
-    if shown.len() > MOST_ROWS {
-        text.push_str(&format!("\n{} more in summary.json\n", shown.len() - MOST_ROWS));
-    }
-    for comparison in &record.treatments {
-        let mut rows = table(&TREATMENT_HEAD, &[3]);
-        treatment_rows(result, comparison, writer).into_iter().for_each(|row| {
-            rows.add_row(row);
-        });
-        text.push_str(&format!(
-            "\n{}\n",
-            response_words(result, (&comparison.output, comparison.of, comparison.at), writer)
-        ));
-        push_table(&mut text, &rows);
-    }
-    text
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
-//! Required and reached accuracy of the bounds: sentences for pages and terminals.
+//! Required and reached accuracy of the bounds.
 
-use super::number::{NumberWriter, Rounding};
-use super::wording::output_unit;
-use super::wording::{counted, deviation_words, place_words, statistic_words};
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::output_unit;
+use crate::wording::{counted, deviation_words, place_words, statistic_words};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStop, Budget, StudyResult};
+use loosepin_text::article::{Content, Section};
 use loosepin_text::units::format_number;
 
 /// Digits of an error, and of a number of runs that is foreseen.
@@ -12,8 +13,14 @@ const ERROR_DIGITS: usize = 2;
 const MOST_TARGETS: usize = 12;
 
 /// The end of the study, then required and reached accuracy of each target; those that are not reached come first.
-pub(super) fn accuracy_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
-    let Some(record) = &result.accuracy else { return Vec::new() };
+pub(crate) fn accuracy_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let record = result.accuracy.as_ref()?;
+    let mut section = Section::new("accuracy", "Accuracy of the bounds");
+    section.push(Content::points(sentences(result, record, writer)));
+    Some(section)
+}
+
+fn sentences(result: &StudyResult, record: &AccuracyRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences = vec![ending(record, writer)];
     let mut targets: Vec<&AccuracyOutcome> = record.targets.iter().collect();
     targets.sort_by_key(|target| target.is_reached());

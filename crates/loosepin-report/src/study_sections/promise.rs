@@ -1,29 +1,34 @@
-//! Bounds that are promised for a share of the box: sentences for pages and terminals.
+//! Bounds that are promised for a share of the box.
 
-use super::number::{NumberWriter, Rounding};
-use super::wording::output_unit;
-use super::wording::{
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::output_unit;
+use crate::wording::{
     capitalised, count, counted, deviation_words, failed_words, output_words, place_words, statistic_words,
 };
 use loosepin_result::study::{InputKind, PromiseRecord, PromisedBand, PromisedEnd, ResponsePoint, Side, StudyResult};
+use loosepin_text::article::{Content, Medium, Section};
 use loosepin_text::units::SiUnit;
 
 /// Promised ends in sentences, at most; the others stand in the file.
 const MOST_ENDS: usize = 24;
 
-/// Title of the section.
-pub(super) fn promise_title(promise: &PromiseRecord, writer: &NumberWriter) -> String {
-    format!("Promised for {} of the box", writer.percent(promise.share, Rounding::Down))
+/// What is promised and of what, then one sentence for each promised end; nothing where nothing is promised.
+pub(crate) fn promise_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let promise = result.promise.as_ref()?;
+    let share = writer.percent(promise.share, Rounding::Down);
+    let mut section = Section::new("promise", format!("Promised for {share} of the box"));
+    let head = [statement(result, promise, writer), cost(promise, writer)];
+    section.push_on(Medium::Page, Content::sentences(head.clone()));
+    section.push_on(Medium::Terminal, Content::points(head));
+    section.push_close(Content::points(end_sentences(result, promise, writer)));
+    Some(section)
 }
 
-/// What is promised and of what, then one sentence for each promised end; nothing where nothing is promised.
-pub(super) fn promise_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
-    let Some(promise) = &result.promise else { return Vec::new() };
+fn end_sentences(result: &StudyResult, promise: &PromiseRecord, writer: &NumberWriter) -> Vec<String> {
     let is_shown = |end: &&PromisedEnd| !matches!(end.at, ResponsePoint::Curve { .. });
     let shown: Vec<&PromisedEnd> = promise.ends.iter().filter(is_shown).take(MOST_ENDS).collect();
     let left = promise.ends.len() - shown.len();
-    let mut sentences = vec![statement(result, promise, writer), cost(promise, writer)];
-    sentences.extend(shown.into_iter().map(|end| end_sentence(result, promise, end, writer)));
+    let mut sentences: Vec<String> = shown.into_iter().map(|end| end_sentence(result, promise, end, writer)).collect();
     sentences.extend(promise.bands.iter().map(|band| band_sentence(result, promise, band, writer)));
     if left > 0 {
         sentences.push(format!(
