@@ -13,7 +13,7 @@
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
 //! | how far play goes without dynamics, and what of that is proven; the requirements judged so | `play_effect.rs`, `motion_verdicts.rs` |
-//! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs`; what that gains `identification_gain.rs` |
+//! | what readings of a rig, or a motion, say of the plays; what that gains | `identification` |
 //! | how a result is made again | `repeat_section.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
 //! | histories that no surrogate can learn | `history_words.rs` |
@@ -46,12 +46,8 @@ mod figure;
 mod force_words;
 mod glossary;
 mod history_words;
-mod identification_figures;
-mod identification_gain;
-mod identification_page;
-mod identification_text;
+mod identification;
 mod inverse;
-mod lengths_text;
 mod life_section;
 mod live_band;
 mod measured_figures;
@@ -61,7 +57,6 @@ mod mechanism_labels;
 mod mechanism_shapes;
 mod mechanism_signs;
 mod motion_angles;
-mod motion_identification_text;
 mod motion_kind_section;
 mod motion_page;
 mod motion_verdicts;
@@ -69,8 +64,6 @@ mod number;
 mod page;
 mod percentile_words;
 mod play_effect;
-mod posterior_figure;
-mod posterior_text;
 mod repeat_section;
 mod rounding;
 mod script_data;
@@ -109,12 +102,9 @@ pub use compare::{
 pub use draft_band::{DraftBand, draft_bands};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
-pub use identification_gain::identification_gain;
-pub use identification_page::identification_page;
-pub use identification_text::identification_text;
+pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
-pub use motion_identification_text::motion_plan_text;
 pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;

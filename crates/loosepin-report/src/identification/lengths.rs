@@ -1,36 +1,47 @@
-//! Lengths of a specimen, given what was measured, in words and as a table, for the terminal and for the page.
+//! Lengths of a specimen, given what was measured.
 
-use super::number::{NumberWriter, Rounding};
+use super::remark::remark;
+use crate::number::{NumberWriter, Rounding};
 use loosepin_result::motion_identification::{
     LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedTogether,
 };
+use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;
 
 /// Digits of a mean, and of a standard deviation.
 const DIGITS: usize = 6;
 const DEVIATION_DIGITS: usize = 3;
 
-/// Columns of [`length_rows`].
-pub(super) const LENGTH_HEADS: [&str; 5] =
-    ["random input", "series: mean", "standard deviation", "specimen: mean", "standard deviation"];
+/// Appends the lengths of a specimen, or why they are not told; nothing where they were not asked for.
+pub(super) fn push_lengths(section: &mut Section, specimen: &MotionSpecimen, writer: &NumberWriter<'_>) {
+    let Some(lengths) = &specimen.lengths else { return };
+    section.push_on(Medium::Terminal, Content::Heading("Lengths of this specimen".into()));
+    if let SpecimenLengths::Given(rows) = lengths {
+        section.push(Content::Table(lengths_table(rows, writer)));
+    }
+    section.push(Content::points(length_words(specimen, lengths, writer).into_iter().map(remark)));
+}
 
 /// A row for each random input.
-pub(super) fn length_rows(rows: &MechanismRows, writer: &NumberWriter<'_>) -> Vec<[String; 5]> {
+fn lengths_table(rows: &MechanismRows, writer: &NumberWriter<'_>) -> Table {
+    let columns = vec![
+        Column::words("random input"),
+        Column::numbers_on_terminal("series: mean"),
+        Column::numbers_on_terminal("standard deviation"),
+        Column::numbers_on_terminal("specimen: mean"),
+        Column::numbers_on_terminal("standard deviation"),
+    ];
     let row = |column: &LengthColumn| {
         let mean = |value_si: f64| writer.rounded(value_si, &column.unit, DIGITS, Rounding::Nearest);
         let deviation = |value_si: f64| writer.rounded(value_si, &column.unit, DEVIATION_DIGITS, Rounding::Nearest);
         let ([before, scatter_before], [after, scatter_after]) = (column.before_si, column.after_si);
-        [column.name.clone(), mean(before), deviation(scatter_before), mean(after), deviation(scatter_after)]
+        vec![column.name.clone(), mean(before), deviation(scatter_before), mean(after), deviation(scatter_after)]
     };
-    rows.columns.iter().map(row).collect()
+    Table::new(columns, rows.columns.iter().map(row))
 }
 
 /// What the rows rest on, and what they do not tell; or why there are none.
-pub(super) fn length_words(
-    specimen: &MotionSpecimen,
-    lengths: &SpecimenLengths,
-    writer: &NumberWriter<'_>,
-) -> Vec<String> {
+fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &NumberWriter<'_>) -> Vec<String> {
     let rows = match lengths {
         SpecimenLengths::Refused(refusal) => return vec![format!("no mechanisms that agree: {refusal}")],
         SpecimenLengths::Given(rows) => rows,

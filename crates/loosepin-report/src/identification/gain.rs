@@ -1,10 +1,11 @@
 //! What narrower intervals gain: the study before and after, beside each other.
 
-use super::compare::{NOTHING_IN_COMMON, compare_studies};
-use super::number::{NumberWriter, Rounding};
-use super::wording::{output_unit, response_words, statistic_words};
+use crate::compare::{NOTHING_IN_COMMON, compare_studies};
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::{output_unit, response_words, statistic_words};
 use loosepin_result::identification::{Gain, GainedBound};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 
 /// Digits of a bound.
 const DIGITS: usize = 4;
@@ -48,8 +49,37 @@ pub fn identification_gain(before: &StudyResult, after: &StudyResult) -> Gain {
     }
 }
 
+/// The bounds of the study before and after.
+pub(super) fn gain_section(gain: &Gain, writer: &NumberWriter<'_>) -> Section {
+    let heading = Text::by_medium("The study before and after", "The study before (A) and after (B)");
+    let mut section = Section::new("gain", heading);
+    let sentences = || std::iter::once(&gain.headline).chain(&gain.bands).cloned();
+    section.push_on(Medium::Page, Content::sentences(sentences()));
+    section.push_on(Medium::Terminal, Content::points(sentences()));
+    let columns = vec![
+        Column::words("of"),
+        Column::words("statistic"),
+        Column::words(Text::by_medium("before (A)", "before")),
+        Column::words(Text::by_medium("after (B)", "after")),
+        Column::words("change"),
+    ];
+    let row = |bound: &GainedBound| {
+        vec![
+            bound.response.clone(),
+            bound.statistic.clone(),
+            bound_words(bound.before_si, bound, writer),
+            bound_words(bound.after_si, bound, writer),
+            narrower_words(bound, writer),
+        ]
+    };
+    section.push(Content::Table(Table::new(columns, gain.bounds.iter().map(row))));
+    let [before, after] = gain.runs.map(|runs| writer.count(runs));
+    section.push_on(Medium::Page, Content::Note(format!("Runs: {before} before, {after} after.").into()));
+    section
+}
+
 /// Both ends of a bound, rounded outwards.
-pub(super) fn bound_words(ends_si: [f64; 2], bound: &GainedBound, writer: &NumberWriter<'_>) -> String {
+fn bound_words(ends_si: [f64; 2], bound: &GainedBound, writer: &NumberWriter<'_>) -> String {
     let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
         if bound.is_probability {
             writer.percent(value_si, rounding)
@@ -61,7 +91,7 @@ pub(super) fn bound_words(ends_si: [f64; 2], bound: &GainedBound, writer: &Numbe
 }
 
 /// How much narrower a bound is; nothing where it is of one value.
-pub(super) fn narrower_words(bound: &GainedBound, writer: &NumberWriter<'_>) -> String {
+fn narrower_words(bound: &GainedBound, writer: &NumberWriter<'_>) -> String {
     let [before, after] = [bound.before_si, bound.after_si].map(|ends| ends[1] - ends[0]);
     if !(before > 0.0) || !after.is_finite() {
         return String::new();

@@ -1,34 +1,55 @@
-//! The posterior distribution of an identification in words and as a table, for the terminal and for the page.
+//! The posterior distribution of an identification.
 
-use super::number::{NumberWriter, Rounding};
+use super::posterior_figure::density;
+use super::ranges::{BOUND_DIGITS, range};
+use super::remark::remark;
+use crate::number::{NumberWriter, Rounding};
 use loosepin_result::identification::PlayBounds;
-use loosepin_result::motion_identification::{MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal};
+use loosepin_result::motion_identification::{Marginal, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal};
+use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;
+use maud::Markup;
 
-/// Digits of a mean, and of a standard deviation.
-const DIGITS: usize = 4;
+/// Digits of a standard deviation.
 const DEVIATION_DIGITS: usize = 3;
 
-/// Both ends, rounded outwards.
-pub(super) fn motion_range(ends_si: [f64; 2], unit: &SiUnit, writer: &NumberWriter<'_>) -> String {
-    let [lower, upper] = [(ends_si[0], Rounding::Down), (ends_si[1], Rounding::Up)].map(|(value_si, rounding)| {
-        if value_si == 0.0 { writer.value_trimmed(0.0, unit) } else { writer.rounded(value_si, unit, DIGITS, rounding) }
-    });
-    format!("{lower} to {upper}")
+/// Appends how probable the values are, or why that is not told; nothing where it was not asked for.
+pub(super) fn push_posterior(
+    section: &mut Section,
+    specimen: &MotionSpecimen,
+    index: usize,
+    writer: &NumberWriter<'_>,
+) {
+    let Some(posterior) = &specimen.posterior else { return };
+    section.push_on(Medium::Terminal, Content::Heading("Posterior distribution".into()));
+    if let MotionPosterior::Given(given) = posterior {
+        if writer.medium == Medium::Page {
+            for figure in densities(specimen, given, index, writer) {
+                section.push(Content::Figure(figure.into_string()));
+            }
+        }
+        section.push(Content::Table(values_table(specimen, given, writer)));
+    }
+    section.push(Content::points(posterior_words(specimen, posterior, writer).into_iter().map(remark)));
 }
 
-/// Columns of [`posterior_rows`], with the probability of the credible intervals.
-pub(super) fn posterior_heads(posterior: &Posterior, writer: &NumberWriter<'_>) -> [String; 4] {
-    let credible = format!("{} credible", writer.percent(posterior.probability, Rounding::Nearest));
-    ["unknown".to_owned(), "mean".to_owned(), "standard deviation".to_owned(), credible]
+/// The density of each unknown that is no list.
+fn densities(specimen: &MotionSpecimen, given: &Posterior, index: usize, writer: &NumberWriter<'_>) -> Vec<Markup> {
+    let of_unknown = |(place, (unknown, marginal)): (usize, (&PlayBounds, &Marginal))| {
+        let name = format!("posterior.{index}.{place}");
+        Some(density(unknown, (marginal, marginal.summary.as_ref()?), given.probability, name, writer))
+    };
+    specimen.unknowns.iter().zip(&given.marginals).enumerate().filter_map(of_unknown).collect()
 }
 
 /// A row for each unknown; of a list the probability of each member.
-pub(super) fn posterior_rows(
-    specimen: &MotionSpecimen,
-    posterior: &Posterior,
-    writer: &NumberWriter<'_>,
-) -> Vec<[String; 4]> {
+fn values_table(specimen: &MotionSpecimen, posterior: &Posterior, writer: &NumberWriter<'_>) -> Table {
+    let columns = vec![
+        Column::words("unknown"),
+        Column::numbers_on_terminal("mean"),
+        Column::numbers_on_terminal("standard deviation"),
+        Column::words(format!("{} credible", writer.percent(posterior.probability, Rounding::Nearest))),
+    ];
     let row = |(place, unknown): (usize, &PlayBounds)| {
         let marginal = posterior.marginals.get(place);
         let list = specimen.lists.iter().find(|list| list.unknown == place);
@@ -36,27 +57,23 @@ pub(super) fn posterior_rows(
             let told =
                 |(member, share): (&String, &f64)| format!("{member} {}", writer.percent(*share, Rounding::Nearest));
             let told: Vec<String> = list.before.iter().zip(&marginal.shares).map(told).collect();
-            return [unknown.name.clone(), String::new(), String::new(), told.join(", ")];
+            return vec![unknown.name.clone(), String::new(), String::new(), told.join(", ")];
         }
         match marginal.and_then(|marginal| marginal.summary) {
-            Some(known) => [
+            Some(known) => vec![
                 unknown.name.clone(),
-                writer.rounded(known.mean_si, &unknown.unit, DIGITS, Rounding::Nearest),
+                writer.rounded(known.mean_si, &unknown.unit, BOUND_DIGITS, Rounding::Nearest),
                 writer.rounded(known.standard_deviation_si, &unknown.unit, DEVIATION_DIGITS, Rounding::Nearest),
-                motion_range(known.credible_si, &unknown.unit, writer),
+                range(known.credible_si, &unknown.unit, writer),
             ],
-            None => [unknown.name.clone(), String::new(), String::new(), String::new()],
+            None => vec![unknown.name.clone(), String::new(), String::new(), String::new()],
         }
     };
-    specimen.unknowns.iter().enumerate().map(row).collect()
+    Table::new(columns, specimen.unknowns.iter().enumerate().map(row))
 }
 
 /// Prior, likelihood and number of runs behind a distribution, or why there is none.
-pub(super) fn posterior_words(
-    specimen: &MotionSpecimen,
-    posterior: &MotionPosterior,
-    writer: &NumberWriter<'_>,
-) -> Vec<String> {
+fn posterior_words(specimen: &MotionSpecimen, posterior: &MotionPosterior, writer: &NumberWriter<'_>) -> Vec<String> {
     match posterior {
         MotionPosterior::Given(given) => vec![
             "prior: uniform over the intervals of the study, all members of a list equally probable".to_owned(),
@@ -103,12 +120,13 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
 
 #[cfg(test)]
 mod tests {
-    use super::{posterior_heads, posterior_rows, posterior_words};
+    use super::{posterior_words, values_table};
     use crate::number::NumberWriter;
     use loosepin_result::identification::PlayBounds;
     use loosepin_result::motion_identification::{
         ConsistentMembers, Marginal, MarginalSummary, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal,
     };
+    use loosepin_text::article::{Cell, Medium, Table};
     use loosepin_text::units::{DisplayUnits, SiUnit};
 
     fn unknown(name: &str, unit: SiUnit) -> PlayBounds {
@@ -146,6 +164,16 @@ mod tests {
         }
     }
 
+    /// The words of a row.
+    fn row(table: &Table, place: usize) -> [String; 4] {
+        let words = |cell: &Cell| match cell {
+            Cell::Text(text) => text.words_on(Medium::Terminal),
+            Cell::Drawn { .. } | Cell::Nothing => panic!("{cell:?}"),
+        };
+        let row: Vec<String> = table.groups[0].rows[place].iter().map(words).collect();
+        row.try_into().expect("four columns")
+    }
+
     #[test]
     fn a_distribution_is_told_with_its_prior_its_likelihood_and_its_runs() {
         let given = Posterior {
@@ -167,14 +195,14 @@ mod tests {
         let units = DisplayUnits::default();
         let writer = NumberWriter::for_terminal(&units);
         let plain = |text: &str| text.replace('\u{a0}', " ");
-        assert_eq!(plain(&posterior_heads(&given, &writer)[3]), "99 % credible");
-        let rows = posterior_rows(&specimen(), &given, &writer);
+        let table = values_table(&specimen(), &given, &writer);
+        assert_eq!(plain(&table.columns[3].head.words_on(Medium::Terminal)), "99 % credible");
         // Ends are rounded outwards.
         assert_eq!(
-            rows[0].each_ref().map(|cell| plain(cell)),
-            ["pin play", "0.3013 mm", "0.0421 mm", "0.2100 mm to 0.4100 mm"].map(str::to_owned)
+            row(&table, 0).each_ref().map(|cell| plain(cell)),
+            ["pin play", "0.3013 mm", "0.0421 mm", "0.2100 mm to 0.4100 mm"]
         );
-        assert_eq!(plain(&rows[1][3]), "flores 80 %, hertz 20 %");
+        assert_eq!(plain(&row(&table, 1)[3]), "flores 80 %, hertz 20 %");
         let words = plain(&posterior_words(&specimen(), &MotionPosterior::Given(given), &writer).join("\n"));
         for part in ["prior: uniform", "likelihood: normal", "as by 8.6 equally probable values, 1725 runs"] {
             assert!(words.contains(part), "{words}");
