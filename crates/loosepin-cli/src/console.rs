@@ -61,22 +61,3 @@ pub fn indented(paragraph: &str) -> String {
     let options = textwrap::Options::new(usize::from(TERMINAL_COLUMNS)).initial_indent("  ").subsequent_indent("  ");
     textwrap::fill(paragraph, options)
 }
-
-/// `1 joint`, `4 joints`, `no joint`.
-pub fn counted(count: usize, singular: &str, plural: &str) -> String {
-    match count {
-        0 => format!("no {singular}"),
-        1 => format!("1 {singular}"),
-        _ => format!("{count} {plural}"),
-    }
-}
-
-/// A duration as one would say it: `less than a second`, `40 s`, `3 min`, `2.5 h`.
-pub fn duration(seconds: f64) -> String {
-    match seconds {
-        s if s < 1.0 => "less than a second".to_owned(),
-        s if s < 90.0 => format!("{s:.0} s"),
-        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
-        s => format!("{:.1} h", s / 3600.0),
-    }
-}

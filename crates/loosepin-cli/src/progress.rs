@@ -9,8 +9,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle, W
 use loosepin::report::draft_text;
 use loosepin::study::Progress;
 use loosepin::study::result::Draft;
+use loosepin::units::duration_words;
 
-use crate::console::{duration, message};
+use crate::console::message;
 
 /// How often the remaining time is shown anew.
 const TICK: Duration = Duration::from_millis(500);
@@ -68,7 +69,7 @@ impl Bar {
             let remaining_s = shown.lock().ok().and_then(|pace| pace.remaining_s());
             let _ = match remaining_s {
                 None => write!(text, "the first runs have started"),
-                Some(remaining_s) => write!(text, "at most {} left", duration(remaining_s)),
+                Some(remaining_s) => write!(text, "at most {} left", duration_words(remaining_s)),
             };
         };
         // The template is fixed, so that the plain bar is never needed.

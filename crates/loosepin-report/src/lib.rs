@@ -1,22 +1,22 @@
 //! Self-contained HTML pages and terminal tables from results. This module only reads; it computes nothing that is not
 //! in the result, except how to show it.
 //!
-//! Here sentences on results are made, most of them for pages and terminals alike:
+//! What a page and a terminal both say is made once, as sections of an article (`loosepin_text::article`); `article_page.rs` and
+//! `article_text.rs` show it. Here sentences on results are made:
 //!
 //! | Sentences on | File |
 //! |---|---|
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
 //! | each output: one sentence | `told.rs` |
-//! | the required accuracy and the budget | `accuracy_text.rs` |
+//! | a study: its bounds, treatments, sensitivity, surrogates, promises, required accuracy; tables and sentences at once | `study_sections`, shown by `study_page` and `study_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
 //! | how far play goes without dynamics, and what of that is proven; the requirements judged so | `play_effect.rs`, `motion_verdicts.rs` |
-//! | what readings of a rig say of the plays | `identification_text.rs`, of a motion `motion_identification_text.rs`; what that gains `identification_gain.rs` |
+//! | what readings of a rig, or a motion, say of the plays; what that gains | `identification` |
 //! | how a result is made again | `repeat_section.rs` |
-//! | bounds that are promised for a share of the box | `promise_text.rs` |
 //! | percentiles of statistics | `percentile_words.rs` |
-//! | surrogates; histories that none can learn | `surrogate_text.rs`, `history_words.rs` |
+//! | histories that no surrogate can learn | `history_words.rs` |
 //! | whether the motion repeats | `motion_kind_section.rs` |
 //! | the law behind contact forces, and deep penetrations | `force_words.rs` |
 //! | the wear of joints | `wear_words.rs` |
@@ -28,8 +28,9 @@
 //! Parts of sentences: `wording.rs` (statistic, deviation, place, verdict), `bound_words.rs` (a bound and its error), `number.rs`
 //! (digits, units, rounding outwards), `tag.rs` (what a number is, so that no two texts contradict each other).
 
-mod accuracy_text;
 mod answer;
+mod article_page;
+mod article_text;
 mod axes;
 mod bending_words;
 mod bound_words;
@@ -38,7 +39,6 @@ mod chart;
 mod chart_drawing;
 mod chart_figure;
 mod compare;
-mod contributors_text;
 mod draft_band;
 mod draft_text;
 mod error_words;
@@ -46,12 +46,8 @@ mod figure;
 mod force_words;
 mod glossary;
 mod history_words;
-mod identification_figures;
-mod identification_gain;
-mod identification_page;
-mod identification_text;
+mod identification;
 mod inverse;
-mod lengths_text;
 mod life_section;
 mod live_band;
 mod measured_figures;
@@ -61,7 +57,6 @@ mod mechanism_labels;
 mod mechanism_shapes;
 mod mechanism_signs;
 mod motion_angles;
-mod motion_identification_text;
 mod motion_kind_section;
 mod motion_page;
 mod motion_verdicts;
@@ -69,9 +64,6 @@ mod number;
 mod page;
 mod percentile_words;
 mod play_effect;
-mod posterior_figure;
-mod posterior_text;
-mod promise_text;
 mod repeat_section;
 mod rounding;
 mod script_data;
@@ -81,9 +73,10 @@ mod simulation_page;
 mod spectrum_section;
 mod still_figures;
 mod study_page;
+mod study_sections;
+mod study_text;
 mod styles;
 mod surrogate_figure;
-mod surrogate_text;
 mod sweep_page;
 mod tag;
 mod terminal;
@@ -100,6 +93,7 @@ mod witness_words;
 mod wording;
 mod zone_figure;
 
+pub use article_text::article_text;
 pub use cases_page::{cases_page, cases_text};
 pub use compare::{
     ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison, Weight,
@@ -108,20 +102,18 @@ pub use compare::{
 pub use draft_band::{DraftBand, draft_bands};
 pub use draft_text::draft_text;
 pub use figure::{Figure, figures};
-pub use identification_gain::identification_gain;
-pub use identification_page::identification_page;
-pub use identification_text::identification_text;
+pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
-pub use motion_identification_text::motion_plan_text;
 pub use motion_page::motion_page;
 pub use short_answer::{motion_sentences, study_sentences};
 pub use simulation_page::simulation_page;
 pub use study_page::{KnownValue, known_values, study_excerpt, study_page};
+pub use study_text::study_text;
 pub use styles::figure_styles;
 pub use sweep_page::sweep_page;
 pub use tag::{ResultTag, Tag, TaggedNumber, TaggedText, among_cut, among_percentile, tagged};
-pub use terminal::{motion_text, simulation_text, study_text, sweep_text, wear_text};
+pub use terminal::{motion_text, simulation_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
 pub use witness_words::{WitnessWords, witness_words};
 pub use wording::verdict_words;

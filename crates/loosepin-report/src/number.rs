@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 pub(super) use super::rounding::Rounding;
 use super::tag::{Tag, marked, read_the_same};
+use loosepin_text::article::Medium;
 use loosepin_text::units::{DisplayUnits, SiUnit, decimal_exponent};
 
 /// Digits of a value whose error is not known.
@@ -24,15 +25,6 @@ const REPRESENTATION_NOISE: f64 = 1e-12;
 
 /// Text for not-a-number, without a unit.
 const NOT_KNOWN: &str = "not known";
-
-/// Where the text goes, which decides on its characters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Medium {
-    /// Typographic minus, superscripts, thousands apart.
-    Page,
-    /// Characters that can be copied back into a program.
-    Terminal,
-}
 
 /// Writes SI numbers in the units of people.
 #[derive(Debug, Clone, Copy)]

@@ -2,137 +2,24 @@
 
 use comfy_table::Table;
 
-use super::accuracy_text::accuracy_sentences;
-use super::answer::{answer, treatment_sentences, verdict_headline};
-use super::bound_words::{bound_error, bound_value};
-use super::contributors_text::contributors_text;
-use super::inverse::{inverse_sentences, rare_sentences};
+use super::article_text::as_shown;
 use super::life_section::{life_sentences, life_table};
 use super::measured_figures::at_words;
 use super::number::{NumberWriter, Rounding};
-use super::percentile_words::percentile_sentences;
 use super::play_effect::{PlayEffect, Shown, play_effect};
-use super::promise_text::{promise_sentences, promise_title};
 use super::spectrum_section::{dominant_words, oscillations};
-use super::surrogate_text::{band_words, surrogate_text};
 use super::tag::Tag;
-use super::terminal_table::{push_table, table, trimmed, wrapped};
-use super::trust_words::nominal_sentences;
+use super::terminal_table::{push_table, table, wrapped};
 use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
-use super::wording::{
-    EQUALLY_PROBABLE, WIDTH_DIGITS, band_error, count, counted, deviation_words, has_errors, has_lists, has_unknown,
-    named_words, only_curves, output_unit, place_words, promise_word, reading_beside, response_words, share_words,
-    statistic_words, treatment_words, unknown_words, without_round_off,
-};
+use super::wording::{count, counted, named_words, without_round_off};
 use super::{motion_angles, motion_page, simulation_page, sweep_page};
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::{ExtremePoint, SimulationRecord, StopReason, WearLifeRecord};
-use loosepin_result::study::{BoundRecord, FailureGroup, ResponsePoint, StudyResult, Treatment};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::units::SiUnit;
 
 /// Rows of a table; the others stand in the files.
 const MOST_ROWS: usize = 24;
-
-/// The result of a study as text for a terminal: the answer, the bounds, the treatments, what failed.
-pub fn study_text(result: &StudyResult) -> String {
-    let writer = NumberWriter::for_terminal(&result.display_units);
-    let answer = answer(result, &writer);
-    let mut text = format!("{}\n\n", result.name);
-    if let Some(verdict) = answer.verdict {
-        text.push_str(&format!("{}\n", verdict_headline(verdict)));
-        for requirement in &answer.requirements {
-            text.push_str(&format!("{}\n", wrapped(requirement, "- ")));
-        }
-        for caveat in &answer.caveats {
-            text.push_str(&format!("{}\n", wrapped(caveat, "- ")));
-        }
-        text.push('\n');
-    }
-    text.push_str(&format!("{}\n", wrapped(&answer.headline, "")));
-    for sentence in &answer.further {
-        text.push_str(&format!("{}\n", wrapped(sentence, "")));
-    }
-    for detail in &answer.details {
-        text.push_str(&format!("{}\n", wrapped(detail, "- ")));
-    }
-    let shown: Vec<&BoundRecord> = result
-        .bounds
-        .iter()
-        .filter(|bound| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. }))
-        .collect();
-    if !shown.is_empty() {
-        let is_over_some = has_unknown(&result.inputs);
-        let over = if is_over_some {
-            format!(" for all values of the {}", unknown_words(&result.inputs))
-        } else {
-            String::new()
-        };
-        text.push_str(&format!("\nBounds{over}, numerical error included\n"));
-        let rows = &shown[..shown.len().min(MOST_ROWS)];
-        for group in
-            rows.chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
-        {
-            text.push_str(&format!(
-                "\n{}{}\n\n{}\n",
-                response_words(result, (&group[0].output, group[0].of, group[0].at), &writer),
-                reading_beside(result, group[0]),
-                bounds_table(result, group, &writer)
-            ));
-        }
-        if shown.len() > MOST_ROWS {
-            let more = count(
-                (shown.len() - MOST_ROWS) as u64,
-                &writer.about(&Tag::Count("bounds that the terminal leaves out")),
-            );
-            text.push_str(&format!("\n{more} more in bounds.csv\n"));
-        }
-    } else if let Some(words) = only_curves(result.bounds.len(), &writer) {
-        text.push_str(&format!("\n{}\n", wrapped(&words, "")));
-    }
-    let promise_title = result.promise.as_ref().map_or_else(String::new, |promise| promise_title(promise, &writer));
-    for (title, sentences) in [
-        (&promise_title[..], promise_sentences(result, &writer)),
-        ("Accuracy of the bounds", accuracy_sentences(result, &writer)),
-        ("Percentiles of the statistics", percentile_sentences(result, &writer)),
-        ("Small probabilities", rare_sentences(result, &writer)),
-        ("Loosest values that meet the requirements", inverse_sentences(result, &writer)),
-    ] {
-        if !sentences.is_empty() {
-            text.push_str(&format!("\n{title}\n\n"));
-        }
-        for sentence in sentences {
-            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
-        }
-    }
-    text.push_str(&surrogate_text(result, &writer));
-    text.push_str(&contributors_text(result, &writer));
-    for comparison in &result.treatments {
-        text.push_str(&format!(
-            "\nThree treatments of the unknown inputs: {} {}, {}\n\n{}\n",
-            comparison.output,
-            deviation_words(comparison.of),
-            place_words(comparison.at, &writer),
-            treatments_table(comparison, &writer)
-        ));
-        let of_lists = has_lists(&result.inputs).then(|| EQUALLY_PROBABLE.to_owned());
-        for sentence in treatment_sentences(comparison, &writer).into_iter().chain(of_lists) {
-            text.push_str(&format!("{}\n", wrapped(&sentence, "- ")));
-        }
-    }
-    let nominal = nominal_sentences(result, &writer);
-    if !nominal.is_empty() {
-        text.push_str(&format!("\n{}\n", wrapped(&nominal.join(" "), "")));
-    }
-    for failure in &result.failures {
-        text.push_str(&format!(
-            "\n{}\n  again: {}\n",
-            wrapped(&failed_words(failure, &writer), ""),
-            failure.example.command
-        ));
-    }
-    as_shown(&text)
-}
 
 /// One run as text for a terminal: the answer, extremes, joints, counters.
 pub fn simulation_text(record: &SimulationRecord) -> String {
@@ -451,62 +338,4 @@ fn scatter_table(record: &MotionRecord, writer: &NumberWriter) -> Table {
         }
     }
     scatter
-}
-
-fn failed_words(failure: &FailureGroup, writer: &NumberWriter) -> String {
-    let tag = Tag::whole("failed runs", &failure.code);
-    format!("{} failed: {}", counted(failure.count, "run", &writer.about(&tag)), failure.words)
-}
-
-fn bounds_table(result: &StudyResult, group: &[&BoundRecord], writer: &NumberWriter) -> String {
-    let mut bounds = table(&["statistic", "lower", "upper", "± error", "upper attained at"], &[1, 2, 3]);
-    for bound in group {
-        let output_unit = output_unit(result, &bound.output);
-        bounds.add_row([
-            statistic_words(bound.statistic, &output_unit, writer),
-            bound_value(&bound.lower, bound, Rounding::Down, writer),
-            bound_value(&bound.upper, bound, Rounding::Up, writer),
-            bound_error(bound, writer),
-            writer.about(&Tag::bound(bound, "upper witness")).witness(&bound.upper.witness, &result.inputs),
-        ]);
-    }
-    trimmed(&bounds)
-}
-
-fn treatments_table(comparison: &loosepin_result::study::TreatmentComparison, writer: &NumberWriter) -> String {
-    // Records of older versions do not hold the errors of bands of direct runs.
-    let has_errors = has_errors(comparison);
-    let mut head = vec!["treatment", "band", "width", "share inside", "promise"];
-    if has_errors {
-        head.insert(2, "± error");
-    }
-    let mut treatments = table(&head, if has_errors { &[2, 3] } else { &[2] });
-    for band in &comparison.bands {
-        let error = has_errors.then(|| band_error(band, comparison, writer));
-        let cells = [treatment_words(band.treatment).to_owned(), band_words(band, comparison, writer)];
-        let further = [
-            writer.about(&Tag::band(comparison, band, "width")).rounded(
-                band.width_si(),
-                &comparison.unit,
-                WIDTH_DIGITS,
-                Rounding::Nearest,
-            ),
-            share_words(band, comparison, writer),
-            promise_word(band, comparison.promised_coverage).to_owned(),
-        ];
-        treatments.add_row(cells.into_iter().chain(error).chain(further));
-    }
-    trimmed(&treatments)
-}
-
-/// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
-fn as_shown(text: &str) -> String {
-    let is_command =
-        |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let shown = |c| match c {
-        '\u{a0}' => ' ',
-        c if is_command(c) => char::REPLACEMENT_CHARACTER,
-        c => c,
-    };
-    text.chars().map(shown).collect()
 }

@@ -8,6 +8,7 @@ use loosepin_result::study::{
     PromiseRecord, Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment,
     TreatmentBand, TreatmentComparison, Verdict,
 };
+use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
 
 pub(super) fn deviation_words(of: Deviation) -> String {
@@ -221,6 +222,11 @@ pub(super) fn named_words(name: &str, words: &str) -> String {
 pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The head of a column, on a page with a capital.
+pub(super) fn head(words: &str) -> Text {
+    Text::by_medium(capitalised(words), words)
 }
 
 /// A count, on a page with thousands apart: `16 384`.

@@ -1,6 +1,8 @@
 //! From files to numbers: text with units to SI and back ([`units`]), TOML files walked by hand
-//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]). Dates the other way ([`date`]).
+//! ([`document`]), complaints with their place, code and hint ([`diagnostics`]). The other way: what people read ([`article`]), dates
+//! ([`date`]).
 
+pub mod article;
 pub mod date;
 pub mod diagnostics;
 pub mod document;

@@ -7,13 +7,14 @@
 //!   [`sweep`], [`measured`] (`loosepin-simulate`). They know nothing of probability.
 //! * Uncertainty: [`uncertainty`], [`contributors`], [`reliability`] (`loosepin-uncertainty`), [`surrogate`], [`bounds`].
 //!   They know nothing of mechanisms.
-//! * [`study`] joins the two wings, [`identify`] goes from readings of a rig to play, [`cases`] holds the program against answers that are known, [`report`] reads results.
+//! * [`study`] joins the two wings, [`identify`] goes from readings of a rig to play, [`cases`] holds the program against answers that are known, [`check`] says what a file is before anything runs, [`report`] reads results.
 //!
 //! [`files`] is all that writes to disk.
 //!
 //! `docs/architecture.md` shows which crate stands on which.
 
 pub use loosepin_bounds as bounds;
+pub use loosepin_check as check;
 pub use loosepin_files as files;
 pub use loosepin_identify as identify;
 pub use loosepin_import as import;
@@ -31,6 +32,6 @@ pub use loosepin_study as study;
 pub use loosepin_study::cases;
 pub use loosepin_surrogate as surrogate;
 pub use loosepin_tape::{native, trace};
-pub use loosepin_text::{VERSION, diagnostics, document, units};
+pub use loosepin_text::{VERSION, article, diagnostics, document, units};
 pub use loosepin_uncertainty as uncertainty;
 pub use loosepin_uncertainty::{contributors, reliability};

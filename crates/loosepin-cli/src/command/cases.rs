@@ -6,6 +6,7 @@ use loosepin::cases::{Case, CaseProblem, case_names, compare_all};
 use loosepin::diagnostics::{Complaints, nearest_name};
 use loosepin::files::{io_error_words, replace_named};
 use loosepin::report::{cases_page, cases_text};
+use loosepin::units::counted_or_no;
 
 use crate::arguments::{CasesAction, CasesArguments, CasesRunArguments};
 use crate::console;
@@ -23,7 +24,7 @@ fn list(folder: &Path) -> Ending {
     let cases = read(folder, &case_names(folder)?)?;
     let width = cases.iter().map(|case| case.name.len()).max().unwrap_or(0);
     let line = |case: &Case| {
-        let numbers = console::counted(case.count(), "number", "numbers");
+        let numbers = counted_or_no(case.count(), "number", "numbers");
         format!("{:width$}  {:>11}  {}\n", case.name, numbers, case.model.name)
     };
     console::print(&cases.iter().map(line).collect::<String>())?;

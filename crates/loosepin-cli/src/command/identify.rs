@@ -10,7 +10,7 @@ use loosepin::result::repeat::Repeat;
 use loosepin::result::study::StudyResult;
 use loosepin::results::{Claim, InputsHash, InputsHasher, Place, ResultKind};
 use loosepin::study::{Means, Progress, Study, conduct, study_inputs};
-use loosepin::units::DisplayUnits;
+use loosepin::units::{DisplayUnits, counted_or_no};
 
 use super::inputs::{add_model, add_study, read_study};
 use super::signals::stop_on_signals;
@@ -193,7 +193,7 @@ fn write_asked(study: &Study, answer: &Identification, arguments: &IdentifyArgum
         path.display(),
         match changes.len() {
             0 => "no interval is narrower than before".to_owned(),
-            count => console::counted(count, "interval narrowed", "intervals narrowed"),
+            count => counted_or_no(count, "interval narrowed", "intervals narrowed"),
         }
     ));
     for change in changes {

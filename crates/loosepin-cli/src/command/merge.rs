@@ -65,7 +65,7 @@ pub fn run(arguments: &MergeArguments) -> Ending {
         Begun::Open(folder, store) => (folder, store),
         Begun::Finished(folder) => return show_found::<StudyResult>(folder),
     };
-    console::message(&format!("{} new runs of {}", added.get(), console::counted(of as usize, "shard", "shards")));
+    console::message(&format!("{} new runs of {}", added.get(), units::counted_or_no(of as usize, "shard", "shards")));
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::going_on(store.runs_at_start() as usize);

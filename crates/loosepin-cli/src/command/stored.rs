@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use loosepin::result::json::Stored;
 use loosepin::results::{Claim, InputsHash, Place, REPORT_FILE, ResultKind, ResultsFolder, SUMMARY_FILE};
 use loosepin::store::RunStore;
+use loosepin::units::counted_or_no;
 
 use crate::arguments::OutputArguments;
 use crate::console;
@@ -23,7 +24,7 @@ pub fn claim(kind: ResultKind, name: &str, inputs: InputsHash, output: &OutputAr
 /// Says that finished runs are taken over.
 pub fn tell_going_on(store: &RunStore) {
     if store.runs_at_start() > 0 {
-        let runs = console::counted(store.runs_at_start() as usize, "finished run", "finished runs");
+        let runs = counted_or_no(store.runs_at_start() as usize, "finished run", "finished runs");
         console::message(&format!("continuing with {runs}"));
     }
 }

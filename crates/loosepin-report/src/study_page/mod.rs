@@ -1,33 +1,30 @@
 //! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
 
-mod bounds_table;
-mod contributors;
 mod curves;
 mod cuts;
 mod provenance;
-mod surrogate;
-mod treatments;
 mod what_if;
 
 use maud::{Markup, html};
 
-pub(super) use contributors::{band_probability, band_share, known as known_share, share as share_range};
 pub use curves::{KnownValue, known_values};
 
-use super::accuracy_text::accuracy_sentences;
 use super::answer::{Answer, answer, requirement_words, verdict_headline};
+use super::article_page::{blocks, page_section};
 use super::figure::figures;
-use super::inverse::{inverse_sentences, rare_sentences};
 use super::mechanism_figure::mechanism_figure;
 use super::number::{NumberWriter, Rounding};
 use super::page::{Page, Section};
-use super::promise_text::{promise_sentences, promise_title};
 use super::repeat_section::study_repeat_section;
 use super::still_figures::orbit_figure;
+use super::study_sections::{
+    accuracy_section, allowed_section, bounds_section, contributors_section, promise_section, rare_section,
+    surrogate_section, treatments_section,
+};
 use super::tag::Tag;
-use super::together::frontier;
 use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
 use loosepin_result::study::{StudyResult, Verdict};
+use loosepin_text::article;
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -36,54 +33,43 @@ pub fn study_page(result: &StudyResult) -> String {
     let writer = NumberWriter::for_page(&result.display_units);
     let answer = answer(result, &writer);
     let first = curves::first_chart(result, &writer);
+    let writer = &writer;
     let mut sections = Vec::new();
-    let mut add = |id: &'static str, title: &str, is_there: bool, body: &dyn Fn() -> Markup| {
-        if is_there {
-            sections.push(Section::new(id, title, body()));
-        }
-    };
     let has_path = result.curves.iter().any(|curve| curve.path.is_some());
-    add("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, &writer));
-    add("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
-        curves::other_charts(result, &writer)
-    });
-    add("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, &writer));
-    let is_explained = !result.contributors.is_empty();
-    add("contributors", "Sensitivity", is_explained, &|| contributors::contributors(result, &writer));
-    let allowed = inverse_sentences(result, &writer);
-    let frontier = || result.together.as_ref().and_then(|one| frontier(result, one, &writer));
-    add("allowed", "Loosest values that meet the requirements", !allowed.is_empty(), &|| {
-        html! { (list(&allowed)) @if let Some(chart) = frontier() { (chart.figure()) } }
-    });
-    add("boxes", "Distribution", result.boxes.len() > first.boxes, &|| {
-        curves::box_charts(result, first.boxes, &writer)
-    });
-    let are_treated = !result.treatments.is_empty();
-    add("treatments", "Three treatments of the unknown inputs", are_treated, &|| {
-        treatments::treatments(result, &writer)
-    });
-    add("requirements", "Requirements", !result.requirements.is_empty(), &|| requirements(result, &writer));
-    add("bounds", "Bounds", !result.bounds.is_empty(), &|| bounds_table::bounds_table(result, &writer));
-    if let Some(record) = &result.promise {
-        add("promise", &promise_title(record, &writer), true, &|| promise(result, &writer));
-    }
-    add("degrees", "Bounds by degree of possibility", !result.cuts.is_empty(), &|| cuts::cuts(result, &writer));
-    let has_percentiles = !result.percentiles.is_empty();
-    add("percentiles", "Percentiles of the statistics", has_percentiles, &|| cuts::percentiles(result, &writer));
-    let rare = rare_sentences(result, &writer);
-    add("rare", "Small probabilities", !rare.is_empty(), &|| list(&rare));
-    if let Some(record) = &result.surrogate {
-        let title = super::surrogate_text::title(record);
-        add("surrogate", title, true, &|| surrogate::surrogate(result, record, &writer));
-    }
-    let accuracy = accuracy_sentences(result, &writer);
-    add("accuracy", "Accuracy of the bounds", !accuracy.is_empty(), &|| list(&accuracy));
-    add("runs", "Runs, failures and impacts", true, &|| provenance::runs(result, &writer));
-    if let Some(energy) = &result.energy {
-        add("energy", "Energy check", true, &|| provenance::energy(energy, &writer));
-    }
-    add("method", "How this was computed", true, &|| provenance::method(result, &writer));
-    sections.extend(study_repeat_section(result, &writer));
+    let own = |id: &'static str, title: &'static str, is_there: bool, body: &dyn Fn() -> Markup| {
+        is_there.then(|| Section::new(id, title, body()))
+    };
+    let both = |section: Option<article::Section>| section.as_ref().map(page_section);
+    sections.extend(own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)));
+    sections.extend(own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
+        curves::other_charts(result, writer)
+    }));
+    sections.extend(own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)));
+    sections.extend(both(contributors_section(result, writer)));
+    sections.extend(both(allowed_section(result, writer)));
+    sections.extend(own("boxes", "Distribution", result.boxes.len() > first.boxes, &|| {
+        curves::box_charts(result, first.boxes, writer)
+    }));
+    sections.extend(both(treatments_section(result, writer)));
+    sections
+        .extend(own("requirements", "Requirements", !result.requirements.is_empty(), &|| requirements(result, writer)));
+    sections.extend(both(bounds_section(result, writer)));
+    sections.extend(both(promise_section(result, writer)));
+    sections.extend(own("degrees", "Bounds by degree of possibility", !result.cuts.is_empty(), &|| {
+        cuts::cuts(result, writer)
+    }));
+    sections.extend(own("percentiles", "Percentiles of the statistics", !result.percentiles.is_empty(), &|| {
+        cuts::percentiles(result, writer)
+    }));
+    sections.extend(both(rare_section(result, writer)));
+    sections.extend(both(surrogate_section(result, writer)));
+    sections.extend(both(accuracy_section(result, writer)));
+    sections.extend(own("runs", "Runs, failures and impacts", true, &|| provenance::runs(result, writer)));
+    sections.extend(
+        result.energy.as_ref().map(|energy| Section::new("energy", "Energy check", provenance::energy(energy, writer))),
+    );
+    sections.extend(own("method", "How this was computed", true, &|| provenance::method(result, writer)));
+    sections.extend(study_repeat_section(result, writer));
     Page {
         title: result.name.clone(),
         kicker: "Accuracy study",
@@ -107,26 +93,9 @@ pub fn study_page(result: &StudyResult) -> String {
 pub fn study_excerpt(result: &StudyResult) -> String {
     let writer = NumberWriter::for_page(&result.display_units);
     let answer = answer_markup(&answer(result, &writer));
-    let table = if result.bounds.is_empty() {
-        html! {}
-    } else {
-        bounds_table::bounds_table(result, &writer)
-    };
+    let table = bounds_section(result, &writer).as_ref().map_or_else(Markup::default, blocks);
     let first = curves::first_chart(result, &writer).markup.into_string();
     html! { (answer) @for figure in figures(&first).iter().take(1) { (figure.image()) } (table) }.into_string()
-}
-
-fn list(sentences: &[String]) -> Markup {
-    html! { ul { @for sentence in sentences { li { (sentence) } } } }
-}
-
-fn promise(result: &StudyResult, writer: &NumberWriter) -> Markup {
-    let sentences = promise_sentences(result, writer);
-    let (head, ends) = sentences.split_at(sentences.len().min(2));
-    html! {
-        @for sentence in head { p { (sentence) } }
-        (list(ends))
-    }
 }
 
 fn short_hash(hash: &str) -> String {

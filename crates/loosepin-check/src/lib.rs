@@ -1,0 +1,77 @@
+//! What is known of a model or a study before it runs: what each part is, whether the loops close, whether the first steps of a run
+//! succeed, how long a study takes. As an article, which a terminal or a page shows.
+//!
+//! | Words on | File |
+//! |---|---|
+//! | bodies, degrees of freedom, the start, a run | `mechanism.rs` |
+//! | joints with their drives, their play and what touches in it | `joints.rs` |
+//! | flexible bodies | `beams.rs`; how far they bend `bending.rs` |
+//! | couplings, springs, loads, controls | `elements.rs` |
+//! | the law behind a force that is asked about | `force_law.rs` |
+//! | a study: its inputs, its questions, its time | `study.rs` |
+//!
+//! What is moved and run to know it: `trial.rs`.
+
+#![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
+
+mod beams;
+mod bending;
+mod elements;
+mod force_law;
+mod joints;
+mod law_words;
+mod mechanism;
+mod study;
+mod trial;
+
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Model;
+use loosepin_study::{InputFile, Study};
+use loosepin_text::article::Article;
+use loosepin_text::diagnostics::{Complaint, Complaints};
+
+/// What is read in a file and may not be meant, although the file is sound.
+pub fn warnings(file: &InputFile) -> &[Complaint] {
+    match file {
+        InputFile::Model(model) => &model.warnings,
+        InputFile::Study(study) => &study.warnings,
+    }
+}
+
+/// Moves the mechanism of a file for the first time, and says what is known of it then.
+///
+/// # Errors
+/// What keeps it from running.
+pub fn check(file: &InputFile) -> Result<Article, Complaints> {
+    match file {
+        InputFile::Model(model) => check_model(model),
+        InputFile::Study(study) => check_study(study),
+    }
+}
+
+fn check_model(model: &Model) -> Result<Article, Complaints> {
+    let values = model.quantities.nominal();
+    let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+    if !mechanism.is_driven() {
+        // Forces decide where it goes: without them nothing is known of it.
+        model.demand_dynamics()?;
+    }
+    // A study has a cycle of its own, with limits of its own.
+    trial::check_run(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
+    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
+    Ok(mechanism::article(&mechanism, &values, &tried))
+}
+
+fn check_study(study: &Study) -> Result<Article, Complaints> {
+    let values = study::middle_values(study)?;
+    let model = &study.model;
+    let mechanism = Mechanism::new(model, &values).map_err(|error| error.complaint(model))?;
+    if study.needs_runs() || !mechanism.is_driven() {
+        model.demand_dynamics()?;
+    }
+    let tried = trial::try_out(&mechanism, &values).map_err(|failure| failure.complaint(model))?;
+    study::article(study, &values, &tried)
+}
+
+#[cfg(test)]
+mod tests;

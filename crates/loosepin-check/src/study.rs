@@ -1,0 +1,192 @@
+//! A study in words.
+
+use loosepin_mechanics::model::{ContactId, JointId, QuantityError, QuantityId, Values};
+use loosepin_simulate::Reading;
+use loosepin_study::{
+    Budget, CorrelationMeasure, EpistemicInput, EpistemicSubject, Foreseen, ForeseenPromise, Seen, Study, StudyError,
+    default_threads, distribution_words, foresee,
+};
+use loosepin_text::article::{Article, Content, Fact, Section};
+use loosepin_text::diagnostics::{Complaint, Complaints};
+use loosepin_text::units::{Dimension, counted_or_no, duration_words, format_number, format_value};
+use loosepin_uncertainty::EpistemicVariable;
+
+use super::force_law::force_laws;
+use super::mechanism::missing;
+use super::trial::Trial;
+
+/// The values of the model with every interval input in the middle of its interval, every number of a list at the first.
+///
+/// # Errors
+/// They are impossible together.
+pub fn middle_values(study: &Study) -> Result<Values, Complaints> {
+    let epistemic = study.epistemic.iter();
+    let middle: Vec<(QuantityId, f64)> =
+        epistemic.filter_map(|input| Some((input.quantity()?, input.variable.middle()))).collect();
+    let complain = |error: QuantityError| Complaint::error(&error, study.model.place(error.path()));
+    study.model.quantities.evaluate(&middle).map_err(|error| complain(error).into())
+}
+
+/// Uncertain inputs, questions, and an estimate of the time.
+///
+/// # Errors
+/// The study cannot be planned, or its nominal run fails.
+pub fn article(study: &Study, values: &Values, tried: &Trial) -> Result<Article, Complaints> {
+    let of_model = format!("of {}: {}", study.model_path.display(), study.model.name);
+    let questions = format!(
+        "{} and {}",
+        counted_or_no(study.asks.len(), "question", "questions"),
+        counted_or_no(study.requirements.len(), "requirement", "requirements")
+    );
+    let is_complete = study.model.missing_for_runs.is_empty();
+    let for_identify = (is_complete && !study.has_questions()).then(|| {
+        let readings = counted_or_no(study.measured.len() + study.motion.len(), "reading", "readings");
+        format!("{readings} for identify; loosepin study needs a question")
+    });
+    let mut sections = vec![Section::of_sentences("model", [of_model]), inputs(study)];
+    sections.push(Section::of_sentences("questions", [questions].into_iter().chain(for_identify)));
+    if !is_complete {
+        sections.push(missing(&study.model));
+    } else if study.has_questions() {
+        sections.extend(force_laws(&study.model, values, joints_of_forces(study), &listed_laws(study)));
+        sections.push(plan(study, tried)?);
+    }
+    Ok(Article { title: study.name.clone(), sections })
+}
+
+/// A run, what is promised, and how long all runs take.
+fn plan(study: &Study, tried: &Trial) -> Result<Section, Complaints> {
+    let Foreseen { most_runs, run_s, promise } = foresee(study).map_err(|error| match error {
+        StudyError::AllFailed { reason, .. } => reason.complaint(&study.model),
+        error => error.complaint(study),
+    })?;
+    let run = format!(
+        "A run: {} of start-up, {} recorded, of {} each, positions to {:e} m",
+        counted_turns(study.cycle.transient_turns),
+        format_number(study.cycle.recorded_turns),
+        format_value(tried.turn_s, Dimension::TIME),
+        study.sampling.tolerance_m
+    );
+    let time = time_words(study, most_runs, run_s);
+    let Some(promise) = promise else { return Ok(Section::of_sentences("plan", [run, time])) };
+    let mut section = Section::of_sentences("plan", [run]);
+    section.push(Content::sentences([promise_words(study, &promise), time]));
+    Ok(section)
+}
+
+fn counted_turns(turns: f64) -> String {
+    if turns == 1.0 { "1 turn".to_owned() } else { format!("{} turns", format_number(turns)) }
+}
+
+/// How long all runs take on this machine.
+fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
+    let before = match study.budget {
+        Some(Budget::Time { .. } | Budget::Rounds { .. }) if !study.accuracy.is_empty() => " before its samples grow",
+        _ => "",
+    };
+    let threads = default_threads();
+    let runs = counted_or_no(most_runs, "run", "runs");
+    match run_s.map(|run_s| run_s * most_runs as f64 / threads as f64) {
+        Some(whole_s) => {
+            let (time, threads) = (duration_words(whole_s), counted_or_no(threads, "thread", "threads"));
+            let about = if whole_s < 1.0 { "" } else { "about " };
+            format!("At most {runs}{before}: {about}{time} on {threads}")
+        }
+        None => format!("At most {runs}{before}; a short trial does not tell how long they take"),
+    }
+}
+
+/// The joints whose force is asked about or limited.
+fn joints_of_forces(study: &Study) -> impl Iterator<Item = JointId> {
+    let asked = study.asks.iter().map(|ask| ask.output);
+    let required = study.requirements.iter().map(|requirement| requirement.output);
+    asked.chain(required).filter_map(|output| match study.outputs[output].seen {
+        Seen::Reading(Reading::Force(joint, _)) => Some(joint),
+        _ => None,
+    })
+}
+
+/// The contacts whose law comes from a list.
+fn listed_laws(study: &Study) -> Vec<ContactId> {
+    let contact = |subject: &EpistemicSubject| match subject {
+        EpistemicSubject::Law { contact, .. } => Some(*contact),
+        _ => None,
+    };
+    study.epistemic.iter().filter_map(|input| contact(&input.subject)).collect()
+}
+
+/// What is promised, and what it costs.
+fn promise_words(study: &Study, promise: &ForeseenPromise) -> String {
+    let ForeseenPromise { ends, boxes, values, inner, runs } = *promise;
+    let settings = study.promise.unwrap_or_default();
+    let boxes = if boxes == 1 { String::new() } else { format!(" in each of {boxes} boxes") };
+    format!(
+        "A promise of {} for {} of the box with {} confidence: {values} values{boxes}, {} at each, {}",
+        counted_or_no(ends, "bound", "bounds"),
+        format_percent(settings.share),
+        format_percent(settings.confidence),
+        counted_or_no(inner, "run", "runs"),
+        counted_or_no(runs, "run", "runs"),
+    )
+}
+
+fn format_percent(share: f64) -> String {
+    format!("{} %", format_number(100.0 * share))
+}
+
+/// What scatters with a known distribution, and what is known as an interval, a list or so.
+fn inputs(study: &Study) -> Section {
+    let dimension = |id: QuantityId| study.model.quantities[id].dimension;
+    let random = study.random.iter().map(|input| {
+        let shown = distribution_words(input.variable.distribution(), dimension(input.quantity));
+        let origin = input.origin.as_ref().map_or(String::new(), |origin| format!("; {origin}"));
+        Fact::new(&input.path, [format!("{shown}{origin}")])
+    });
+    let correlations = study.correlation.iter().flat_map(|correlation| &correlation.stated).map(|each| {
+        let [first, second] = [each.first, each.second].map(|input| &study.random[input].path);
+        let measure = match each.measure {
+            CorrelationMeasure::Rank => "rank",
+            CorrelationMeasure::Linear => "linear",
+        };
+        Fact::nameless(format!("{first} with {second}: {measure} correlation {}", format_number(each.value)))
+    });
+    let unknown = study.epistemic.iter().map(|input| Fact::new(&input.path, [known_words(study, input)]));
+    let heading = counted_or_no(study.random.len(), "random input", "random inputs");
+    let mut section = Section::of_facts("inputs", heading, random.chain(correlations));
+    section.push(Content::Heading(unknown_heading(study).into()));
+    section.push_close(Content::Facts(unknown.collect()));
+    section
+}
+
+fn unknown_heading(study: &Study) -> String {
+    let lists = study.epistemic.iter().filter(|input| input.interval().is_none()).count();
+    let intervals = counted_or_no(study.epistemic.len() - lists, "interval input", "interval inputs");
+    let of_lists = counted_or_no(lists, "input from a list", "inputs from lists");
+    match (lists < study.epistemic.len(), lists > 0) {
+        (true, true) => format!("{intervals}, {of_lists}"),
+        (false, true) => of_lists,
+        (_, false) => intervals,
+    }
+}
+
+/// What is known of an input.
+fn known_words(study: &Study, input: &EpistemicInput) -> String {
+    if let Some(of) = input.members_written(&study.model) {
+        return format!("any of {}", of.join(", "));
+    }
+    let [lower, upper] = input.variable.ends().map(|end| input.written(&study.model, end));
+    let how = match &input.variable {
+        EpistemicVariable::Evidence(evidence) if evidence.is_scattering() => "scattering somehow ".to_owned(),
+        EpistemicVariable::Evidence(evidence) => {
+            format!("in {} with masses, ", counted_or_no(evidence.elements().len(), "interval", "intervals"))
+        }
+        EpistemicVariable::SecondOrder(parameter) => {
+            let dimension = input.dimension(&study.model);
+            format!("{}, looked at ", distribution_words(parameter.variable().distribution(), dimension))
+        }
+        EpistemicVariable::Periodic(_) => "on a circle, ".to_owned(),
+        EpistemicVariable::Fuzzy(_) => "fuzzy, ".to_owned(),
+        _ => String::new(),
+    };
+    format!("{how}between {lower} and {upper}")
+}

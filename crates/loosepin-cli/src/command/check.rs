@@ -1,0 +1,50 @@
+//! `loosepin check`.
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use loosepin::check::{check, warnings};
+use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::report::article_text;
+use loosepin::study::InputFile;
+
+use crate::arguments::CheckArguments;
+use crate::console;
+use crate::ending::{Done, Ending};
+
+/// Says what each file is; a file that is wrong does not keep the others from being looked at.
+pub fn run(arguments: &CheckArguments) -> Ending {
+    let mut complaints = Complaints::new();
+    // A study repeats what its model says, which may be one of the files.
+    let mut seen = HashSet::new();
+    let mut gap = "";
+    for path in &arguments.files {
+        match describe(path, &mut seen) {
+            Ok(text) => {
+                console::print(&format!("{gap}{}: {text}", path.display()))?;
+                gap = "\n";
+            }
+            Err(mut found) => {
+                found.remove_repeats(&mut seen);
+                complaints.extend(found);
+            }
+        }
+    }
+    if complaints.is_empty() { Ok(Done::Well) } else { Err(complaints.into()) }
+}
+
+fn describe(path: &Path, seen: &mut HashSet<String>) -> Result<String, Complaints> {
+    let file = InputFile::from_path(path)?;
+    warn_once(warnings(&file), seen);
+    // Lines as they are: programs look for them.
+    Ok(article_text(&check(&file)?, None))
+}
+
+/// Shows the warnings that were not shown for an earlier file.
+fn warn_once(warnings: &[Complaint], seen: &mut HashSet<String>) {
+    let mut complaints: Complaints = warnings.iter().cloned().collect();
+    complaints.remove_repeats(seen);
+    if !complaints.is_empty() {
+        console::complain(&complaints);
+    }
+}

@@ -1,0 +1,109 @@
+//! An article on a page.
+
+use super::page;
+use loosepin_text::article::{Cell, Column, Content, Emphasis, Fact, Group, Medium, Section, Table, Text};
+use maud::{Markup, PreEscaped, html};
+
+/// A section of a page.
+pub(super) fn page_section(section: &Section) -> page::Section {
+    page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(section))
+}
+
+/// The blocks of a section.
+pub(super) fn blocks(section: &Section) -> Markup {
+    html! { @for block in section.blocks_on(Medium::Page) { (content(&block.content)) } }
+}
+
+fn content(content: &Content) -> Markup {
+    match content {
+        Content::Heading(heading) => html! { h3 { (text(heading)) } },
+        Content::Sentences(sentences) => html! { @for sentence in shown(sentences) { p { (text(sentence)) } } },
+        Content::Note(note) => html! { p.quiet { (text(note)) } },
+        Content::Points(points) => html! { ul { @for point in shown(points) { li { (text(point)) } } } },
+        Content::Facts(facts) => list_of_facts(facts),
+        Content::Table(table) => whole_table(table),
+        Content::Figure(figure) => PreEscaped(figure.clone()),
+    }
+}
+
+/// The sentences that a page shows.
+fn shown(texts: &[Text]) -> impl Iterator<Item = &Text> {
+    texts.iter().filter(|text| !text.is_empty_on(Medium::Page))
+}
+
+fn text(text: &Text) -> Markup {
+    html! {
+        @for span in text.spans_on(Medium::Page) {
+            @match span.emphasis {
+                Emphasis::Plain => { (span.text) }
+                Emphasis::Strong => strong { (span.text) },
+                Emphasis::Quiet => span.quiet { (span.text) },
+                Emphasis::Code => code { (span.text) },
+            }
+        }
+    }
+}
+
+fn list_of_facts(facts: &[Fact]) -> Markup {
+    let lines = |fact: &Fact| {
+        html! { @for (index, line) in fact.lines.iter().enumerate() { @if index > 0 { br; } (text(line)) } }
+    };
+    page::facts(&facts.iter().map(|fact| (fact.name.clone(), lines(fact))).collect::<Vec<_>>())
+}
+
+/// A table with its title; with what stands below it where there is a caption.
+fn whole_table(table: &Table) -> Markup {
+    let title = html! { @if !table.title.is_empty_on(Medium::Page) { h3 { (text(&table.title)) } } };
+    if table.caption.is_empty_on(Medium::Page) {
+        return html! { (title) (rows(table)) };
+    }
+    html! { figure.treatments { (title) (rows(table)) figcaption { (text(&table.caption)) } } }
+}
+
+/// Rows become cards on a narrow screen, where each cell stands behind the head of its column. Without groups the first cell of a row
+/// is its head.
+fn rows(table: &Table) -> Markup {
+    let columns = table.columns_on(Medium::Page);
+    html! {
+        table.cards {
+            thead {
+                tr { @for (_, column) in &columns { th class=[class(column)] scope="col" { (text(&column.head)) } } }
+            }
+            @for group in &table.groups {
+                tbody class=[is_headed(group).then_some("group")] {
+                    @if is_headed(group) {
+                        tr { th scope="rowgroup" colspan=(columns.len()) { (text(&group.heading)) } }
+                    }
+                    @for row in &group.rows {
+                        tr {
+                            @for (place, column) in &columns {
+                                @if *place == 0 && !is_headed(group) { th scope="row" { (cell(&row[*place])) } }
+                                @else { td class=[class(column)] data-label=(label(column)) { (cell(&row[*place])) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn is_headed(group: &Group) -> bool {
+    !group.heading.is_empty_on(Medium::Page)
+}
+
+fn class(column: &Column) -> Option<&'static str> {
+    column.numbers_on.contains(&Medium::Page).then_some("number")
+}
+
+fn label(column: &Column) -> String {
+    column.label.map_or_else(|| column.head.words_on(Medium::Page), str::to_owned)
+}
+
+fn cell(cell: &Cell) -> Markup {
+    match cell {
+        Cell::Text(own) => text(own),
+        Cell::Drawn { html, .. } => PreEscaped(html.clone()),
+        Cell::Nothing => html! { "–" },
+    }
+}

@@ -1,0 +1,116 @@
+//! An article on a terminal: plain text, aligned, readable without colour.
+
+use super::terminal_table::{keep_words, table, trimmed, wrapped_at};
+use loosepin_text::article::{Article, Cell, Content, Fact, Group, Medium, Section, Table, Text};
+
+/// An article as text for a terminal: its title, then its sections. Sentences are wrapped to `columns`, or stay on one line where there
+/// are none; tables are never wider than a terminal.
+pub fn article_text(article: &Article, columns: Option<u16>) -> String {
+    let mut text = format!("{}\n", article.title);
+    for section in &article.sections {
+        push_section(&mut text, section, columns);
+    }
+    text
+}
+
+fn push_section(text: &mut String, section: &Section, columns: Option<u16>) {
+    if !section.heading.is_empty_on(Medium::Terminal) {
+        text.push_str(&format!("\n{}\n", words(&section.heading)));
+    }
+    let width = name_width(section);
+    for block in section.blocks_on(Medium::Terminal) {
+        if !block.is_close {
+            text.push('\n');
+        }
+        match &block.content {
+            Content::Heading(heading) => text.push_str(&format!("{}\n", words(heading))),
+            Content::Note(note) => text.push_str(&format!("{}\n", wrapped_at(&words(note), "", columns))),
+            Content::Sentences(sentences) => push_lines(text, sentences, "", columns),
+            Content::Points(points) => push_lines(text, points, "- ", columns),
+            Content::Facts(facts) => push_facts(text, facts, width),
+            Content::Table(table) => push_table(text, table),
+            // A terminal shows none.
+            Content::Figure(_) => {}
+        }
+    }
+}
+
+fn words(text: &Text) -> String {
+    text.words_on(Medium::Terminal)
+}
+
+fn push_lines(text: &mut String, lines: &[Text], bullet: &str, columns: Option<u16>) {
+    for line in lines.iter().filter(|line| !line.is_empty_on(Medium::Terminal)) {
+        text.push_str(&format!("{}\n", wrapped_at(&words(line), bullet, columns)));
+    }
+}
+
+/// Characters of the longest name among the facts of a section, which stand in one column.
+fn name_width(section: &Section) -> usize {
+    let names = section.blocks_on(Medium::Terminal).flat_map(|block| match &block.content {
+        Content::Facts(facts) => facts.iter().map(|fact| fact.name.chars().count()).max(),
+        _ => None,
+    });
+    names.max().unwrap_or(0)
+}
+
+/// Names in a column, their first lines beside them, further lines below these.
+fn push_facts(text: &mut String, facts: &[Fact], width: usize) {
+    for Fact { name, lines } in facts {
+        let (first, indent) = match name.is_empty() {
+            true => ("  ".to_owned(), "  ".to_owned()),
+            false => (format!("  {name:width$}  "), " ".repeat(width + 4)),
+        };
+        for (index, line) in lines.iter().enumerate() {
+            let before = if index == 0 { &first } else { &indent };
+            text.push_str(&format!("{before}{}\n", words(line)));
+        }
+    }
+}
+
+/// A table of each group, below its heading.
+fn push_table(text: &mut String, table: &Table) {
+    let title = words(&table.title);
+    if !title.is_empty() {
+        text.push_str(&format!("{title}\n\n"));
+    }
+    let tables: Vec<String> = table.groups.iter().map(|group| group_text(table, group)).collect();
+    text.push_str(&tables.join("\n"));
+}
+
+fn group_text(of: &Table, group: &Group) -> String {
+    let columns = of.columns_on(Medium::Terminal);
+    let heads: Vec<String> = columns.iter().map(|(_, column)| words(&column.head)).collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let numbers = columns.iter().enumerate().filter(|(_, (_, own))| own.numbers_on.contains(&Medium::Terminal));
+    let mut aligned = table(&heads, &numbers.map(|(place, _)| place).collect::<Vec<usize>>());
+    for row in &group.rows {
+        aligned.add_row(columns.iter().map(|(place, _)| cell_words(&row[*place])));
+    }
+    for (place, _) in columns.iter().enumerate().filter(|(_, (_, own))| own.keeps_words) {
+        keep_words(&mut aligned, place);
+    }
+    let heading = words(&group.heading);
+    let heading = if heading.is_empty() { heading } else { format!("{heading}\n\n") };
+    format!("{heading}{}\n", trimmed(&aligned))
+}
+
+fn cell_words(cell: &Cell) -> String {
+    match cell {
+        Cell::Text(text) => words(text),
+        Cell::Drawn { text, .. } => text.clone(),
+        Cell::Nothing => "-".to_owned(),
+    }
+}
+
+/// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
+pub(super) fn as_shown(text: &str) -> String {
+    let is_command =
+        |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let shown = |c| match c {
+        '\u{a0}' => ' ',
+        c if is_command(c) => char::REPLACEMENT_CHARACTER,
+        c => c,
+    };
+    text.chars().map(shown).collect()
+}

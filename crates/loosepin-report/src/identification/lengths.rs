@@ -1,0 +1,94 @@
+//! Lengths of a specimen, given what was measured.
+
+use super::remark::remark;
+use crate::number::{NumberWriter, Rounding};
+use loosepin_result::motion_identification::{
+    LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedTogether,
+};
+use loosepin_text::article::{Column, Content, Medium, Section, Table};
+use loosepin_text::units::SiUnit;
+
+/// Digits of a mean, and of a standard deviation.
+const DIGITS: usize = 6;
+const DEVIATION_DIGITS: usize = 3;
+
+/// Appends the lengths of a specimen, or why they are not told; nothing where they were not asked for.
+pub(super) fn push_lengths(section: &mut Section, specimen: &MotionSpecimen, writer: &NumberWriter<'_>) {
+    let Some(lengths) = &specimen.lengths else { return };
+    section.push_on(Medium::Terminal, Content::Heading("Lengths of this specimen".into()));
+    if let SpecimenLengths::Given(rows) = lengths {
+        section.push(Content::Table(lengths_table(rows, writer)));
+    }
+    section.push(Content::points(length_words(specimen, lengths, writer).into_iter().map(remark)));
+}
+
+/// A row for each random input.
+fn lengths_table(rows: &MechanismRows, writer: &NumberWriter<'_>) -> Table {
+    let columns = vec![
+        Column::words("random input"),
+        Column::numbers_on_terminal("series: mean"),
+        Column::numbers_on_terminal("standard deviation"),
+        Column::numbers_on_terminal("specimen: mean"),
+        Column::numbers_on_terminal("standard deviation"),
+    ];
+    let row = |column: &LengthColumn| {
+        let mean = |value_si: f64| writer.rounded(value_si, &column.unit, DIGITS, Rounding::Nearest);
+        let deviation = |value_si: f64| writer.rounded(value_si, &column.unit, DEVIATION_DIGITS, Rounding::Nearest);
+        let ([before, scatter_before], [after, scatter_after]) = (column.before_si, column.after_si);
+        vec![column.name.clone(), mean(before), deviation(scatter_before), mean(after), deviation(scatter_after)]
+    };
+    Table::new(columns, rows.columns.iter().map(row))
+}
+
+/// What the rows rest on, and what they do not tell; or why there are none.
+fn length_words(specimen: &MotionSpecimen, lengths: &SpecimenLengths, writer: &NumberWriter<'_>) -> Vec<String> {
+    let rows = match lengths {
+        SpecimenLengths::Refused(refusal) => return vec![format!("no mechanisms that agree: {refusal}")],
+        SpecimenLengths::Given(rows) => rows,
+    };
+    let known = |share: f64| writer.percent(2.0 * (share * (1.0 - share) / rows.effective_rows).sqrt(), Rounding::Up);
+    let mut words = vec![
+        format!(
+            "{} mechanisms were run with values of the unknowns in the consistent set and beside it, and weighed by the likelihood of what was \
+             measured: they say as much as {} equally probable ones",
+            rows.runs,
+            rows.effective.floor()
+        ),
+        format!(
+            "{} rows are drawn of them, which say as much as {} mechanisms: a share of 95 % is known to ± {}, one of a half to ± {} (2 standard deviations)",
+            rows.rows_si.len(),
+            rows.effective_rows.floor(),
+            known(0.95),
+            known(0.5)
+        ),
+    ];
+    words.extend(rows.tied.iter().filter_map(|tied| tied_words(specimen, rows, tied, writer)));
+    words.extend(rows.tied_together.iter().filter_map(|tied| tied_together_words(specimen, tied, writer)));
+    words
+}
+
+fn tied_together_words(specimen: &MotionSpecimen, tied: &TiedTogether, writer: &NumberWriter<'_>) -> Option<String> {
+    Some(format!(
+        "{} goes with all random inputs together (multiple rank correlation {}), though with none of them by itself: the measurement knows one only with \
+         the others, and a study draws them apart, so that its band may be too narrow. Measure lengths, or write those that matter under [epistemic]",
+        specimen.unknowns.get(tied.unknown)?.name,
+        writer.rounded(tied.rank_correlation, &SiUnit::NONE, 2, Rounding::Nearest),
+    ))
+}
+
+fn tied_words(
+    specimen: &MotionSpecimen,
+    rows: &MechanismRows,
+    tied: &TiedLength,
+    writer: &NumberWriter<'_>,
+) -> Option<String> {
+    let (column, unknown) = (rows.columns.get(tied.column)?, specimen.unknowns.get(tied.unknown)?);
+    Some(format!(
+        "{} goes with {} (rank correlation {}): the measurement knows one only with the other, and a study draws them apart. Write '{}' under \
+         [epistemic] in place of [random]: then its interval is part of the answer",
+        column.name,
+        unknown.name,
+        writer.rounded(tied.rank_correlation, &SiUnit::NONE, 2, Rounding::Nearest),
+        column.path
+    ))
+}

@@ -1,0 +1,75 @@
+//! What features of a motion would tell.
+
+use super::figures::shares;
+use super::remark::remark;
+use crate::number::{NumberWriter, Rounding};
+use loosepin_result::motion_identification::{MotionPlan, PlannedFeature};
+use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
+use loosepin_text::units::listed;
+
+/// A feature that leaves more than this share of each unknown tells nothing.
+const TELLS_NOTHING: f64 = 0.95;
+
+/// What each feature would leave of the unknowns.
+pub(super) fn plan_section(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Section {
+    let mut section = Section::new("next", Text::by_medium("What to measure next", ""));
+    let head = format!(
+        "What each feature would leave: mean over measurements that are imagined at {} values of the unknowns, {} runs each.",
+        plan.points, plan.runs_per_point
+    );
+    section.push_on(Medium::Terminal, Content::sentences([head]));
+    if writer.medium == Medium::Page {
+        section.push(Content::Figure(shares(plan, "next.features".to_owned(), writer).into_string()));
+    }
+    section.push_on(Medium::Terminal, Content::Table(shares_table(plan, writer)));
+    section.push(Content::points(plan_words(plan, writer).into_iter().map(remark)));
+    section
+}
+
+fn shares_table(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Table {
+    let left = plan.unknowns.iter().map(|unknown| Column::numbers(format!("{} left", unknown.name)));
+    let columns = [Column::words("feature"), Column::numbers("box left")].into_iter().chain(left).collect();
+    let row = |feature: &PlannedFeature| {
+        let shares = std::iter::once(&feature.share_of_box).chain(&feature.shares_of_width);
+        let shares = shares.map(|share| writer.percent(*share, Rounding::Up));
+        std::iter::once(feature.name.clone()).chain(shares).collect::<Vec<String>>()
+    };
+    Table::new(columns, plan.features.iter().chain([&plan.together]).map(row))
+}
+
+fn plan_words(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Vec<String> {
+    let tells = |feature: &PlannedFeature| feature.share_of_box < TELLS_NOTHING;
+    let (telling, silent): (Vec<&PlannedFeature>, Vec<&PlannedFeature>) =
+        plan.features.iter().partition(|feature| tells(feature));
+    let mut words = Vec::new();
+    match telling.first() {
+        Some(first) => words.push(format!("most telling alone: {}", first.name)),
+        None => words.push("no feature tells anything of the unknowns by itself".to_owned()),
+    }
+    if !silent.is_empty() && !telling.is_empty() {
+        let names: Vec<String> = silent.iter().map(|feature| feature.name.clone()).collect();
+        words.push(format!("tells nothing by itself: {}", listed(&names, "and")));
+    }
+    for (place, unknown) in plan.unknowns.iter().enumerate() {
+        let is_open = plan.together.shares_of_width[place] >= TELLS_NOTHING;
+        if is_open && !unknown.is_list {
+            words.push(format!("not distinguishable: values of {}, with all of these features", unknown.name));
+        }
+    }
+    if plan.failed > 0 {
+        words.push(format!(
+            "{} of {} imagined measurements have no values, since their run failed, and count in none of the means",
+            plan.failed, plan.imagined
+        ));
+    }
+    for alike in &plan.not_distinguishable {
+        words.push(format!(
+            "not distinguishable: where {} is {}, {} is told to be wrong in {} of the measurements",
+            plan.unknowns[alike.unknown].name,
+            alike.members[0],
+            alike.members[1],
+            writer.percent(alike.told, Rounding::Up)
+        ));
+    }
+    words
+}

@@ -1,0 +1,93 @@
+//! The answer of an identification on a terminal: readings, plays, sums that are fixed, what to measure next; or the misfit.
+
+use super::gain::gain_section;
+use super::grounds::grounds;
+use super::lengths::push_lengths;
+use super::motion::{push_features, push_runs, push_unknowns};
+use super::plan::plan_section;
+use super::posterior::push_posterior;
+use super::readings::push_readings;
+use crate::article_text::article_text;
+use crate::number::NumberWriter;
+use crate::terminal_table::TERMINAL_COLUMNS;
+use loosepin_result::identification::Identification;
+use loosepin_result::motion_identification::MotionPlan;
+use loosepin_text::article::{Article, Content, Medium, Section};
+use loosepin_text::units::DisplayUnits;
+
+/// The answer as text.
+pub fn identification_text(answer: &Identification) -> String {
+    let writer = NumberWriter::for_terminal(&answer.display_units);
+    let readings = answer.specimens.iter().enumerate().map(|(index, specimen)| {
+        let mut section = named("plays", &specimen.name, "");
+        push_readings(&mut section, specimen, index, &writer);
+        section
+    });
+    let motion = answer.motion.iter().enumerate().map(|(index, specimen)| {
+        let mut section = named("unknowns", &specimen.name, ", motion");
+        push_unknowns(&mut section, specimen, index, &writer);
+        push_features(&mut section, specimen, index, &writer);
+        push_runs(&mut section, specimen, Medium::Terminal);
+        push_posterior(&mut section, specimen, index, &writer);
+        push_lengths(&mut section, specimen, &writer);
+        section
+    });
+    let mut sections: Vec<Section> = readings.chain(motion).collect();
+    sections.extend(answer.gain.iter().map(|gain| gain_section(gain, &writer)));
+    let mut ground = Section::new("method", "");
+    let words = Content::points(grounds(answer, &writer));
+    // What a motion alone rests on stands below how it was tested.
+    if answer.specimens.is_empty() && answer.gain.is_none() {
+        ground.push_close(words)
+    } else {
+        ground.push(words)
+    }
+    sections.push(ground);
+    article_text(&Article { title: answer.study.clone(), sections }, Some(TERMINAL_COLUMNS))
+}
+
+/// A section below the name of its specimen, where it has one.
+fn named(id: &'static str, name: &Option<String>, what: &str) -> Section {
+    Section::new(id, name.as_ref().map_or_else(String::new, |name| format!("Specimen {name}{what}")))
+}
+
+/// What features would tell, as text.
+pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
+    let sections = vec![plan_section(plan, &NumberWriter::for_terminal(units))];
+    article_text(&Article { title: plan.study.clone(), sections }, Some(TERMINAL_COLUMNS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::motion_plan_text;
+    use loosepin_result::motion_identification::{AlikeMembers, MotionPlan, PlannedFeature, PlannedUnknown};
+    use loosepin_text::units::DisplayUnits;
+
+    #[test]
+    fn a_plan_names_laws_and_says_how_many_measurements_are_missing() {
+        let feature = PlannedFeature { name: "peak".to_owned(), share_of_box: 0.5, shares_of_width: vec![0.5] };
+        let plan = MotionPlan {
+            study: "laws".to_owned(),
+            unknowns: vec![PlannedUnknown {
+                path: "contact.pin.normal".to_owned(),
+                name: "pin normal".to_owned(),
+                is_list: true,
+            }],
+            features: vec![feature.clone()],
+            together: feature,
+            not_distinguishable: vec![AlikeMembers {
+                unknown: 0,
+                members: ["flores".to_owned(), "hunt-crossley".to_owned()],
+                told: 0.25,
+            }],
+            points: 2,
+            imagined: 8,
+            failed: 3,
+            runs_per_point: 199,
+        };
+        let text = motion_plan_text(&plan, &DisplayUnits::default());
+        let flat = text.split_whitespace().collect::<Vec<&str>>().join(" ");
+        assert!(flat.contains("where pin normal is flores, hunt-crossley is told to be wrong in 25"), "{text}");
+        assert!(flat.contains("3 of 8 imagined measurements have no values"), "{text}");
+    }
+}

@@ -1,0 +1,33 @@
+//! The loosest values that meet the requirements, and small probabilities.
+
+use crate::inverse::{inverse_sentences, rare_sentences};
+use crate::number::NumberWriter;
+use crate::together::frontier;
+use loosepin_result::study::StudyResult;
+use loosepin_text::article::{Content, Medium, Section};
+
+/// Nothing where nothing is asked for that is allowed.
+pub(crate) fn allowed_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let sentences = inverse_sentences(result, writer);
+    if sentences.is_empty() {
+        return None;
+    }
+    let mut section = Section::new("allowed", "Loosest values that meet the requirements");
+    section.push(Content::points(sentences));
+    if writer.medium == Medium::Page {
+        let chart = result.together.as_ref().and_then(|one| frontier(result, one, writer));
+        if let Some(chart) = chart {
+            section.push(Content::Figure(chart.figure().into_string()));
+        }
+    }
+    Some(section)
+}
+
+/// Nothing where no small probability was asked for.
+pub(crate) fn rare_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    let sentences = rare_sentences(result, writer);
+    let mut section = Section::new("rare", "Small probabilities");
+    let is_asked = !sentences.is_empty();
+    section.push(Content::points(sentences));
+    is_asked.then_some(section)
+}
