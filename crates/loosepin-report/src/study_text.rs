@@ -5,8 +5,8 @@ use super::article_text::{article_text, as_shown};
 use super::number::NumberWriter;
 use super::percentile_words::percentile_sentences;
 use super::study_sections::{
-    accuracy_section, allowed_section, bounds_section, contributors_section, promise_section, rare_section,
-    surrogate_section, treatments_section,
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, promise_section,
+    rare_section, surrogate_section, treatments_section,
 };
 use super::tag::Tag;
 use super::terminal_table::TERMINAL_COLUMNS;
@@ -26,6 +26,7 @@ pub fn study_text(result: &StudyResult) -> String {
         percentiles(result, writer),
         rare_section(result, writer),
         allowed_section(result, writer),
+        answers_section(result, writer),
         surrogate_section(result, writer),
         contributors_section(result, writer),
         treatments_section(result, writer),

@@ -199,6 +199,22 @@ impl<'s> Sheet<'s> {
         Err(StudyError::TooManyFailed(Box::new(TooManyFailed { runs, made, failed, most_failed, commonest })))
     }
 
+    /// The rows that `response`, of a study like this one, gives for the inputs of `runs`; nothing for a run that fails. They are not kept.
+    ///
+    /// # Errors
+    /// The study was interrupted.
+    pub fn make_again(&self, response: &StudyResponse, runs: &[usize]) -> Result<Vec<Option<Vec<f64>>>, StudyError> {
+        let Runner { pool, stop, .. } = *self.runner;
+        let batch: Vec<RunInputs> = runs.iter().map(|&run| self.table.inputs()[run].clone()).collect();
+        let work = Work { batch: &batch, is_waiting: &vec![true; batch.len()], response, stop };
+        let is_stopped = || stop.load(Ordering::Relaxed);
+        let rows = pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &|_: usize, _: &Row| {}));
+        if rows.iter().any(Option::is_none) {
+            return Err(StudyError::Interrupted { finished: Box::new(self.runs_table()), most_runs: self.most_runs });
+        }
+        Ok(rows.into_iter().flatten().map(Result::ok).collect())
+    }
+
     /// Makes the runs of `round` and adds their rows; those that are kept are taken over.
     ///
     /// # Errors

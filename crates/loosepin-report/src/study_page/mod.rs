@@ -18,8 +18,8 @@ use super::page::{Page, Section};
 use super::repeat_section::study_repeat_section;
 use super::still_figures::orbit_figure;
 use super::study_sections::{
-    accuracy_section, allowed_section, bounds_section, contributors_section, promise_section, rare_section,
-    surrogate_section, treatments_section,
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, promise_section,
+    rare_section, surrogate_section, treatments_section,
 };
 use super::tag::Tag;
 use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
@@ -47,6 +47,7 @@ pub fn study_page(result: &StudyResult) -> String {
     sections.extend(own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)));
     sections.extend(both(contributors_section(result, writer)));
     sections.extend(both(allowed_section(result, writer)));
+    sections.extend(both(answers_section(result, writer)));
     sections.extend(own("boxes", "Distribution", result.boxes.len() > first.boxes, &|| {
         curves::box_charts(result, first.boxes, writer)
     }));

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod allowed;
+mod answers;
 mod bounds;
 mod contributors;
 mod promise;
@@ -11,6 +12,7 @@ mod treatments;
 
 pub(super) use accuracy::accuracy_section;
 pub(super) use allowed::{allowed_section, rare_section};
+pub(super) use answers::answers_section;
 pub(super) use bounds::bounds_section;
 pub(super) use contributors::contributors_section;
 pub(super) use promise::promise_section;

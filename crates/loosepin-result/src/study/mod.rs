@@ -2,6 +2,7 @@
 
 pub(crate) mod accuracy;
 mod allowances;
+mod answer;
 mod bound;
 mod contributors;
 mod deviation;
@@ -25,6 +26,7 @@ pub use allowances::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
     LoosenedInput, Together, TogetherCheck, TogetherRecord,
 };
+pub use answer::{AnswerPart, QuestionAnswer};
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessCommand, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
 pub use deviation::Deviation;
@@ -138,6 +140,9 @@ pub struct StudyResult {
     /// What contributes to the answers that were asked so.
     #[serde(default)]
     pub contributors: Vec<Contributors>,
+    /// Answers of questions that have no place of their own above.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub answers: Vec<QuestionAnswer>,
     /// The three treatments side by side.
     pub treatments: Vec<TreatmentComparison>,
     /// Energy residuals of the runs: their own check.

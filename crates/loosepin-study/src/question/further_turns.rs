@@ -8,15 +8,12 @@ use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
 use crate::assemble::SETTLED;
 use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
-use crate::evaluate::{Row, Work, evaluate};
 use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
 use crate::response::StudyResponse;
 use crate::sheet::Sheet;
-use loosepin_bounds::RunInputs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
 use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
-use std::sync::atomic::Ordering;
 
 /// Without `runs` they take this share of the turns that the study has taken, within these limits.
 const SHARE_OF_STUDY: f64 = 0.05;
@@ -132,20 +129,12 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
     let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
-    let batch: Vec<RunInputs> = runs.iter().map(|&run| table.inputs()[run].clone()).collect();
-    let (stop, is_waiting) = (sheet.runner.stop, vec![true; batch.len()]);
-    let is_stopped = || stop.load(Ordering::Relaxed);
-    let work = Work { batch: &batch, is_waiting: &is_waiting, response: &response, stop };
-    let rows =
-        sheet.runner.pool.install(|| evaluate(&work, vec![None; batch.len()], &is_stopped, &|_: usize, _: &Row| {}));
-    if rows.iter().any(Option::is_none) {
-        return Err(StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs: sheet.most_runs });
-    }
+    let rows = sheet.make_again(&response, &runs)?;
     let continued: Vec<(&[f64], Vec<f64>)> = runs
         .iter()
-        .zip(rows.into_iter().flatten())
-        .filter_map(|(&run, row)| {
-            let later = row.ok()?;
+        .zip(rows)
+        .filter_map(|(&run, later)| {
+            let later = later?;
             Some((table.values(run), later_column.iter().map(|&column| later[column]).collect()))
         })
         .collect();

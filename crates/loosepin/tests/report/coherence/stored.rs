@@ -21,7 +21,7 @@ const HELD: &str = "counts.runs counts.failed counts.outer counts.inner counts.r
     impacts[].largest_penetration_share impacts[].peak_force_n impacts[].laws[].basis.largest_valid_speed_m_s \
     impacts[].laws[].basis.largest_valid_penetration_m impacts[].floored_contacts curves[].centre curves[].numerical_error_si \
     curves[].confidence curves[].random curves[].mixed boxes[].numerical_error failures[].count contributors[] cuts[].bounds[] \
-    percentiles[].bounds[]";
+    percentiles[].bounds[] answers[]";
 /// Keys of numbers that were given, that tell where another number stands, or that are drawn only.
 const GIVEN: &str = "nominal_trust.horizons[].length_m nominal_trust.share nominal_trust.tolerance_m nominal_trust.evaluations \
     nominal_trust.time_s[] nominal_trust.difference_m[] format seed inputs[] correlations[] cycle counts.replicates counts.by_purpose[] requirements[].lower_si \
@@ -47,6 +47,17 @@ pub fn summary_numbers(result: &StudyResult) -> Vec<Shown> {
     if let Some(settled) = result.settled_share {
         found.add(Tag::whole("settled", ""), 100.0 * settled);
         found.add(Tag::whole("settled", "not"), 100.0 * (1.0 - settled));
+    }
+    for answer in &result.answers {
+        for part in answer.sentences.iter().flatten() {
+            match part {
+                AnswerPart::Words(_) => {}
+                AnswerPart::Count { of, count } => found.add(Tag::whole(&answer.question, of), *count as f64),
+                AnswerPart::Quantity { of, value_si, unit } => {
+                    found.value(Tag::whole(&answer.question, of), *value_si, unit);
+                }
+            }
+        }
     }
     if let Some(further) = &result.further_turns {
         found.add(Tag::Count("continued runs"), further.runs as f64);

@@ -172,6 +172,7 @@ pub fn worn_pin() -> StudyResult {
         promise: None,
         surrogate: None,
         contributors: contributors(),
+        answers: answers(),
         treatments: vec![treatments(&outers, &pooled_largest)],
         energy: Some(energy()),
         repeat: Repeat {
@@ -507,6 +508,18 @@ pub fn runs_table() -> RunsTable {
 }
 
 /// Contributors to the largest deviation; their numbers belong to no run.
+fn answers() -> Vec<QuestionAnswer> {
+    let mut finer = QuestionAnswer::new("finer_steps", "What finer steps change");
+    finer.say([
+        "A tenth of the tolerance changes ".into(),
+        AnswerPart::count("runs", 4),
+        " runs by at most ".into(),
+        AnswerPart::quantity("largest change", 3.2e-9, SiUnit::LENGTH),
+        ".".into(),
+    ]);
+    vec![finer]
+}
+
 fn contributors() -> Vec<Contributors> {
     let share = |centre: f64| ShareRange { centre, error: 0.012, lower: centre - 0.03, upper: centre + 0.04 };
     let random = |path: &str, total: f64, band_share: f64| RandomContributor {
