@@ -107,3 +107,52 @@ fn cell(cell: &Cell) -> Markup {
         Cell::Nothing => html! { "–" },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::blocks;
+    use loosepin_text::article::{Cell, Column, Content, Fact, Group, Medium, Section, Table, Text};
+
+    fn shown(content: Content) -> String {
+        let mut section = Section::new("bounds", "Bounds");
+        section.push(content);
+        blocks(&section).into_string()
+    }
+
+    #[test]
+    fn text_of_files_is_escaped_and_emphasis_is_shown() {
+        let text = Text::from("<rod> ").strong("0.25 mm").quiet("at 60°").code("bounds.csv");
+        assert_eq!(
+            shown(Content::Note(text.on(Medium::Terminal, "not on a page"))),
+            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25 mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
+        );
+        assert_eq!(
+            shown(Content::Facts(vec![Fact::new("rod", ["0.5 kg", "settled"])])),
+            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5 kg<br>settled</dd></div></dl>"
+        );
+    }
+
+    #[test]
+    fn the_first_cell_of_a_row_is_its_head_unless_a_group_has_one() {
+        let columns = || {
+            vec![
+                Column::words("play"),
+                Column { only: Some(Medium::Terminal), ..Column::words("narrowed") },
+                Column { label: Some("after"), ..Column::numbers("after the readings") },
+            ]
+        };
+        let row = || vec![Cell::from("pin"), Cell::from("no"), Cell::Nothing];
+        let plain = shown(Content::Table(Table::new(columns(), [row()])));
+        assert!(
+            plain.contains("<th scope=\"row\">pin</th><td class=\"number\" data-label=\"after\">–</td>"),
+            "{plain}"
+        );
+        assert!(!plain.contains("narrowed") && !plain.contains("<figure"), "{plain}");
+        let groups = vec![Group { heading: "rod".into(), rows: vec![row()] }];
+        let table = Table { columns: columns(), groups, caption: "Both ends.".into(), ..Table::default() };
+        let grouped = shown(Content::Table(table));
+        assert!(grouped.contains("<th scope=\"rowgroup\" colspan=\"2\">rod</th>"), "{grouped}");
+        assert!(grouped.contains("<td data-label=\"play\">pin</td>"), "{grouped}");
+        assert!(grouped.ends_with("<figcaption>Both ends.</figcaption></figure>"), "{grouped}");
+    }
+}

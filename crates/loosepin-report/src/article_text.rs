@@ -49,7 +49,12 @@ fn push_lines(text: &mut String, lines: &[Text], bullet: &str, columns: Option<u
 fn name_width(section: &Section) -> usize {
     let names = section.blocks_on(Medium::Terminal).flat_map(|block| match &block.content {
         Content::Facts(facts) => facts.iter().map(|fact| fact.name.chars().count()).max(),
-        _ => None,
+        Content::Heading(_)
+        | Content::Sentences(_)
+        | Content::Note(_)
+        | Content::Points(_)
+        | Content::Table(_)
+        | Content::Figure(_) => None,
     });
     names.max().unwrap_or(0)
 }
@@ -113,4 +118,56 @@ pub(super) fn as_shown(text: &str) -> String {
         c => c,
     };
     text.chars().map(shown).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::article_text;
+    use loosepin_text::article::{Article, Cell, Column, Content, Fact, Group, Medium, Section, Table, Text};
+
+    fn shown(section: Section) -> String {
+        article_text(&Article { title: "worn pin".to_owned(), sections: vec![section] }, Some(30))
+    }
+
+    #[test]
+    fn what_belongs_together_stands_close_and_the_page_has_its_own() {
+        let mut section = Section::of_facts(
+            "bodies",
+            "2 bodies",
+            [Fact::new("rod", ["0.5 kg", "starts settled"]), Fact::nameless("gravity not given")],
+        );
+        section.push(Content::sentences(["A sentence that is longer than a line."]));
+        section.push_close(Content::points([Text::from("a point").on(Medium::Page, ", with more on a page")]));
+        section.push_on(Medium::Page, Content::sentences(["Nobody reads this on a terminal."]));
+        section.push(Content::Figure("<svg></svg>".to_owned()));
+        assert_eq!(
+            shown(section),
+            "worn pin\n\n2 bodies\n  rod  0.5 kg\n       starts settled\n  gravity not given\n\n\
+             A sentence that is longer than\na line.\n- a point\n"
+        );
+    }
+
+    #[test]
+    fn each_group_of_rows_is_a_table_of_its_own() {
+        let group = |heading: &str, row: [Cell; 3]| Group { heading: heading.into(), rows: vec![row.into()] };
+        let table = Table {
+            columns: vec![
+                Column::words(Text::by_medium("Statistic", "statistic")),
+                Column { only: Some(Medium::Page), ..Column::words("Guarantee") },
+                Column::numbers("upper"),
+            ],
+            groups: vec![
+                group("slider", ["mean".into(), "proven".into(), "0.25 mm".into()]),
+                group("pin", ["mean".into(), "proven".into(), Cell::Nothing]),
+            ],
+            ..Table::default()
+        };
+        let mut section = Section::new("bounds", "Bounds");
+        section.push(Content::Table(table));
+        assert_eq!(
+            shown(section),
+            "worn pin\n\nBounds\n\nslider\n\nstatistic    upper\n-------------------\nmean       0.25 mm\n\n\
+             pin\n\nstatistic  upper\n-----------------\nmean           -\n"
+        );
+    }
 }
