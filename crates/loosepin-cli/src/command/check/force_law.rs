@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use loosepin::contact::{LONG_PIN_LAW, NormalDescription};
 use loosepin::mechanism::pin_clearance;
-use loosepin::model::{ContactId, JointId, Model, OutputKind, PlayId, Stiffness, Values};
+use loosepin::model::{ContactId, JointId, Model, PlayId, Recorded, Stiffness, Values};
 use loosepin::units::{Dimension, format_value};
 
 /// Adds, for each of `joints` whose force comes from a point contact between pin and hole, what that leaves out and the list of laws for
@@ -52,8 +52,8 @@ pub fn push_force_laws(
 
 /// The joints whose force is an output of the model, in file order.
 pub fn joints_of_forces(model: &Model) -> impl Iterator<Item = JointId> {
-    model.outputs.iter().filter_map(|output| match output.kind {
-        OutputKind::Force { joint, .. } => Some(joint),
-        _ => None,
+    model.outputs.iter().filter_map(|output| match output.kind.recorded() {
+        Recorded::Number(reading) => reading.force_in(),
+        Recorded::Path(_) | Recorded::Wear(..) => None,
     })
 }

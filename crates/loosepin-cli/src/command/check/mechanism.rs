@@ -6,7 +6,7 @@ use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, Sample};
 use loosepin::model::{
     BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, JointId, JointPlay, JointWear,
-    Model, Names, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
+    Model, Names, OffsetPlace, Origin, PlayId, PointId, QuantityId, Recorded,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -444,11 +444,11 @@ fn push_cycle(text: &mut String, mechanism: &Mechanism, tried: &Trial) {
         counted(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
     let columns = columns(&mechanism.model).into_iter().map(|column| (column.name, column.words));
-    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind {
-        OutputKind::Wear { joint, measure } => {
+    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind.recorded() {
+        Recorded::Wear(joint, measure) => {
             Some((output.name.clone(), measure.words(&mechanism.model.joints[joint.0].name)))
         }
-        _ => None,
+        Recorded::Number(_) | Recorded::Path(_) => None,
     });
     let outputs: Vec<(String, String)> = columns.chain(wear).collect();
     let width = outputs.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);

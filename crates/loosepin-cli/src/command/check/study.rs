@@ -3,9 +3,8 @@
 use std::fmt::Write;
 
 use loosepin::model::{ContactId, JointId, QuantityError, QuantityId, Values};
-use loosepin::simulate::Reading;
 use loosepin::study::{
-    Budget, CorrelationMeasure, EpistemicSubject, Foreseen, ForeseenPromise, Seen, Study, StudyError, default_threads,
+    Budget, CorrelationMeasure, EpistemicSubject, Foreseen, ForeseenPromise, Study, StudyError, default_threads,
     distribution_words, foresee,
 };
 use loosepin::uncertainty::EpistemicVariable;
@@ -90,10 +89,7 @@ pub fn words(study: &Study, values: &Values, tried: &Trial) -> Result<String, Fa
 fn joints_of_forces(study: &Study) -> impl Iterator<Item = JointId> {
     let asked = study.asks.iter().map(|ask| ask.output);
     let required = study.requirements.iter().map(|requirement| requirement.output);
-    asked.chain(required).filter_map(|output| match study.outputs[output].seen {
-        Seen::Reading(Reading::Force(joint, _)) => Some(joint),
-        _ => None,
-    })
+    asked.chain(required).filter_map(|output| study.outputs[output].seen.force_in())
 }
 
 /// The contacts whose law comes from a list.
