@@ -113,7 +113,7 @@ pub fn demand_dynamics(model: &Model) -> Result<(), RunFailure> {
 /// How the runs of `mechanism` are made where `execution` is at hand.
 fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
     let points = mechanism.model.loads.iter().map(|load| match &load.course {
-        Course::Table(table) => table.points.len(),
+        Some(Course::Table(table)) => table.points.len(),
         _ => 0,
     });
     let is_short =

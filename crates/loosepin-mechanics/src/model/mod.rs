@@ -52,7 +52,9 @@ pub use joint::{
 };
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
-pub use load::{Course, Load, LoadKind};
+pub use load::{
+    ActsOn, Course, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TorqueLoad,
+};
 pub use load_table::{LoadTable, PeriodProblem, Piston};
 pub use loosepin_text::document::describe_path;
 pub use loosepin_text::units::Rule;
