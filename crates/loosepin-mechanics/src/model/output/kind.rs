@@ -9,6 +9,7 @@ use crate::model::wear::WearMeasure;
 use loosepin_math::Real;
 use loosepin_text::document::{Key, Table};
 use loosepin_text::units::Dimension;
+use std::fmt::Debug;
 
 /// A kind of output of a model.
 ///
@@ -47,7 +48,7 @@ pub trait KindOfOutput: Sized {
 }
 
 /// A number that is read off the state of a mechanism.
-pub trait KindOfReading: Copy {
+pub trait KindOfReading: Copy + PartialEq + Debug {
     /// Whether it is a number of the lanes; else it is looked at in plain states alone.
     const IS_ON_LANES: bool = true;
     /// Whether it is what a drive or control must do: `motion` shows it along the ideal motion too, where no positions of points are at hand.

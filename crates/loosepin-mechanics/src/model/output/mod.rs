@@ -29,13 +29,13 @@ pub use wear::Wear;
 use super::ids::{BodyId, JointId, PointId};
 use super::part_names::PartNames;
 use loosepin_math::Real;
-use loosepin_text::document::{Keys, Table};
+use loosepin_text::document::{Key, Keys, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
 use table::KindTable;
 
 /// Makes the enum of all kinds and that of what is read at an instant, and hands every question on to the kind.
 macro_rules! output_kinds {
-    (outputs { $($(#[$doc:meta])* $kind:ident),* $(,)? } readings { $($reading:ident),* $(,)? }) => {
+    ($($(#[$doc:meta])* $kind:ident),* $(,)?) => {
         /// The quantity that an output measures, of any kind.
         #[derive(Debug, Clone, Copy, PartialEq)]
         pub enum OutputKind {
@@ -75,7 +75,9 @@ macro_rules! output_kinds {
 
             /// See [`KindOfOutput::recorded`].
             pub fn recorded(&self) -> Recorded<Reading> {
-                match self { $(Self::$kind(kind) => kind.recorded().map(Reading::from),)* }
+                match self {
+                    $(Self::$kind(kind) => kind.recorded().map(|reading| Reading(ReadingKind::$kind(reading))),)*
+                }
             }
 
             /// See [`KindOfOutput::drawn_point`].
@@ -89,89 +91,76 @@ macro_rules! output_kinds {
             }
         }
 
+        /// The number that an output of each kind is at an instant; kinds that have none have no value here.
         #[derive(Debug, Clone, Copy, PartialEq)]
         enum ReadingKind {
-            $($reading($reading),)*
+            $($kind(<$kind as KindOfOutput>::Reading),)*
         }
-
-        $(impl From<$reading> for Reading {
-            fn from(reading: $reading) -> Self {
-                Self(ReadingKind::$reading(reading))
-            }
-        })*
 
         impl Reading {
             /// See [`KindOfReading::IS_ON_LANES`].
             pub fn is_on_lanes(&self) -> bool {
-                match &self.0 { $(ReadingKind::$reading(_) => <$reading as KindOfReading>::IS_ON_LANES,)* }
+                match &self.0 { $(ReadingKind::$kind(_) => <$kind as KindOfOutput>::Reading::IS_ON_LANES,)* }
             }
 
             /// See [`KindOfReading::IS_EFFORT`].
             pub fn is_effort(&self) -> bool {
-                match &self.0 { $(ReadingKind::$reading(_) => <$reading as KindOfReading>::IS_EFFORT,)* }
+                match &self.0 { $(ReadingKind::$kind(_) => <$kind as KindOfOutput>::Reading::IS_EFFORT,)* }
             }
 
             /// See [`KindOfReading::words`].
             pub fn words(&self, names: &dyn PartNames) -> String {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.words(names),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.words(names),)* }
             }
 
             /// See [`KindOfReading::needs_forces`].
             pub fn needs_forces(&self) -> bool {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.needs_forces(),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.needs_forces(),)* }
             }
 
             /// See [`KindOfReading::value`].
             #[inline(always)]
             pub(crate) fn value_at<T: Real>(&self, state: &impl OutputState<T>) -> T {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.value(state),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.value(state),)* }
             }
 
             /// See [`KindOfReading::position`].
             #[inline(always)]
             pub fn position(&self) -> Option<Position> {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.position(),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.position(),)* }
             }
 
             /// See [`KindOfReading::motion_of`].
             pub fn motion_of(&self) -> Option<Position> {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.motion_of(),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.motion_of(),)* }
             }
 
             /// See [`KindOfReading::force_in`].
             pub fn force_in(&self) -> Option<JointId> {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.force_in(),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.force_in(),)* }
             }
 
             /// See [`KindOfReading::is_never_negative`].
             pub fn is_never_negative(&self) -> bool {
-                match &self.0 { $(ReadingKind::$reading(reading) => reading.is_never_negative(),)* }
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.is_never_negative(),)* }
             }
         }
     };
 }
 
 output_kinds! {
-    outputs {
-        /// A position or angle, or one of its time derivatives.
-        Motion,
-        /// Force of a joint.
-        JointForce,
-        /// Torque, force or power of a drive or control.
-        Effort,
-        /// Path of a point.
-        PointPath,
-        /// Wear of a joint after all cycles.
-        Wear,
-        /// Largest stress along a flexible body.
-        Stress,
-    }
-    readings {
-        Motion,
-        JointForce,
-        Effort,
-        Stress,
-    }
+    /// A position or angle, or one of its time derivatives.
+    Motion,
+    /// Force of a joint.
+    JointForce,
+    /// Torque, force or power of a drive or control.
+    Effort,
+    /// Path of a point.
+    PointPath,
+    /// Wear of a joint after all cycles.
+    Wear,
+    /// Largest stress along a flexible body.
+    Stress,
 }
 
 /// An output column of a run.
@@ -196,9 +185,9 @@ impl Reading {
     }
 }
 
-impl From<NoReading> for Reading {
-    fn from(reading: NoReading) -> Self {
-        match reading {}
+impl From<Motion> for Reading {
+    fn from(motion: Motion) -> Self {
+        Self(ReadingKind::Motion(motion))
     }
 }
 
@@ -216,10 +205,9 @@ impl OutputKind {
 }
 
 const MEASURE_COUNT: usize = table::measure_count(TABLES);
-static MEASURES: [Measure; MEASURE_COUNT] = table::measures(TABLES);
-static MEASURE_NAMES: [&str; MEASURE_COUNT] = table::names(&table::measures::<MEASURE_COUNT>(TABLES));
-static ALL_KEYS: [loosepin_text::document::Key; table::key_count(TABLES)] =
-    table::keys(TABLES, &table::measures::<MEASURE_COUNT>(TABLES), component_words);
+const MEASURES: &[Measure; MEASURE_COUNT] = &table::measures(TABLES);
+static MEASURE_NAMES: [&str; MEASURE_COUNT] = table::names(MEASURES);
+static ALL_KEYS: [Key; table::key_count(TABLES)] = table::keys(TABLES, MEASURES, component_words);
 
 fn component_words() -> Vec<&'static str> {
     table::component_words(TABLES)

@@ -58,12 +58,21 @@ pub(super) fn needed_choice<T: Copy>(
     needed: &NeededKey,
     choices: &[(&'static str, T)],
 ) -> Option<T> {
+    let entry = needed_entry(reader, table, needed)?;
+    reader.document().choice(&entry, choices)
+}
+
+/// What stands behind a key that a measure needs.
+pub(super) fn needed_entry<'t>(
+    reader: &mut dyn OutputReader,
+    table: &Table<'t>,
+    needed: &NeededKey,
+) -> Option<Entry<'t>> {
     let NeededKey { key, example, doc } = *needed;
-    match table.get(key) {
-        Some(entry) => reader.document().choice(&entry, choices),
-        None => {
-            let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
-            reader.document().refuse(&problem, table.span)
-        }
+    let entry = table.get(key);
+    if entry.is_none() {
+        let problem = DocumentProblem::MissingKey { table: table.path.describe(), key, example, doc };
+        reader.document().complain(&problem, table.span);
     }
+    entry
 }
