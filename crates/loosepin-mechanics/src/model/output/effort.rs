@@ -49,7 +49,8 @@ impl KindOfOutput for Effort {
         let (measure, is_possible) = match measure {
             "torque_of" => (EffortMeasure::Torque, facts.turns),
             "force_of" => (EffortMeasure::Force, !facts.turns),
-            _ => (EffortMeasure::Power, true),
+            "power_of" => (EffortMeasure::Power, true),
+            _ => return None,
         };
         if !is_possible {
             let problem = ModelProblem::WrongEffort {

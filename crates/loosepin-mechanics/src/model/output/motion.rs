@@ -66,17 +66,18 @@ impl KindOfOutput for Motion {
 
     fn read(measure: &'static str, table: &Table<'_>, reader: &mut dyn OutputReader) -> Option<Self> {
         let entry = table.get(measure)?;
+        let derivative = match measure {
+            "position_of" | "angle_of" => Derivative::Position,
+            "velocity_of" | "angular_velocity_of" => Derivative::Velocity,
+            "acceleration_of" | "angular_acceleration_of" => Derivative::Acceleration,
+            _ => return None,
+        };
         let of = if matches!(measure, "position_of" | "velocity_of" | "acceleration_of") {
             let along = needed_choice(reader, table, &ALONG, &[("x", Axis::X), ("y", Axis::Y)]);
             let point = relative_point(reader, table, &entry);
             Position::Point(point?, along?)
         } else {
             Position::Angle(relative_body(reader, table, &entry)?)
-        };
-        let derivative = match measure {
-            "velocity_of" | "angular_velocity_of" => Derivative::Velocity,
-            "acceleration_of" | "angular_acceleration_of" => Derivative::Acceleration,
-            _ => Derivative::Position,
         };
         Some(Self { of, derivative })
     }
