@@ -25,7 +25,7 @@ impl ModelReader {
         let (word, table) = self.table_of_kind(entry, LOAD_KINDS)?;
         let kind = LoadKind::read(word, &table, self);
         let size = LoadKind::size_of_kind(word);
-        let joint = match table.get("joint") {
+        let joint = match size.and_then(|_| table.get("joint")) {
             None => Some(None),
             Some(joint) => self.moving_joint(&joint).map(Some),
         };
