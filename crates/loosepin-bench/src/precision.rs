@@ -4,7 +4,7 @@ use crate::compiled_with;
 use loosepin::integrate::Tableau;
 use loosepin::math::Quintic;
 use loosepin::mechanism::{Mechanism, Sample};
-use loosepin::model::{Axis, BodyId, Model, PointId, Position, QuantityId, Relative};
+use loosepin::model::{Axis, BodyId, Model, Motion, PointId, Position, QuantityId, Relative};
 use loosepin::simulate::{
     Arms, Counters, Execution, Follow, FollowedRun, Integrator, Observer, Queue, Reading, Run, RunFailure, RunReport,
     Settings, Step, Window, conduct,
@@ -113,7 +113,7 @@ impl Samples {
         Self {
             name: case.name,
             readings: [Axis::X, Axis::Y]
-                .map(|axis| Reading::Position(Position::Point(Relative::to_ground(point), axis))),
+                .map(|axis| Motion::position(Position::Point(Relative::to_ground(point), axis)).into()),
             mechanism,
             samples,
             window: Window { start_s: 0.0, end_s },

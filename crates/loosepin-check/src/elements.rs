@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use loosepin_mechanics::model::{
-    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, LoadKind, Model, PointId,
-    QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
+    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, Model, PointId, QuantityId, Ratio,
+    Spring, SpringKind, TableCurve, Values,
 };
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted, format_value, listed};
@@ -82,19 +82,11 @@ fn curve_words(curve: TableCurve) -> &'static str {
 }
 
 fn load_words(model: &Model, load: &Load, values: &Values) -> String {
-    let dimension = match load.kind {
-        LoadKind::Force { .. } => Dimension::FORCE,
-        LoadKind::Torque { .. } => Dimension::TORQUE,
+    let size = match (&load.course, load.kind.size()) {
+        (Some(course), Some(size)) => course_words(model, course, load.joint, size.dimension, values),
+        (None, _) | (_, None) => String::new(),
     };
-    let course = course_words(model, &load.course, load.joint, dimension, values);
-    match load.kind {
-        LoadKind::Force { point: id, direction_rad, follows_body } => {
-            let frame = if follows_body { "of the body's x axis" } else { "from the x axis" };
-            let direction = format_value(values[direction_rad], Dimension::ANGLE);
-            format!("force on {}: {course}, {direction} {frame}", point(model, id))
-        }
-        LoadKind::Torque { body } => format!("torque on {}: {course}", model.bodies[body.0].name),
-    }
+    load.kind.words(model, &|id| format_value(values[id], model.quantities[id].dimension), &size)
 }
 
 fn course_words(

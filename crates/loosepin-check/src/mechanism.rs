@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::mechanism::{Drives, Mechanism};
 use loosepin_mechanics::model::{
-    Body, BodyId, CycleSpan, DriveId, DriveLaw, InitialOffset, Model, OffsetPlace, Origin, OutputKind, PlayId, Point,
+    Body, BodyId, CycleSpan, DriveId, DriveLaw, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Recorded,
     Values,
 };
 use loosepin_simulate::columns;
@@ -192,11 +192,11 @@ fn run(mechanism: &Mechanism, tried: &Trial) -> Section {
         counted_or_no(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
     let columns = columns(&mechanism.model).into_iter().map(|column| (column.name, column.words));
-    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind {
-        OutputKind::Wear { joint, measure } => {
+    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind.recorded() {
+        Recorded::Wear(joint, measure) => {
             Some((output.name.clone(), measure.words(&mechanism.model.joints[joint.0].name)))
         }
-        _ => None,
+        Recorded::Number(_) | Recorded::Path(_) => None,
     });
     let outputs = columns.chain(wear).map(|(name, words)| Fact::new(name, [words]));
     let mut section = Section::of_facts("run", heading, outputs);

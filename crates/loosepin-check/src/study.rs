@@ -1,9 +1,8 @@
 //! A study in words.
 
 use loosepin_mechanics::model::{ContactId, JointId, QuantityError, QuantityId, Values};
-use loosepin_simulate::Reading;
 use loosepin_study::{
-    Budget, CorrelationMeasure, EpistemicInput, EpistemicSubject, Foreseen, ForeseenPromise, Seen, Study, StudyError,
+    Budget, CorrelationMeasure, EpistemicInput, EpistemicSubject, Foreseen, ForeseenPromise, Study, StudyError,
     default_threads, distribution_words, foresee,
 };
 use loosepin_text::article::{Article, Content, Fact, Section};
@@ -100,10 +99,7 @@ fn time_words(study: &Study, most_runs: usize, run_s: Option<f64>) -> String {
 fn joints_of_forces(study: &Study) -> impl Iterator<Item = JointId> {
     let asked = study.asks.iter().map(|ask| ask.output);
     let required = study.requirements.iter().map(|requirement| requirement.output);
-    asked.chain(required).filter_map(|output| match study.outputs[output].seen {
-        Seen::Reading(Reading::Force(joint, _)) => Some(joint),
-        _ => None,
-    })
+    asked.chain(required).filter_map(|output| study.outputs[output].seen.force_in())
 }
 
 /// The contacts whose law comes from a list.

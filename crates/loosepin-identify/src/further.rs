@@ -12,7 +12,7 @@ use super::nominal::Nominal;
 use super::rig::Rig;
 use super::states::States;
 use loosepin_math::solve_square;
-use loosepin_mechanics::model::{Axis, BodyId, PointId, Position, Relative};
+use loosepin_mechanics::model::{Axis, BodyId, Motion, PointId, Position, Relative};
 use loosepin_result::identification::{FurtherReading, Searched};
 use loosepin_simulate::accuracy::{PositionOutput, position_outputs};
 use loosepin_simulate::{Reading, relative_words};
@@ -269,7 +269,7 @@ fn reads(rig: &Rig<'_>, outputs: &[PositionOutput], push: &Push) -> Vec<Read> {
     };
     for (position, unit) in own {
         if !reads.iter().any(|known| known.position == position) {
-            let words = Reading::Position(position).words(model);
+            let words = Reading::from(Motion::position(position)).words(model);
             reads.push(Read { position, words, has_output: false, unit });
         }
     }

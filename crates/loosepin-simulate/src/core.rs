@@ -1,6 +1,5 @@
 //! A pass over all lanes: try a step, look at its end, take it over; and the numbers of all lanes.
 
-use super::column::Arms;
 use super::depth_limit::DepthLimit;
 use super::execution::Execution;
 use super::follow::{Follow, FollowLayout};
@@ -17,7 +16,7 @@ use super::resume::MotionState;
 use super::settings::Settings;
 use loosepin_math::Quintic;
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 
 /// Of each lane its bit, as a number.
 const POWERS_OF_TWO: [f64; 32] = {

@@ -4,9 +4,7 @@ use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{
     BeamGeometry, Drives, Kinematics, Mechanism, Sample, Tree, TreeBeam, TreeNodalBeam,
 };
-use loosepin_mechanics::model::{
-    Derivative, Drive, DriveId, Joint, Model, Output, OutputKind, PointId, Position, Values,
-};
+use loosepin_mechanics::model::{Drive, DriveId, Joint, Model, Output, PointId, Values};
 use loosepin_result::simulation::{
     Drawing, DrawnBeam, DrawnBody, DrawnDrive, DrawnJoint, DrawnJointKind, DrawnOutput, DrawnPoint, DriveSense,
     PointReference, PoseTable,
@@ -129,14 +127,8 @@ fn reference(point: PointId) -> PointReference {
 }
 
 fn output_points(model: &Model) -> Vec<DrawnOutput> {
-    let drawn = |output: &Output| {
-        let point = match output.kind {
-            OutputKind::Motion { of: Position::Point(point, _), derivative: Derivative::Position } => point.of,
-            OutputKind::Path(point) => point.of,
-            _ => return None,
-        };
-        Some(DrawnOutput { name: output.name.clone(), point: reference(point) })
-    };
+    let drawn =
+        |output: &Output| Some(DrawnOutput { name: output.name.clone(), point: reference(output.kind.drawn_point()?) });
     model.outputs.iter().filter_map(drawn).collect()
 }
 

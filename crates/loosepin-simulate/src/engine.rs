@@ -1,7 +1,6 @@
 //! Runs from the start to the end of their windows.
 
 use super::batch::{Batch, Kept, LARGEST_STEP_TURNS, Queue, Run, Seats};
-use super::column::Arms;
 use super::execution::Execution;
 use super::failure::RunFailure;
 use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds};
@@ -14,7 +13,7 @@ use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Integrator, Settings, Window};
 use super::work::KinematicAccount;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Course, Model};
 
 /// Multiplications of an evaluation up to which the equations are written down for many lanes: of more (some 80 links in a row) the
@@ -114,7 +113,7 @@ pub fn demand_dynamics(model: &Model) -> Result<(), RunFailure> {
 /// How the runs of `mechanism` are made where `execution` is at hand.
 fn execution_of(mechanism: &Mechanism, execution: Execution) -> Execution {
     let points = mechanism.model.loads.iter().map(|load| match &load.course {
-        Course::Table(table) => table.points.len(),
+        Some(Course::Table(table)) => table.points.len(),
         _ => 0,
     });
     let is_short =

@@ -1,7 +1,7 @@
 //! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
 
 use super::bending::BendingRecorder;
-use super::column::{Arms, Column, columns};
+use super::column::{Column, columns};
 use super::contact_basis::{contact_basis, long_pin_force};
 use super::control_history::ControlRecorder;
 use super::drawing::{add_bending, add_pose, skeleton};
@@ -23,7 +23,7 @@ use super::watched::Watched;
 use super::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{Mechanism, Sample, SampleError, acceleration_at};
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample, SampleError, acceleration_at};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{

@@ -1,14 +1,13 @@
 //! State of one run: its steps, its search for events, its counts. One lane follows one of these.
 
 use super::batch::Seat;
-use super::column::Arms;
 use super::depth_limit::DepthLimit;
 use super::gap::{Crossing, GapJet, first_crossing};
 use super::lane_step::LaneStep;
 use super::report::{FrictionPath, PlaySummary};
 use super::settings::{STEP_SHARE, Window};
 use super::slot_end::ENDS;
-use loosepin_mechanics::mechanism::{GapMeasure, Sample};
+use loosepin_mechanics::mechanism::{Arms, GapMeasure, Sample};
 
 /// Event that ends a step before its error does.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,5 @@
 //! One run alone: the equations as they stand, on plain numbers.
 
-use super::column::{Arms, Reading};
 use super::follow::{Follow, LOBATTO};
 use super::implicit::{Implicit, TOO_LONG, hides_contact};
 use super::memory::LaneLayout;
@@ -12,7 +11,8 @@ use super::projection::Projection;
 use super::settings::{Integrator, Settings};
 use loosepin_math::integrate::{Radau, System};
 use loosepin_mechanics::dynamics::PlayState;
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
+use loosepin_mechanics::model::Reading;
 
 /// Change of coordinates over which slopes are taken, rad, and m for each metre of the mechanism.
 const DIFFERENCE: f64 = 1e-7;

@@ -1,7 +1,6 @@
 //! The programs of a pass: the equations of a mechanism and the arithmetic of a step, evaluated once on
 //! [`Traced`] numbers.
 
-use super::column::Arms;
 use super::follow::{Follow, LOBATTO};
 use super::memory::{BLOCKS, Block, LaneLayout, Named};
 use super::motion::Motion;
@@ -11,7 +10,7 @@ use super::settings::Settings;
 use loosepin_math::integrate::System;
 use loosepin_math::{Numbers, Real};
 use loosepin_mechanics::dynamics::DepthRoot;
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 use loosepin_tape::native::{Graph, Hoisted, NativeError, Program, Slot, Value};
 use loosepin_tape::trace::{Traced, record};
 

@@ -1,10 +1,9 @@
 //! Layout of the numbers that are read at the end of a step.
 
-use super::column::{Arms, Reading};
 use super::motion::Motion;
 use loosepin_math::{KnownAngle, Real};
-use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{PlayId, PlayParts};
+use loosepin_mechanics::mechanism::{Arms, Mechanism};
+use loosepin_mechanics::model::{PlayId, PlayParts, Reading};
 
 /// Where everything is in the row. Time, gaps and outputs stand with their first two derivatives over the variable of
 /// integration.

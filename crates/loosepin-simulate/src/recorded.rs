@@ -1,11 +1,10 @@
 //! A pass over many lanes at once: its programs as machine code, or interpreted where there is none; the bits are the same.
 
-use super::column::Arms;
 use super::follow::Follow;
 use super::memory::{BLOCKS, Block, Memory};
 use super::pass::Pass;
 use super::programs::{PassPrograms, Tracing, fixed, numbers};
-use loosepin_mechanics::mechanism::{Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample};
 use loosepin_tape::native::{Level, Place, Routine, Sequence};
 use std::ops::Range;
 

@@ -1,13 +1,13 @@
 //! The ideal mechanism beside a run: what every deviation is measured against.
 
-use super::column::{Arms, Reading};
 use super::failure::RunFailure;
 use super::free_motion::FreeMotion;
 use super::ideal_curve::{IdealCurve, IdealNodes};
 use super::motion::Motion;
 use super::settings::Settings;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
+use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample, SampleError};
+use loosepin_mechanics::model::Reading;
 use std::sync::Arc;
 
 /// The motion of a mechanism with every clearance at zero, to be asked at any time.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use loosepin::model::{BodyId, LoadKind, Model, PointId, SpringKind, Values};
+use loosepin::model::{ActsOn, BodyId, Model, PointId, SpringKind, Values};
 
 use crate::messages::{SeenForce, SeenPin};
 use crate::still::in_body_m;
@@ -24,15 +24,19 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
         SeenForce { table: "spring", name: spring.name.clone(), kind, ends, direction_deg: None, turns: false }
     });
     let loads = model.loads.iter().map(|load| {
-        let (kind, ends, direction_deg, turns) = match load.kind {
-            LoadKind::Force { point, direction_rad, follows_body } => {
-                ("force", vec![pin(point)], Some(values[direction_rad].to_degrees()), follows_body)
-            }
-            LoadKind::Torque { body } => {
-                ("torque", held.of_body.get(&body).copied().map(pin).into_iter().collect(), None, false)
-            }
+        let ends = match load.kind.acts_on() {
+            ActsOn::Point(point) => vec![pin(point)],
+            ActsOn::Body(body) => held.of_body.get(&body).copied().map(pin).into_iter().collect(),
         };
-        SeenForce { table: "load", name: load.name.clone(), kind, ends, direction_deg, turns }
+        let direction = load.kind.direction();
+        SeenForce {
+            table: "load",
+            name: load.name.clone(),
+            kind: load.kind.word(),
+            ends,
+            direction_deg: direction.map(|direction| values[direction.angle_rad].to_degrees()),
+            turns: direction.is_some_and(|direction| direction.follows_body),
+        }
     });
     springs.chain(loads).collect()
 }

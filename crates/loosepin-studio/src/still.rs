@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
-use loosepin::model::{Derivative, Drive, Model, OutputKind, PointId, Position, Values};
+use loosepin::model::{Drive, Model, PointId, Values};
 use loosepin::result::simulation::{
     Drawing, DrawnBody, DrawnDrive, DrawnOutput, DrawnPoint, DriveSense, PointReference, PoseTable,
 };
@@ -145,12 +145,7 @@ pub fn still_drawing(model: &Model, poses: &[Pose]) -> Drawing {
         sense: DriveSense::Still,
     });
     let outputs = model.outputs.iter().filter_map(|output| {
-        let point = match output.kind {
-            OutputKind::Motion { of: Position::Point(point, _), derivative: Derivative::Position } => point.of,
-            OutputKind::Path(point) => point.of,
-            _ => return None,
-        };
-        Some(DrawnOutput { name: output.name.clone(), point: reference(point) })
+        Some(DrawnOutput { name: output.name.clone(), point: reference(output.kind.drawn_point()?) })
     });
     let column = |number: fn(&Pose) -> f64| poses.iter().map(|pose| vec![number(pose)]).collect::<Vec<_>>();
     let table = PoseTable {

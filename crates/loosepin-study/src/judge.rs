@@ -11,7 +11,6 @@ use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
-use loosepin_simulate::Reading;
 use loosepin_simulate::accuracy::{
     AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends, dimension_direction,
 };
@@ -53,6 +52,8 @@ enum Asked {
     /// It is no position.
     No(&'static str),
 }
+
+const NO_POSITION: Asked = Asked::No("it is no position");
 
 struct Judge<'s> {
     study: &'s Study,
@@ -123,15 +124,19 @@ impl Judge<'_> {
         let asked = self.study.requirements.iter().map(|requirement| {
             let of = requirement.deviation;
             match self.study.outputs[requirement.output].seen {
-                Seen::Reading(Reading::Position(reading)) => Asked::One(place(reading, of)),
-                Seen::Path([Reading::Position(x), Reading::Position(y)], error)
-                    if of != Deviation::Value || error != PathError::Along =>
-                {
+                Seen::Reading(reading) => match reading.position() {
+                    Some(position) => Asked::One(place(position, of)),
+                    None => NO_POSITION,
+                },
+                Seen::Path(coordinates, error) if of != Deviation::Value || error != PathError::Along => {
                     let of = if of == Deviation::Value { Deviation::Total } else { of };
-                    Asked::Path([place(x, of), place(y, of)])
+                    match coordinates.map(|reading| reading.position()) {
+                        [Some(x), Some(y)] => Asked::Path([place(x, of), place(y, of)]),
+                        _ => NO_POSITION,
+                    }
                 }
                 Seen::Wear(..) => Asked::No("wear needs runs"),
-                Seen::Reading(_) | Seen::Path(..) => Asked::No("it is no position"),
+                Seen::Path(..) => NO_POSITION,
             }
         });
         let asked = asked.collect();

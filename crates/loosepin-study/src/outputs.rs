@@ -1,6 +1,6 @@
 //! What a study can ask about: the columns of its model, and the errors of its paths.
 
-use loosepin_mechanics::model::{JointId, Model, OutputKind, WearMeasure};
+use loosepin_mechanics::model::{JointId, Model, Position, Recorded, WearMeasure};
 use loosepin_result::study::PathError;
 use loosepin_simulate::{Reading, columns, relative_words};
 use loosepin_text::units::{Dimension, SiUnit};
@@ -38,6 +38,22 @@ pub enum Seen {
 }
 
 impl Seen {
+    /// The position or angle that it is.
+    pub fn position(&self) -> Option<Position> {
+        match self {
+            Self::Reading(reading) => reading.position(),
+            Self::Path(..) | Self::Wear(..) => None,
+        }
+    }
+
+    /// The joint whose force it is.
+    pub fn force_in(&self) -> Option<JointId> {
+        match self {
+            Self::Reading(reading) => reading.force_in(),
+            Self::Path(..) | Self::Wear(..) => None,
+        }
+    }
+
     /// The readings that it is made of.
     pub fn readings(&self) -> impl Iterator<Item = Reading> + use<> {
         let (first, second) = match *self {
@@ -80,8 +96,9 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 seen: Seen::Reading(column.reading),
             });
         }
-        if let OutputKind::Wear { joint, measure } = output.kind {
-            outputs.push(StudyOutput {
+        match output.kind.recorded() {
+            Recorded::Number(_) => {}
+            Recorded::Wear(joint, measure) => outputs.push(StudyOutput {
                 output: index,
                 name: output.name.clone(),
                 component: None,
@@ -90,20 +107,21 @@ pub fn study_outputs(model: &Model) -> Vec<StudyOutput> {
                 unit: SiUnit::of_dimension(dimension),
                 dimension,
                 seen: Seen::Wear(joint, measure),
-            });
-        }
-        if let (OutputKind::Path(point), [x, y]) = (&output.kind, &own[..]) {
-            let words = relative_words(model, *point);
-            outputs.extend(PathError::ALL.map(|part| StudyOutput {
-                output: index,
-                name: format!("{} {}", output.name, part.word()),
-                component: Some(part.word()),
-                words: part.words(&words),
-                point: Some(format!("{} ({})", output.name, words)),
-                unit: x.unit.clone(),
-                dimension,
-                seen: Seen::Path([x.reading, y.reading], part),
-            }));
+            }),
+            Recorded::Path(point) => {
+                let [x, y] = own[..] else { continue };
+                let words = relative_words(model, point);
+                outputs.extend(PathError::ALL.map(|part| StudyOutput {
+                    output: index,
+                    name: format!("{} {}", output.name, part.word()),
+                    component: Some(part.word()),
+                    words: part.words(&words),
+                    point: Some(format!("{} ({})", output.name, words)),
+                    unit: x.unit.clone(),
+                    dimension,
+                    seen: Seen::Path([x.reading, y.reading], part),
+                }));
+            }
         }
     }
     outputs

@@ -117,9 +117,8 @@ impl Shared {
                     (Some(reading), Spot::Reduced(reduction)) => {
                         Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
                     }
-                    // Sections of flexible bodies are no numbers of the lanes: stress is looked at in plain states.
                     (None, Spot::Reduced(reduction))
-                        if of == Deviation::Value && is_integrated && !matches!(reading, Reading::Stress(_)) =>
+                        if of == Deviation::Value && is_integrated && reading.is_on_lanes() =>
                     {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }

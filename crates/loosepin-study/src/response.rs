@@ -421,7 +421,7 @@ fn share_nominal(
     let span_s = nominal_window.end_s - nominal_window.start_s;
     let positions = positions(&plan);
     let arm_m =
-        |reading: &Reading| if matches!(reading, Reading::Position(Position::Angle(_))) { ideal.size_m } else { 1.0 };
+        |reading: &Reading| if matches!(reading.position(), Some(Position::Angle(_))) { ideal.size_m } else { 1.0 };
     let mut reference = IdealReference::new(ideal, nominal_ideal, nominal_window.end_s, settings)?;
     let nominal_motion = reference.free_motion();
     // Where the search for a position begins decides on its last bits; a motion that forces decide is integrated once and for all.

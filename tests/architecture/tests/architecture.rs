@@ -109,9 +109,11 @@ fn no_files_of_a_crate_import_each_other_in_a_circle() {
 }
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 4] = [
+const ONE_PLACE: [(&str, &str); 6] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
+    ("OutputKind", "loosepin-mechanics/src/model/output/"),
+    ("LoadKind", "loosepin-mechanics/src/model/load/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
 ];

@@ -11,7 +11,7 @@ use crate::contact::PlayState;
 use crate::mechanism::{
     JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
 };
-use crate::model::{Course, FeedForward, LoadKind, PlayId, SpringKind};
+use crate::model::{ActsOn, Course, FeedForward, PlayId, SpringKind};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
@@ -133,9 +133,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
             .collect();
         let springs = mechanism.model.springs.iter();
         let loads = mechanism.model.loads.iter().map(|load| LoadForce {
-            slot: match load.kind {
-                LoadKind::Force { point, .. } => tree.slot_of_point(point),
-                LoadKind::Torque { body } => tree.slot_of_body[body.0],
+            slot: match load.kind.acts_on() {
+                ActsOn::Point(point) => tree.slot_of_point(point),
+                ActsOn::Body(body) => tree.slot_of_body[body.0],
             },
             arm_m: Vec2::zero(),
             force_n: Vec2::zero(),
@@ -146,7 +146,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             FeedForward::Course(course) => Some(course),
             FeedForward::None | FeedForward::InverseDynamics => None,
         });
-        let courses = mechanism.model.loads.iter().map(|load| &load.course).chain(fed_forward);
+        let courses = mechanism.model.loads.iter().filter_map(|load| load.course.as_ref()).chain(fed_forward);
         let steps = courses.map(|course| match course {
             Course::Function(function) => function.steps(),
             _ => 0,

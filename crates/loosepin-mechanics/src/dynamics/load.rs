@@ -2,8 +2,8 @@
 
 use super::element_force::LoadForce;
 use super::equations::Dynamics;
-use crate::mechanism::JointPlace;
-use crate::model::{Course, LoadKind};
+use crate::mechanism::{JointPlace, Pose, Twist};
+use crate::model::{Course, LoadPlace, Push};
 use loosepin_math::{Real, Vec2};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -30,22 +30,53 @@ impl<T: Real> Dynamics<'_, T> {
         let load = &self.mechanism.model.loads[index];
         let slot = self.loads[index].slot;
         let [coordinate, rate] = match (&load.course, load.joint) {
-            (Course::Function(_) | Course::Table(_), Some(joint)) => {
+            (Some(Course::Function(_) | Course::Table(_)), Some(joint)) => {
                 let place = JointPlace::new(&self.mechanism.model, &self.mechanism.real, joint);
                 self.sample.loads[index].joint.motion(&place, &self.kinematics)
             }
             _ => [T::zero(); 2],
         };
         let numbers = &self.sample.loads[index];
-        let size = numbers.course.value(&load.course, &[self.time_s, coordinate, rate], &mut self.function_room);
-        let pose = &self.kinematics.poses[slot];
-        match load.kind {
-            LoadKind::Force { follows_body, .. } => {
-                let direction = if follows_body { pose.turn(numbers.direction) } else { numbers.direction };
-                let arm_m = pose.turn(numbers.arm_m);
-                LoadForce { slot, arm_m, force_n: direction * size, torque_n_m: T::zero() }
+        let size = match (&numbers.course, &load.course) {
+            (Some(numbers), Some(course)) => {
+                numbers.value(course, &[self.time_s, coordinate, rate], &mut self.function_room)
             }
-            LoadKind::Torque { .. } => LoadForce { slot, arm_m: Vec2::zero(), force_n: Vec2::zero(), torque_n_m: size },
-        }
+            // It has no size.
+            (None, _) | (_, None) => T::zero(),
+        };
+        let (pose, twist) = (&self.kinematics.poses[slot], &self.kinematics.twists[slot]);
+        let Push { arm_m, force_n, torque_n_m } =
+            load.kind.push(&numbers.own, size, &Place { pose, twist, arm_m: numbers.arm_m });
+        LoadForce { slot, arm_m, force_n, torque_n_m }
+    }
+}
+
+/// The place of a load at the state at hand.
+struct Place<'s, T> {
+    pose: &'s Pose<T>,
+    twist: &'s Twist<T>,
+    /// The point that it acts on, in the frame of the body, m.
+    arm_m: Vec2<T>,
+}
+
+impl<T: Real> LoadPlace<T> for Place<'_, T> {
+    #[inline(always)]
+    fn turned(&self, vector: Vec2<T>) -> Vec2<T> {
+        self.pose.turn(vector)
+    }
+
+    #[inline(always)]
+    fn arm_m(&self) -> Vec2<T> {
+        self.pose.turn(self.arm_m)
+    }
+
+    #[inline(always)]
+    fn velocity_m_s(&self, arm_m: Vec2<T>) -> Vec2<T> {
+        self.twist.at(arm_m)
+    }
+
+    #[inline(always)]
+    fn angular_velocity_rad_s(&self) -> T {
+        self.twist.angular
     }
 }

@@ -23,6 +23,7 @@ mod linear_spring;
 mod load;
 mod nodal_beam;
 mod nodal_room;
+mod output;
 mod parts;
 mod pin;
 mod play;

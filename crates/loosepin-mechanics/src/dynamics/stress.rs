@@ -2,7 +2,7 @@
 
 use super::equations::Dynamics;
 use crate::mechanism::{StressedBody, acceleration_at};
-use crate::model::{BodyId, JointId, LoadKind, PlayId, PointId, SpringKind};
+use crate::model::{ActsOn, BodyId, JointId, PlayId, PointId, SpringKind};
 use loosepin_flexible::{Nodal, Station};
 use loosepin_math::{Real, Vec2};
 
@@ -295,7 +295,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         for (load, force) in model.loads.iter().zip(self.loads()) {
-            if matches!(load.kind, LoadKind::Force { point, .. } if point == own) {
+            if load.kind.acts_on() == ActsOn::Point(own) {
                 force_n += force.force_n;
             }
         }

@@ -3,25 +3,25 @@
 use super::joint_geometry::JointGeometry;
 use super::load_table::TableNumbers;
 use super::points::point_m;
-use crate::model::{Course, DriveLaw, Load, LoadKind, LoadTable, Model, PeriodProblem, Values};
-use loosepin_math::{Numbers, Real, Vec2, numbers, sin_cos};
+use crate::model::{ActsOn, Course, DriveLaw, Load, LoadTable, Model, PeriodProblem, Values};
+use loosepin_math::{Numbers, Real, Vec2, numbers};
 
 /// Numbers of a load.
 #[derive(Debug, Clone)]
 pub struct LoadGeometry<T> {
     /// Point of attack in the frame of the body, m; zero for a torque.
     pub arm_m: Vec2<T>,
-    /// Direction of a force, of length one, in the frame of the ground or of the body.
-    pub direction: Vec2<T>,
-    /// Numbers of its course.
-    pub course: CourseNumbers<T>,
+    /// Numbers of its kind, in an order of its own.
+    pub own: Vec<T>,
+    /// Numbers of its course, where it has one.
+    pub course: Option<CourseNumbers<T>>,
     /// The joint that it reads.
     pub joint: JointGeometry<T>,
     /// Start and rate of what a table is over, where that goes evenly with the time.
     pub clock: Option<[f64; 2]>,
 }
 
-numbers!(struct LoadGeometry { arm_m, direction, joint, course; clock });
+numbers!(struct LoadGeometry { arm_m, own, joint, course; clock });
 
 /// Numbers of a course.
 #[derive(Debug, Clone)]
@@ -103,20 +103,16 @@ impl<T: Real> LoadGeometry<T> {
     /// As [`CourseNumbers::new`].
     pub fn new(model: &Model, load: &Load, values: &Values) -> Result<Self, PeriodProblem> {
         let number = |id| T::from_f64(values[id]);
-        let along = |angle_rad: f64| {
-            let (sine, cosine) = sin_cos(angle_rad);
-            Vec2::from_f64(Vec2::new(cosine, sine))
+        let arm_m = match load.kind.acts_on() {
+            ActsOn::Point(point) => point_m(model, values, point),
+            ActsOn::Body(_) => Vec2::zero(),
         };
-        let (arm_m, direction) = match load.kind {
-            LoadKind::Force { point, direction_rad, .. } => {
-                (point_m(model, values, point), along(values[direction_rad]))
-            }
-            LoadKind::Torque { .. } => (Vec2::zero(), Vec2::zero()),
-        };
+        let own = load.kind.numbers(&|id| values[id]);
+        let course = load.course.as_ref().map(|course| CourseNumbers::new(course, values));
         Ok(Self {
             arm_m,
-            direction,
-            course: CourseNumbers::new(&load.course, values)?,
+            own: own.into_iter().map(T::from_f64).collect(),
+            course: course.transpose()?,
             joint: load.joint.map_or(JointGeometry::none(), |joint| JointGeometry::new(model, joint, &number)),
             clock: clock(model, load, values),
         })
@@ -128,7 +124,7 @@ impl LoadGeometry<f64> {
     /// will show when that is.
     pub fn next_break_s(&self, time_s: f64) -> f64 {
         match (&self.course, self.clock) {
-            (CourseNumbers::Table(table), Some(clock)) => table.next_break_s(clock, time_s),
+            (Some(CourseNumbers::Table(table)), Some(clock)) => table.next_break_s(clock, time_s),
             _ => f64::INFINITY,
         }
     }
@@ -137,7 +133,7 @@ impl LoadGeometry<f64> {
 /// Start and rate of what the table of `load` is over, where that goes evenly with the time: the time itself, or the coordinate of a
 /// joint that is driven at constant speed.
 fn clock(model: &Model, load: &Load, values: &Values) -> Option<[f64; 2]> {
-    let Course::Table(LoadTable { variable, .. }) = &load.course else { return None };
+    let Some(Course::Table(LoadTable { variable, .. })) = &load.course else { return None };
     match variable {
         0 => Some([0.0, 1.0]),
         1 => model.drives.iter().find_map(|drive| match drive.law {

@@ -3,6 +3,7 @@
 //! Two trees share the model: the *ideal* one, in which every joint is ideal, gives the ideal motion, the start and the
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
+mod arms;
 mod assembly;
 mod beam_points;
 mod blocking;
@@ -53,6 +54,7 @@ mod tree_beam;
 mod tree_nodal_beam;
 mod ways_on;
 
+pub use arms::Arms;
 pub use compile::Mechanism;
 pub use constraints::{Opening, RowOwner, worst_for_its_size};
 pub use contact_place::{ContactPlace, is_front_corner, is_upper_corner};

@@ -3,7 +3,7 @@
 use super::points::point_m;
 use super::tree::Tree;
 use super::tree_beam::{BeamPlace, SAME_SECTION, share_of};
-use crate::model::{Body, BodyId, Model, OutputKind, PointId, QuantityId, Values};
+use crate::model::{Body, BodyId, Model, PointId, QuantityId, Values};
 use loosepin_flexible::{Basis, Cuts, Frame, even_shares};
 use loosepin_math::Vec2;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ impl StressedBody {
     pub(super) fn all(model: &Model, real: &Tree) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         for output in &model.outputs {
-            let OutputKind::Stress(body) = output.kind else { continue };
+            let Some(body) = output.kind.stressed_body() else { continue };
             if found.iter().any(|stressed| stressed.body == body) {
                 continue;
             }

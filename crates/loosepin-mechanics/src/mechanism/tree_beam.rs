@@ -5,7 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use crate::model::{BodyId, LoadKind, Lump, Model, PointId, SpringKind, Values};
+use crate::model::{ActsOn, BodyId, Lump, Model, PointId, SpringKind, Values};
 use loosepin_flexible::{Basis, Shapes, Station, even_shares};
 use std::ops::Range;
 use std::sync::Arc;
@@ -174,8 +174,7 @@ fn is_pushed(model: &Model, point: PointId) -> bool {
         SpringKind::Linear { first, second } => [first, second].contains(&point),
         SpringKind::Torsional { .. } => false,
     });
-    let by_load =
-        model.loads.iter().any(|load| matches!(load.kind, LoadKind::Force { point: own, .. } if own == point));
+    let by_load = model.loads.iter().any(|load| load.kind.acts_on() == ActsOn::Point(point));
     let is_heavy = model.bodies[point.body.0]
         .beam
         .as_ref()

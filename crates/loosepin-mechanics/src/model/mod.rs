@@ -18,7 +18,10 @@ mod keys;
 mod law_choice;
 mod load;
 mod load_table;
+mod names_of_model;
 mod output;
+mod part_names;
+mod part_reader;
 mod path_error;
 mod path_hint;
 mod plausible;
@@ -49,11 +52,19 @@ pub use joint::{
 };
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
-pub use load::{Course, Load, LoadKind};
+pub use load::{
+    ActsOn, Course, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TorqueLoad,
+};
 pub use load_table::{LoadTable, PeriodProblem, Piston};
 pub use loosepin_text::document::describe_path;
 pub use loosepin_text::units::Rule;
-pub use output::{Component, Derivative, Effort, Output, OutputKind, Position, Relative};
+pub use output::{
+    ActuatorFacts, BeamFacts, Component, Derivative, Effort, EffortMeasure, JointForce, KindOfOutput, KindOfReading,
+    Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Recorded,
+    Relative, Stress, Wear, relative_words,
+};
+pub use part_names::PartNames;
+pub use part_reader::PartReader;
 pub use path_error::PathError;
 pub use plausible::HardlyPossible;
 pub use problem::ModelProblem;

@@ -123,6 +123,16 @@ impl WearMeasure {
         }
     }
 
+    /// Their words, in the same order.
+    pub const WORDS: [&'static str; 7] = {
+        let (mut words, mut measure) = ([""; 7], 0);
+        while measure < Self::ALL.len() {
+            words[measure] = Self::ALL[measure].word();
+            measure += 1;
+        }
+        words
+    };
+
     /// The measure of a joint in words.
     pub fn words(self, joint: &str) -> String {
         let measure = match self {

@@ -1,8 +1,8 @@
 //! What drives must do to make the ideal motion: inverse dynamics.
 
-use crate::column::{Arms, Column, Reading, columns};
+use crate::column::{Column, columns};
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
+use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_result::motion::EffortMotion;
 
 /// The outputs of `mechanism` that are torques, forces or powers of drives, at all `states` of its ideal motion: with inertia, weight,
@@ -12,7 +12,7 @@ pub(super) fn ideal_efforts(
     sample: &Sample<f64>,
     states: &[IdealMotion<'_>],
 ) -> Vec<EffortMotion> {
-    let is_effort = |column: &Column| matches!(column.reading, Reading::Effort(..));
+    let is_effort = |column: &Column| column.reading.is_effort();
     let columns: Vec<Column> = columns(&mechanism.model).into_iter().filter(is_effort).collect();
     let ideal = mechanism.without_play();
     let mut dynamics = Dynamics::new(&ideal, &sample.clone().without_play());

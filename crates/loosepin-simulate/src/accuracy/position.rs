@@ -1,8 +1,8 @@
 //! Outputs of which the quasi-static answer speaks: coordinates of points and angles of bodies.
 
-use crate::column::{self, Reading, relative_words};
+use crate::column;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Derivative, OutputKind, Position};
+use loosepin_mechanics::model::{Derivative, Motion, OutputKind, Position, Reading, Recorded, relative_words};
 use loosepin_text::units::SiUnit;
 
 /// A coordinate of a point or the angle of a body.
@@ -35,8 +35,10 @@ pub struct PathOf {
 /// position already. Other outputs, such as forces, belong to no position.
 pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
     let outputs = &mechanism.model.outputs;
-    let is_position = |kind: &OutputKind| {
-        matches!(kind, OutputKind::Motion { derivative: Derivative::Position, .. } | OutputKind::Path(_))
+    let is_position = |kind: &OutputKind| match kind.recorded() {
+        Recorded::Number(reading) => reading.is_position(),
+        Recorded::Path(_) => true,
+        Recorded::Wear(..) => false,
     };
     let mut found: Vec<(usize, PositionOutput)> = Vec::new();
     for derivatives in [false, true] {
@@ -48,11 +50,11 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
                 }
                 let (words, unit) = describe(mechanism, reading);
                 let name = format!("{}{suffix}", output.name);
-                let path = match output.kind {
-                    OutputKind::Path(point) => {
+                let path = match output.kind.recorded() {
+                    Recorded::Path(point) => {
                         Some(PathOf { name: output.name.clone(), point: relative_words(&mechanism.model, point) })
                     }
-                    _ => None,
+                    Recorded::Number(_) | Recorded::Wear(..) => None,
                 };
                 found.push((index, PositionOutput { name, words, unit, reading, path }));
             }
@@ -64,16 +66,10 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
 
 /// The positions behind an output, with what is added to its name.
 fn readings(kind: &OutputKind) -> impl Iterator<Item = (Position, &'static str)> {
-    column::readings(kind).into_iter().filter_map(move |(reading, suffix)| match reading {
-        Reading::Position(of) | Reading::Velocity(of) | Reading::Acceleration(of) => Some((of, suffix)),
-        Reading::Force(..) | Reading::Stress(_) | Reading::Effort(..) => None,
-    })
+    column::readings(kind).into_iter().filter_map(|(reading, suffix)| Some((reading.motion_of()?, suffix)))
 }
 
 fn describe(mechanism: &Mechanism, reading: Position) -> (String, SiUnit) {
-    let unit = match reading {
-        Position::Point(..) => SiUnit::LENGTH,
-        Position::Angle(_) => SiUnit::ANGLE,
-    };
-    (Reading::Position(reading).words(&mechanism.model), unit)
+    let unit = SiUnit::of_dimension(reading.dimension(Derivative::Position));
+    (Reading::from(Motion::position(reading)).words(&mechanism.model), unit)
 }

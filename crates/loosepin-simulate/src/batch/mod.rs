@@ -13,7 +13,6 @@ mod switch;
 pub use queue::{Queue, Run};
 pub(super) use seats::{Seat, Seated, Seats};
 
-use crate::column::Reading;
 use crate::core::{Awaited, Core, lanes_of, move_flag};
 use crate::depth_limit::DepthLimit;
 use crate::execution::{Execution, LANES_OF_A_VECTOR};
@@ -35,6 +34,7 @@ use crate::settings::{Settings, Window};
 use crate::settle::settle;
 use loosepin_mechanics::dynamics::PlayState;
 use loosepin_mechanics::mechanism::{GapMeasure, Mechanism, Sample};
+use loosepin_mechanics::model::Reading;
 
 /// Largest step as a share of a turn of the fastest drive. Quintic interpolation over it errs by (2πk/96)⁶/46080 of the k-th
 /// harmonic of a motion: 2e-12 for the first, 2e-9 for the third.

@@ -1,13 +1,12 @@
 //! Runs that wait for a lane.
 
-use crate::column::Arms;
 use crate::failure::RunFailure;
 use crate::follow::FollowedRun;
 use crate::observer::Observer;
 use crate::report::RunReport;
 use crate::resume::MotionState;
 use crate::settings::Window;
-use loosepin_mechanics::mechanism::Sample;
+use loosepin_mechanics::mechanism::{Arms, Sample};
 
 /// A run that waits for a lane.
 pub struct Run<O> {

@@ -196,15 +196,14 @@ fn set_all(first: usize, polynomial: Quintic, set: &mut impl FnMut(usize, f64)) 
 #[cfg(test)]
 mod tests {
     use super::{FollowLayout, FollowedRun, LaneFollow};
-    use crate::column::Reading;
     use crate::follow::Follow;
     use crate::settings::Window;
     use loosepin_math::Quintic;
-    use loosepin_mechanics::model::{BodyId, Position, Relative};
+    use loosepin_mechanics::model::{BodyId, Motion, Position, Relative};
 
     #[test]
     fn analytic_instants_are_read_in_a_step_of_even_pace_and_at_one_in_which_time_stands_still() {
-        let angle = Reading::Position(Position::Angle(Relative::to_ground(BodyId(0))));
+        let angle = Motion::position(Position::Angle(Relative::to_ground(BodyId(0)))).into();
         let layout = FollowLayout::new(&Follow::readings(&[angle]));
         let followed = FollowedRun { instants_s: [2.0, 2.25, 3.0].into(), ..FollowedRun::default() };
         let mut lane = LaneFollow::new(&layout, followed, Window { start_s: 2.0, end_s: 3.0 });

@@ -1,7 +1,7 @@
 //! What is followed, and what was found.
 
-use crate::column::Reading;
 use crate::ideal_curve::IdealCurve;
+use loosepin_mechanics::model::Reading;
 use loosepin_result::study::Deviation;
 use std::sync::Arc;
 

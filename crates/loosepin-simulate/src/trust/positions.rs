@@ -1,11 +1,10 @@
 //! The positions that two runs are compared by.
 
-use crate::column::{Arms, Reading};
 use crate::observer::{Observer, Step};
 use crate::settings::Window;
 use loosepin_mechanics::dynamics::Dynamics;
-use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Axis, BodyId, PointId, Position, Relative, Values};
+use loosepin_mechanics::mechanism::{Arms, Mechanism};
+use loosepin_mechanics::model::{Axis, BodyId, Motion, PointId, Position, Reading, Relative, Values};
 
 /// Instants a turn at which positions are compared, at least.
 const INSTANTS_A_TURN: f64 = 360.0;
@@ -27,7 +26,7 @@ struct ComparedPositions {
 impl ComparedPositions {
     fn new(mechanism: &Mechanism, values: &Values) -> Self {
         let bodies = &mechanism.model.bodies;
-        let of_ground = |position| Reading::Position(position);
+        let of_ground = |position| Reading::from(Motion::position(position));
         let points = (1..bodies.len()).flat_map(|body| {
             (0..bodies[body].points.len()).map(move |point| Relative::to_ground(PointId { body: BodyId(body), point }))
         });

@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{Model, QuantityId};
+use loosepin_mechanics::model::{Model, Motion, QuantityId};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{
     Arms, Counters, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue,
@@ -49,9 +49,9 @@ fn compiled(name: &str, text: &str) -> Case {
     let mechanism = Mechanism::new(&model, &nominal).unwrap_or_else(|error| panic!("{name}: {error}"));
     let all = columns(&mechanism.model).into_iter().map(|column| column.reading);
     let (readings, others): (Vec<Reading>, Vec<Reading>) = all.partition(Reading::is_position);
-    let rates = |reading: &Reading| match *reading {
-        Reading::Position(of) => vec![Reading::Velocity(of), Reading::Acceleration(of)],
-        _ => Vec::new(),
+    let rates = |reading: &Reading| match reading.position() {
+        Some(of) => vec![Motion::velocity(of).into(), Motion::acceleration(of).into()],
+        None => Vec::new(),
     };
     let inside = readings.iter().flat_map(rates).chain(others).collect();
     let turn_s = model.cycle_input(&nominal).turn_s();

@@ -9,7 +9,6 @@ use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription, PathOutput,
 };
-use loosepin_simulate::Reading;
 use loosepin_text::document::listed;
 use loosepin_text::units::{Dimension, SiUnit, format_number};
 use loosepin_uncertainty::{EpistemicVariable, FocalElement, Interval, rank_of_normal};
@@ -172,10 +171,7 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
                 }
                 Seen::Reading(_) | Seen::Wear(..) => None,
             },
-            contact_force_in: match output.seen {
-                Seen::Reading(Reading::Force(joint, _)) => contact_of(material, joint),
-                Seen::Reading(_) | Seen::Path(..) | Seen::Wear(..) => None,
-            },
+            contact_force_in: output.seen.force_in().and_then(|joint| contact_of(material, joint)),
         })
         .collect()
 }

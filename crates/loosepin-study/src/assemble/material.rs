@@ -7,9 +7,7 @@ use crate::outputs::Seen;
 use crate::question::Rare;
 use crate::response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable, Sampling};
-use loosepin_mechanics::model::Component;
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
-use loosepin_simulate::Reading;
 use loosepin_text::units::SiUnit;
 
 /// Everything that a result is made from.
@@ -226,10 +224,8 @@ impl Material<'_> {
         let is_magnitude = match seen {
             Seen::Path(_, PathError::Magnitude) | Seen::Wear(..) => true,
             // A deviation of a magnitude has a sign, as that of a largest stress |N|/A + |M| c/I has.
-            Seen::Reading(Reading::Force(_, Component::Magnitude) | Reading::Stress(_)) => {
-                column.deviation == Deviation::Value
-            }
-            Seen::Path(..) | Seen::Reading(_) => false,
+            Seen::Reading(reading) => reading.is_never_negative() && column.deviation == Deviation::Value,
+            Seen::Path(..) => false,
         };
         // The reductions of a magnitude are magnitudes.
         is_magnitude || matches!(column.spot, Spot::Reduced(reduction) if reduction.is_never_negative())

@@ -9,9 +9,9 @@ use super::keys::{COLUMN_KEYS, EXPECTED_KEYS, HISTORY_KEYS, NUMBER_KEYS, ORIGINS
 use super::problem::CaseProblem;
 use super::reference::{Reference, open_reference};
 use super::script_file::read_script;
-use loosepin_mechanics::model::{BodyId, Position, Relative};
+use loosepin_mechanics::model::{BodyId, Motion, Position, Relative};
 use loosepin_simulate::accuracy::position_outputs;
-use loosepin_simulate::{Column, Reading, columns, input};
+use loosepin_simulate::{Column, columns, input};
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
 use loosepin_text::document::{Entry, Reader, Table, Written, parse_toml};
 use loosepin_text::units::{Dimension, ReadableUnit, Rule, SiUnit};
@@ -244,9 +244,9 @@ impl ExpectedReader<'_> {
             let (body, part) = self.state(&entry)?;
             let angle = Position::Angle(Relative::to_ground(BodyId(body + 1)));
             let (reading, unit) = match part {
-                2 => (Reading::Position(angle), SiUnit::ANGLE),
-                5 => (Reading::Velocity(angle), SiUnit::ANGULAR_VELOCITY),
-                8 => (Reading::Acceleration(angle), SiUnit::ANGULAR_ACCELERATION),
+                2 => (Motion::position(angle), SiUnit::ANGLE),
+                5 => (Motion::velocity(angle), SiUnit::ANGULAR_VELOCITY),
+                8 => (Motion::acceleration(angle), SiUnit::ANGULAR_ACCELERATION),
                 _ => {
                     let known = ["angle", "omega", "alpha"].map(str::to_owned).to_vec();
                     self.unknown(&entry, "state for single values called", STATE_PARTS[part], known);
@@ -254,7 +254,7 @@ impl ExpectedReader<'_> {
                 }
             };
             let name = self.reader.text(&entry)?.to_owned();
-            return Some(Column { output: 0, words: name.clone(), name, unit, reading });
+            return Some(Column { output: 0, words: name.clone(), name, unit, reading: reading.into() });
         }
         if !self.reader.demand(table, "output") {
             return None;

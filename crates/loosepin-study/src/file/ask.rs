@@ -11,7 +11,7 @@ use super::words::{DEVIATIONS, METHODS, PLAIN_STATISTICS, REDUCTIONS, WITH_A_NUM
 use crate::outputs::{COMPONENTS, Seen, StudyOutput};
 use crate::runs::named_angle_rad;
 use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
-use loosepin_mechanics::model::{OutputKind, WearMeasure};
+use loosepin_mechanics::model::{Recorded, WearMeasure};
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place, nearest_name};
 use loosepin_text::document::{Entry, Reader, Table, Written};
@@ -189,7 +189,7 @@ impl StudyReader {
             return self.refused(&problem, entry.span);
         };
         let component = table.get("component");
-        if !matches!(outputs[index].kind, OutputKind::Path(_)) {
+        if !matches!(outputs[index].kind.recorded(), Recorded::Path(_)) {
             if let Some(component) = component {
                 let problem = StudyProblem::ComponentOfNoPath { entry: table.path.describe(), name };
                 return self.refused(&problem, component.key_span);

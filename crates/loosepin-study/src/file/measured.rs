@@ -4,9 +4,7 @@ use super::measured_keys::MEASURED_KEYS;
 use super::measurement::{Measured, MeasuredMotion, Push, ReadingScatter};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use crate::outputs::Seen;
 use loosepin_mechanics::model::{Axis, BodyId, Cycle, CycleSpan, PointId, Position};
-use loosepin_simulate::Reading;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::document::{Entry, Table, listed};
 use loosepin_text::units::{Dimension, Rule};
@@ -134,7 +132,7 @@ impl StudyReader {
         let friction = self.reader.number(table, "friction");
         // Without the output neither units nor the usual place of the push are known.
         let output = self.outputs[output?].clone();
-        let Seen::Reading(Reading::Position(travel)) = output.seen else {
+        let Some(travel) = output.seen.position() else {
             let problem = MeasuredProblem::NoPosition { entry: table.path.describe(), output: output.name };
             return self.refused(&problem, table.get("output").map_or(table.span, |entry| entry.span));
         };

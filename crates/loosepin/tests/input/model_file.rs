@@ -1,6 +1,8 @@
 //! Model files that are right: what is read, and how values are set.
 
-use loosepin::model::{Axis, Derivative, JointKind, Model, OutputKind, Position, QuantityId, Revolute, Stiffness};
+use loosepin::model::{
+    Axis, Derivative, JointKind, Model, Motion, OutputKind, Position, QuantityId, Revolute, Stiffness,
+};
 
 /// The sketch of the model file in the design of the project, with the bodies it leaves out.
 const SKETCH: &str = include_str!("../files/sketch.toml");
@@ -61,7 +63,7 @@ fn topology_refers_to_quantities() {
     assert_eq!(bearing, journal);
     assert!(matches!(
         model.outputs[0].kind,
-        OutputKind::Motion { of: Position::Point(_, Axis::X), derivative: Derivative::Position }
+        OutputKind::Motion(Motion { of: Position::Point(_, Axis::X), derivative: Derivative::Position })
     ));
     assert_eq!(model.outputs[0].unit.text, "mm");
 }

@@ -5,20 +5,19 @@ pub(super) mod control;
 pub(super) mod coupling;
 pub(super) mod drive;
 pub(super) mod friction;
-pub(super) mod load;
 pub(super) mod spring;
-mod table;
+pub(super) mod table;
 pub(super) mod wear;
 
 use crate::contact::{FILM_LAWS, NormalDescription, POINT_LAWS};
 use crate::model::joint::JOINT_KINDS;
-use crate::model::wear::WearMeasure;
+use crate::model::load::LOAD_KINDS;
+use crate::model::output::OUTPUT_KEYS;
 use beam::BEAM_KEYS;
 use control::CONTROL_KEYS;
 use coupling::{CAM_KEYS, COUPLING_KINDS};
 use drive::DRIVE_KEYS;
 use friction::FRICTION_KEYS;
-use load::LOAD_KINDS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 use spring::SPRING_KINDS;
@@ -293,98 +292,6 @@ pub(in crate::model) static INITIAL_KEYS: Keys = Keys::new(
         ),
     ],
 );
-
-/// Quantities that an output may measure.
-pub(in crate::model) const MEASURES: [&str; 13] = [
-    "position_of",
-    "velocity_of",
-    "acceleration_of",
-    "angle_of",
-    "angular_velocity_of",
-    "angular_acceleration_of",
-    "force_in",
-    "torque_of",
-    "force_of",
-    "power_of",
-    "path_of",
-    "wear_of",
-    "stress_in",
-];
-
-/// Components of forces, then measures of wear.
-const COMPONENTS: [&str; 10] = {
-    let mut words = ["x", "y", "magnitude", "", "", "", "", "", "", ""];
-    let mut measure = 0;
-    while measure < WearMeasure::ALL.len() {
-        words[3 + measure] = WearMeasure::ALL[measure].word();
-        measure += 1;
-    }
-    words
-};
-
-pub(in crate::model) static OUTPUT_KEYS: Keys = Keys::new(
-    "a column of the results",
-    &[
-        optional(MEASURES[0], Kind::Point, "\"slider.pin\"", "a coordinate of a point"),
-        optional(MEASURES[1], Kind::Point, "\"slider.pin\"", "a velocity of a point"),
-        optional(MEASURES[2], Kind::Point, "\"slider.pin\"", "an acceleration of a point"),
-        optional(MEASURES[3], Kind::Reference("body"), "\"rod\"", "the angle of a body"),
-        optional(MEASURES[4], Kind::Reference("body"), "\"rod\"", "the angular velocity of a body"),
-        optional(MEASURES[5], Kind::Reference("body"), "\"rod\"", "the angular acceleration of a body"),
-        optional(MEASURES[6], Kind::Reference("joint"), "\"joint.gudgeon\"", "the force in a joint"),
-        optional(
-            MEASURES[7],
-            Kind::Reference("drive or control"),
-            "\"drive.crank\"",
-            "the torque of a drive or control in a revolute joint",
-        ),
-        optional(
-            MEASURES[8],
-            Kind::Reference("drive or control"),
-            "\"drive.carriage\"",
-            "the force of a drive or control in a prismatic joint or a slot",
-        ),
-        optional(
-            MEASURES[9],
-            Kind::Reference("drive or control"),
-            "\"control.elbow\"",
-            "the power that a drive or control supplies",
-        ),
-        optional(MEASURES[10], Kind::Point, "\"coupler.tracer\"", "the path of a point: two columns"),
-        optional(
-            MEASURES[11],
-            Kind::Reference("joint"),
-            "\"joint.gudgeon\"",
-            "the wear of a joint after all cycles: one number of a run",
-        ),
-        optional(
-            MEASURES[12],
-            Kind::Reference("body"),
-            "\"rod\"",
-            "the largest stress along a flexible body: bending and axial force at its outer fibre",
-        ),
-        optional("along", Kind::Choice(&["x", "y"]), "\"x\"", "the axis of the ground, or of the body of relative_to"),
-        optional(
-            "relative_to",
-            Kind::Reference("point or body"),
-            "\"crank.pin\"",
-            "what a motion is seen from: a point of a body, or for angles a body; the ground if left out",
-        ),
-        optional(
-            "component",
-            Kind::Choice(&COMPONENTS),
-            "\"magnitude\"",
-            "the component of a force, or the measure of wear",
-        ),
-        optional(
-            "unit",
-            Kind::Unit,
-            "\"mm\"",
-            "the unit in which people read it; chosen by what it measures if left out",
-        ),
-    ],
-)
-.with_exactly_one(&[&MEASURES]);
 
 pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
     "a planar mechanism with its nominal values",

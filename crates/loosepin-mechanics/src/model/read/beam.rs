@@ -7,7 +7,7 @@ use crate::model::beam_problem::BeamProblem;
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::joint::AtBeam;
 use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
-use crate::model::load::LoadKind;
+use crate::model::load::ActsOn;
 use crate::model::quantity::QuantityId;
 use crate::model::spring::SpringKind;
 use crate::model::topology::Body;
@@ -333,7 +333,7 @@ impl ModelReader {
             }
         }
         for load in &self.loads {
-            let is_torque = matches!(load.kind, LoadKind::Torque { body } if body == id);
+            let is_torque = load.kind.acts_on() == ActsOn::Body(id);
             let reads = load.joint.is_some_and(|joint| self.joints[joint.0].kind.bodies().contains(&id));
             if is_torque || reads {
                 found.push(turn_of(format!("load.{}", load.name)));

@@ -4,8 +4,7 @@ use super::function::Changing;
 use super::reader::ModelReader;
 use crate::model::function::{TIME, Variable};
 use crate::model::ids::{BodyId, JointId};
-use crate::model::keys::load::{ARGUMENTS, HARMONIC_FORCE_KEYS, HARMONIC_TORQUE_KEYS, LOAD_KINDS};
-use crate::model::load::{Course, Load, LoadKind};
+use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, SizeKeys};
 use crate::model::load_table::{LoadTable, Piston};
 use crate::model::problem::ModelProblem;
 use crate::model::table_curve::TableCurve;
@@ -23,80 +22,76 @@ impl ModelReader {
     }
 
     fn load(&mut self, entry: &Entry<'_>) -> Option<Load> {
-        let (kind, table) = self.table_of_kind(entry, LOAD_KINDS)?;
-        let is_force = kind == "force";
-        let kind = if is_force { self.force(&table) } else { self.torque(&table) };
-        let joint = match table.get("joint") {
+        let (word, table) = self.table_of_kind(entry, LOAD_KINDS)?;
+        let kind = LoadKind::read(word, &table, self);
+        let size = LoadKind::size_of_kind(word);
+        let joint = match size.and_then(|_| table.get("joint")) {
             None => Some(None),
             Some(joint) => self.moving_joint(&joint).map(Some),
         };
-        let (key, dimension, harmonic) = if is_force {
-            ("force", Dimension::FORCE, &HARMONIC_FORCE_KEYS)
-        } else {
-            ("torque", Dimension::TORQUE, &HARMONIC_TORQUE_KEYS)
-        };
         // Without the joint it is not known what the expression may read.
         let joint = joint?;
-        let variables = self.variables(joint);
-        let given = ["points", "csv"].into_iter().find(|key| table.has(key));
-        let course = match given {
-            Some(given) => {
-                self.load_table((entry.name, &table), given, (key, dimension), &variables).map(Course::Table)
-            }
-            None => {
-                let of_tables: &[&'static str] = if is_force {
-                    &["of", "period", "curve", "area", "back_pressure"]
-                } else {
-                    &["of", "period", "curve"]
-                };
-                for only in of_tables {
-                    self.refuse_beside(&table, only, key);
-                }
-                table.get(key).and_then(|entry| self.course(&entry, dimension, harmonic, &variables))
-            }
+        let course = match &size {
+            Some(size) => self.size(entry, &table, size, joint).map(Some),
+            None => Some(None),
         };
         let kind = kind?;
-        if kind.body() == BodyId(0) {
+        if kind.acts_on().body() == BodyId(0) {
             return self.reader.refuse(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
         }
         let course = course?;
-        let is_of_time = matches!(&course, Course::Table(LoadTable { variable: 0, .. }));
-        if (is_of_time || matches!(course, Course::Constant(_) | Course::Harmonic { .. }))
-            && let Some(found) = table.get("joint")
-        {
-            let entry = table.path.describe();
-            let problem = match given {
-                Some(_) => ModelProblem::KeyWithoutEffect { entry, key: "joint", beside: "of = \"time\"" },
-                None => ModelProblem::JointNotRead { entry, key },
-            };
-            return self.reader.refuse(&problem, found.key_span);
+        if let Some((course, size)) = course.as_ref().zip(size) {
+            self.refuse_unread_joint(&table, course, &size)?;
         }
         Some(Load { name: entry.name.to_owned(), kind, course, joint })
     }
 
-    fn force(&mut self, table: &Table<'_>) -> Option<LoadKind> {
-        let point = table.get("point").and_then(|entry| self.point(&entry));
-        let direction_rad = self.quantity(table, "direction");
-        let follows_body = self.choice_or(table, "frame", &[("ground", false), ("body", true)], false);
-        Some(LoadKind::Force { point: point?, direction_rad: direction_rad?, follows_body: follows_body? })
+    /// The size of a load, constant, over time or the motion of a joint, or by points.
+    fn size(
+        &mut self,
+        entry: &Entry<'_>,
+        table: &Table<'_>,
+        size: &SizeKeys,
+        joint: Option<JointId>,
+    ) -> Option<Course> {
+        let variables = self.variables(joint);
+        if let Some(given) = key_of_points(table) {
+            return self.load_table((entry.name, table), given, size, &variables).map(Course::Table);
+        }
+        let of_pressures: &[&'static str] = if size.takes_pressures { &["area", "back_pressure"] } else { &[] };
+        for only in ["of", "period", "curve"].iter().chain(of_pressures) {
+            self.refuse_beside(table, only, size.key);
+        }
+        let entry = table.get(size.key)?;
+        self.course(&entry, size.dimension, size.harmonic, &variables)
     }
 
-    fn torque(&mut self, table: &Table<'_>) -> Option<LoadKind> {
-        let entry = table.get("body")?;
-        let name = self.reader.text(&entry)?.to_owned();
-        self.body(&entry, &name).map(|body| LoadKind::Torque { body })
+    /// Complains of a joint that the size of a load does not read.
+    fn refuse_unread_joint(&mut self, table: &Table<'_>, course: &Course, size: &SizeKeys) -> Option<()> {
+        let is_of_time = matches!(course, Course::Table(LoadTable { variable: 0, .. }));
+        if (is_of_time || matches!(course, Course::Constant(_) | Course::Harmonic { .. }))
+            && let Some(found) = table.get("joint")
+        {
+            let entry = table.path.describe();
+            let problem = match key_of_points(table) {
+                Some(_) => ModelProblem::KeyWithoutEffect { entry, key: "joint", beside: "of = \"time\"" },
+                None => ModelProblem::JointNotRead { entry, key: size.key },
+            };
+            return self.reader.refuse(&problem, found.key_span);
+        }
+        Some(())
     }
 
-    /// The points of a load behind the key `given`: of a force or a torque, `of`.
+    /// The points of a load behind the key `given`: of its size, or of pressures.
     fn load_table(
         &mut self,
         (load, table): (&str, &Table<'_>),
         given: &'static str,
-        of: (&'static str, Dimension),
+        size: &SizeKeys,
         variables: &[Variable],
     ) -> Option<LoadTable> {
         let curve = self.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
-        let piston = if of.0 == "force" { self.piston(table) } else { Some(None) };
+        let piston = if size.takes_pressures { self.piston(table) } else { Some(None) };
         let Some(argument) = table.get("of") else {
             self.complain_of_missing(table, given, vec!["of"]);
             return None;
@@ -108,7 +103,7 @@ impl ModelReader {
             return self.reader.refuse(&problem, argument.span);
         };
         let piston = piston?;
-        let column = if piston.is_some() { ("pressure", Dimension::PRESSURE) } else { of };
+        let column = if piston.is_some() { ("pressure", Dimension::PRESSURE) } else { (size.key, size.dimension) };
         let columns = [variables[variable], column];
         let points = self.table_points(table, columns);
         let period = match table.get("period") {
@@ -173,6 +168,11 @@ impl ModelReader {
         let phase_rad = self.quantity_or(&table, "phase", 0.0);
         Some(Course::Harmonic { mean: mean?, amplitude: amplitude?, frequency: frequency?, phase_rad: phase_rad? })
     }
+}
+
+/// The key under which a load has points in place of a size.
+fn key_of_points(table: &Table<'_>) -> Option<&'static str> {
+    ["points", "csv"].into_iter().find(|key| table.has(key))
 }
 
 impl From<Changing> for Course {

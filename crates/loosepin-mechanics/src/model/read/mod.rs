@@ -17,6 +17,7 @@ mod missing;
 mod output;
 mod parameter;
 mod parameters;
+mod part_reader;
 mod play;
 mod reader;
 mod spring;

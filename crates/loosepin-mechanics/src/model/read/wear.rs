@@ -10,7 +10,7 @@ use crate::model::topology::{SlidingVelocity, Stiffness};
 use crate::model::wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
-use crate::model::{Contact, Joint, Output, OutputKind};
+use crate::model::{Contact, Joint, Output, Recorded};
 use loosepin_text::document::{Entry, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
 
@@ -200,7 +200,7 @@ impl ModelReader {
     pub(super) fn refuse_measures_of_fixed_wear(&mut self, outputs: &[Output], life: Option<&WearLife>) {
         let Some(life) = life else { return };
         for output in outputs {
-            let OutputKind::Wear { measure, .. } = output.kind else { continue };
+            let Recorded::Wear(_, measure) = output.kind.recorded() else { continue };
             let needs = match measure {
                 WearMeasure::Clearance if life.geometry == WearGeometry::Fixed => "geometry = \"worn\"",
                 WearMeasure::Life if life.limit.is_none() => "geometry = \"worn\" and a limit",
@@ -227,8 +227,8 @@ impl ModelReader {
         };
         let name = self.reader.text(&of)?;
         let name = name.strip_prefix("output.").unwrap_or(name).to_owned();
-        let has_history = |kind: &OutputKind| !matches!(kind, OutputKind::Wear { .. } | OutputKind::Path(_));
-        let Some(output) = outputs.iter().position(|output| output.name == name && has_history(&output.kind)) else {
+        let has_history = |output: &Output| matches!(output.kind.recorded(), Recorded::Number(_));
+        let Some(output) = outputs.iter().position(|output| output.name == name && has_history(output)) else {
             let problem = ModelProblem::NoLimitedOutput { entry: of.path.describe(), output: name };
             return self.reader.refuse(&problem, of.span);
         };

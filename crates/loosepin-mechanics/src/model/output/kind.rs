@@ -1,0 +1,134 @@
+//! What every kind of output says of itself, and the terms in which it says it.
+
+use super::position::{Position, Relative};
+use super::reader::OutputReader;
+use super::state::OutputState;
+use crate::model::ids::{BodyId, JointId, PointId};
+use crate::model::part_names::PartNames;
+use crate::model::wear::WearMeasure;
+use loosepin_math::Real;
+use loosepin_text::document::{Key, Table};
+use loosepin_text::units::Dimension;
+use std::fmt::Debug;
+
+/// A kind of output of a model.
+///
+/// The rest of the program asks these questions, and knows no kind by its name. Constants are what all outputs of a kind have in common,
+/// methods what one of them states.
+pub trait KindOfOutput: Sized {
+    /// Keys of which exactly one stands in the table of an output.
+    const MEASURES: &'static [Measure];
+    /// Keys that stand beside a measure, and that no kind before it in the list has.
+    const KEYS: &'static [Key] = &[];
+    /// Words that stand behind the key `component`.
+    const COMPONENTS: &'static [&'static str] = &[];
+    /// The unit in which people read it, where that is not the one of its dimension.
+    const USUAL_UNIT: Option<&'static str> = None;
+    /// The number that is read at an instant; [`NoReading`] where there is none.
+    type Reading: KindOfReading;
+
+    /// Reads it from its table, in which `measure` stands; nothing after a complaint.
+    fn read(measure: &'static str, table: &Table<'_>, reader: &mut dyn OutputReader) -> Option<Self>;
+
+    /// Dimension of its columns.
+    fn dimension(&self) -> Dimension;
+
+    /// What a run tells of it.
+    fn recorded(&self) -> Recorded<Self::Reading>;
+
+    /// The point that drawings mark for it.
+    fn drawn_point(&self) -> Option<PointId> {
+        None
+    }
+
+    /// The flexible body whose stress is to be worked out for it.
+    fn stressed_body(&self) -> Option<BodyId> {
+        None
+    }
+}
+
+/// A number that is read off the state of a mechanism.
+pub trait KindOfReading: Copy + PartialEq + Debug {
+    /// Whether it is a number of the lanes; else it is looked at in plain states alone.
+    const IS_ON_LANES: bool = true;
+    /// Whether it is what a drive or control must do: `motion` shows it along the ideal motion too, where no positions of points are at hand.
+    const IS_EFFORT: bool = false;
+
+    /// The quantity in words, for example `x of slider.pin`.
+    fn words(&self, names: &dyn PartNames) -> String;
+
+    /// Whether accelerations or forces are needed, not only positions and velocities.
+    fn needs_forces(&self) -> bool;
+
+    /// The value, SI.
+    fn value<T: Real>(&self, state: &impl OutputState<T>) -> T;
+
+    /// The position or angle that it is, so that its first two time derivatives are velocities and accelerations.
+    fn position(&self) -> Option<Position> {
+        None
+    }
+
+    /// The position or angle that it is, or whose derivative it is.
+    fn motion_of(&self) -> Option<Position> {
+        None
+    }
+
+    /// The joint whose force it is, or whose component.
+    fn force_in(&self) -> Option<JointId> {
+        None
+    }
+
+    /// Whether it is a magnitude: no value is below zero.
+    fn is_never_negative(&self) -> bool {
+        false
+    }
+}
+
+/// A key of which exactly one stands in the table of an output.
+#[derive(Debug, Clone, Copy)]
+pub struct Measure {
+    /// The key.
+    pub key: Key,
+    /// The keys that mean something beside it.
+    pub beside: &'static [&'static str],
+}
+
+/// What a run tells of an output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Recorded<R> {
+    /// A number at each instant: one column.
+    Number(R),
+    /// The path of a point: two columns, x and y, and errors from its ideal path.
+    Path(Relative<PointId>),
+    /// Wear of a joint after all cycles: one number of a run, without a history.
+    Wear(JointId, WearMeasure),
+}
+
+impl<R> Recorded<R> {
+    /// The same with its number turned into another.
+    pub fn map<S>(self, turn: impl FnOnce(R) -> S) -> Recorded<S> {
+        match self {
+            Self::Number(reading) => Recorded::Number(turn(reading)),
+            Self::Path(point) => Recorded::Path(point),
+            Self::Wear(joint, measure) => Recorded::Wear(joint, measure),
+        }
+    }
+}
+
+/// The number of an output that has none at an instant: there is no such value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoReading {}
+
+impl KindOfReading for NoReading {
+    fn words(&self, _names: &dyn PartNames) -> String {
+        match *self {}
+    }
+
+    fn needs_forces(&self) -> bool {
+        match *self {}
+    }
+
+    fn value<T: Real>(&self, _state: &impl OutputState<T>) -> T {
+        match *self {}
+    }
+}

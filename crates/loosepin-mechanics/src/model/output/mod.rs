@@ -1,0 +1,218 @@
+//! Outputs: what a run measures. One file for each kind, and the list of them here. Nothing outside this folder names a kind.
+//!
+//! A kind says of itself what the rest of the program asks ([`KindOfOutput`]), reads its own table, and reads its number off a state
+//! ([`KindOfReading`]).
+
+mod effort;
+mod joint_force;
+mod kind;
+mod motion;
+mod path;
+mod position;
+mod reader;
+mod state;
+mod stress;
+mod table;
+mod wear;
+
+pub use effort::{Effort, EffortMeasure};
+pub use joint_force::{Component, JointForce};
+pub use kind::{KindOfOutput, KindOfReading, Measure, NoReading, Recorded};
+pub use motion::Motion;
+pub use path::PointPath;
+pub use position::{Derivative, Position, Relative, relative_words};
+pub use reader::{ActuatorFacts, BeamFacts, OutputReader};
+pub use state::OutputState;
+pub use stress::Stress;
+pub use wear::Wear;
+
+use super::ids::{BodyId, JointId, PointId};
+use super::part_names::PartNames;
+use loosepin_math::Real;
+use loosepin_text::document::{Key, Keys, Table};
+use loosepin_text::units::{Dimension, ReadableUnit};
+use table::KindTable;
+
+/// Makes the enum of all kinds and that of what is read at an instant, and hands every question on to the kind.
+macro_rules! output_kinds {
+    ($($(#[$doc:meta])* $kind:ident),* $(,)?) => {
+        /// The quantity that an output measures, of any kind.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum OutputKind {
+            $($(#[$doc])* $kind($kind),)*
+        }
+
+        /// What the kinds say of the table of an output.
+        const TABLES: &[KindTable] = &[$(KindTable {
+            measures: <$kind as KindOfOutput>::MEASURES,
+            keys: <$kind as KindOfOutput>::KEYS,
+            components: <$kind as KindOfOutput>::COMPONENTS,
+        }),*];
+
+        impl OutputKind {
+            /// Reads an output of the kind that has the key `measure`; nothing after a complaint.
+            pub(super) fn read(
+                measure: &'static str,
+                table: &Table<'_>,
+                reader: &mut dyn OutputReader,
+            ) -> Option<Self> {
+                let has = |measures: &[Measure]| measures.iter().any(|own| own.key.name == measure);
+                $(if has(<$kind as KindOfOutput>::MEASURES) {
+                    return $kind::read(measure, table, reader).map(Self::$kind);
+                })*
+                None
+            }
+
+            /// See [`KindOfOutput::USUAL_UNIT`].
+            pub fn usual_unit(&self) -> Option<&'static str> {
+                match self { $(Self::$kind(_) => <$kind as KindOfOutput>::USUAL_UNIT,)* }
+            }
+
+            /// See [`KindOfOutput::dimension`].
+            pub fn dimension(&self) -> Dimension {
+                match self { $(Self::$kind(kind) => kind.dimension(),)* }
+            }
+
+            /// See [`KindOfOutput::recorded`].
+            pub fn recorded(&self) -> Recorded<Reading> {
+                match self {
+                    $(Self::$kind(kind) => kind.recorded().map(|reading| Reading(ReadingKind::$kind(reading))),)*
+                }
+            }
+
+            /// See [`KindOfOutput::drawn_point`].
+            pub fn drawn_point(&self) -> Option<PointId> {
+                match self { $(Self::$kind(kind) => kind.drawn_point(),)* }
+            }
+
+            /// See [`KindOfOutput::stressed_body`].
+            pub fn stressed_body(&self) -> Option<BodyId> {
+                match self { $(Self::$kind(kind) => kind.stressed_body(),)* }
+            }
+        }
+
+        /// The number that an output of each kind is at an instant; kinds that have none have no value here.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        enum ReadingKind {
+            $($kind(<$kind as KindOfOutput>::Reading),)*
+        }
+
+        impl Reading {
+            /// See [`KindOfReading::IS_ON_LANES`].
+            pub fn is_on_lanes(&self) -> bool {
+                match &self.0 { $(ReadingKind::$kind(_) => <$kind as KindOfOutput>::Reading::IS_ON_LANES,)* }
+            }
+
+            /// See [`KindOfReading::IS_EFFORT`].
+            pub fn is_effort(&self) -> bool {
+                match &self.0 { $(ReadingKind::$kind(_) => <$kind as KindOfOutput>::Reading::IS_EFFORT,)* }
+            }
+
+            /// See [`KindOfReading::words`].
+            pub fn words(&self, names: &dyn PartNames) -> String {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.words(names),)* }
+            }
+
+            /// See [`KindOfReading::needs_forces`].
+            pub fn needs_forces(&self) -> bool {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.needs_forces(),)* }
+            }
+
+            /// See [`KindOfReading::value`].
+            #[inline(always)]
+            pub(crate) fn value_at<T: Real>(&self, state: &impl OutputState<T>) -> T {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.value(state),)* }
+            }
+
+            /// See [`KindOfReading::position`].
+            #[inline(always)]
+            pub fn position(&self) -> Option<Position> {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.position(),)* }
+            }
+
+            /// See [`KindOfReading::motion_of`].
+            pub fn motion_of(&self) -> Option<Position> {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.motion_of(),)* }
+            }
+
+            /// See [`KindOfReading::force_in`].
+            pub fn force_in(&self) -> Option<JointId> {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.force_in(),)* }
+            }
+
+            /// See [`KindOfReading::is_never_negative`].
+            pub fn is_never_negative(&self) -> bool {
+                match &self.0 { $(ReadingKind::$kind(reading) => reading.is_never_negative(),)* }
+            }
+        }
+    };
+}
+
+output_kinds! {
+    /// A position or angle, or one of its time derivatives.
+    Motion,
+    /// Force of a joint.
+    JointForce,
+    /// Torque, force or power of a drive or control.
+    Effort,
+    /// Path of a point.
+    PointPath,
+    /// Wear of a joint after all cycles.
+    Wear,
+    /// Largest stress along a flexible body.
+    Stress,
+}
+
+/// An output column of a run.
+#[derive(Debug, Clone)]
+pub struct Output {
+    /// Name in the file.
+    pub name: String,
+    /// The measured quantity.
+    pub kind: OutputKind,
+    /// The unit in which people read it.
+    pub unit: ReadableUnit,
+}
+
+/// A quantity that is read at an instant. Which kinds there are is known in this folder alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading(ReadingKind);
+
+impl Reading {
+    /// Whether it is a position or an angle, so that its first two time derivatives are velocities and accelerations.
+    pub fn is_position(&self) -> bool {
+        self.position().is_some()
+    }
+}
+
+impl From<Motion> for Reading {
+    fn from(motion: Motion) -> Self {
+        Self(ReadingKind::Motion(motion))
+    }
+}
+
+impl OutputKind {
+    /// The measure that stands in the table of an output, and with it the other keys that mean something there.
+    pub(super) fn measure_in(table: &Table<'_>) -> Option<&'static Measure> {
+        MEASURES.iter().find(|measure| table.has(measure.key.name))
+    }
+
+    /// The keys that mean something beside some measures only.
+    pub(super) fn keys_beside() -> impl Iterator<Item = &'static str> {
+        let of_kinds = TABLES.iter().flat_map(|kind| kind.keys).map(|key| key.name);
+        of_kinds.chain(std::iter::once("component"))
+    }
+}
+
+const MEASURE_COUNT: usize = table::measure_count(TABLES);
+const MEASURES: &[Measure; MEASURE_COUNT] = &table::measures(TABLES);
+static MEASURE_NAMES: [&str; MEASURE_COUNT] = table::names(MEASURES);
+static ALL_KEYS: [Key; table::key_count(TABLES)] = table::keys(TABLES, MEASURES, component_words);
+
+fn component_words() -> Vec<&'static str> {
+    table::component_words(TABLES)
+}
+
+/// The keys of the table of an output.
+pub(super) static OUTPUT_KEYS: Keys =
+    Keys::new("a column of the results", &ALL_KEYS).with_exactly_one(&[&MEASURE_NAMES]);

@@ -1,0 +1,44 @@
+//! The reader of the model, as far as kinds of loads and outputs know it.
+
+use super::reader::ModelReader;
+use crate::model::ids::{BodyId, JointId, PointId};
+use crate::model::part_reader::PartReader;
+use crate::model::quantity::QuantityId;
+use loosepin_text::document::{Entry, Reader, Table};
+
+impl PartReader for ModelReader {
+    fn document(&mut self) -> &mut Reader {
+        &mut self.reader
+    }
+
+    fn point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
+        Self::point(self, entry)
+    }
+
+    fn body(&mut self, entry: &Entry<'_>) -> Option<BodyId> {
+        let name = self.reader.text(entry)?;
+        Self::body(self, entry, name)
+    }
+
+    fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
+        let text = self.reader.text(entry)?;
+        let name = text.strip_prefix("joint.").unwrap_or(text);
+        self.named(entry, "joint", name, |file| &file.joint_names)
+    }
+
+    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId> {
+        Self::quantity(self, table, key)
+    }
+
+    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId> {
+        Self::quantity_or(self, table, key, default_si)
+    }
+
+    fn body_name(&self, body: BodyId) -> String {
+        self.bodies[body.0].name.clone()
+    }
+
+    fn joint_name(&self, joint: JointId) -> String {
+        self.joints[joint.0].name.clone()
+    }
+}
