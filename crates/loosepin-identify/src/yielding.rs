@@ -6,7 +6,7 @@ use super::rig::Rig;
 use super::states::{State, States};
 use loosepin_math::Vec2;
 use loosepin_mechanics::contact::NormalContact;
-use loosepin_mechanics::mechanism::{PlayGeometry, Sample};
+use loosepin_mechanics::mechanism::{PlayFreedom, PlayGeometry, Sample};
 use loosepin_simulate::accuracy::AccuracyError;
 use loosepin_study::Push;
 
@@ -70,18 +70,20 @@ pub(crate) fn yields_m(
 /// nothing where the contact law does not carry it.
 fn of_joint(play: &PlayGeometry<f64>, load: Vec2<f64>, change: f64, components: Vec2<f64>) -> Option<[f64; 2]> {
     let ends = |size: f64, change: f64| [(size - change).max(0.0), size + change];
-    if play.shape.flanks().is_some() {
-        let force_n = (load.x.abs() + components.x) * MOST_ALONG_PITCH_LINE;
-        return Some([0.0, MOST_ALONG_PITCH_LINE * penetration_m(play, force_n)?]);
-    }
-    // One corner carries all of it, or two share it.
-    if let Some(block) = play.shape.block() {
-        let force_n = f64::max(load.x.abs() + components.x, (load.y.abs() + components.y) / block.half_length_m);
-        return Some([0.0, penetration_m(play, force_n)?]);
-    }
     // In a hole the load may have any direction, in a slot it is across its line.
-    let [least_n, most_n] =
-        if play.shape.hole().is_some() { ends(load.length(), change) } else { ends(load.x.abs(), components.x) };
+    let [least_n, most_n] = match play.shape.freedom() {
+        PlayFreedom::InCircle => ends(load.length(), change),
+        PlayFreedom::BetweenFaces => ends(load.x.abs(), components.x),
+        PlayFreedom::Tilting(block) => {
+            // One corner carries all of it, or two share it.
+            let force_n = f64::max(load.x.abs() + components.x, (load.y.abs() + components.y) / block.half_length_m);
+            return Some([0.0, penetration_m(play, force_n)?]);
+        }
+        PlayFreedom::AlongPitchLine => {
+            let force_n = (load.x.abs() + components.x) * MOST_ALONG_PITCH_LINE;
+            return Some([0.0, MOST_ALONG_PITCH_LINE * penetration_m(play, force_n)?]);
+        }
+    };
     Some([penetration_m(play, least_n)?, penetration_m(play, most_n)?])
 }
 

@@ -74,7 +74,7 @@ pub use load_table::TableNumbers;
 pub use nodal_geometry::NodalGeometry;
 pub use offset::StartOffset;
 pub use pin_pair::{pin_clearance, pin_pair};
-pub use play_shape::{PinShape, PlayShape, SliderBlock, SlotShape};
+pub use play_shape::{PinShape, PlayFreedom, PlayShape, SliderBlock, SlotShape};
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};
 pub use spring::{ElasticNumbers, SpringGeometry};

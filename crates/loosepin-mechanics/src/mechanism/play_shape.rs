@@ -69,7 +69,30 @@ pub struct SliderBlock<T> {
 
 numbers!(struct SliderBlock { half_length_m, half_height_m, line, axis, ends_m });
 
+/// How the parts of a joint with play may lie against each other.
+#[derive(Debug, Clone, Copy)]
+pub enum PlayFreedom<'p, T> {
+    /// The pin anywhere in a circle.
+    InCircle,
+    /// The pin anywhere between two faces; where it is along them is the joint's own motion.
+    BetweenFaces,
+    /// The block anywhere between two faces, as far as it may tilt there.
+    Tilting(&'p SliderBlock<T>),
+    /// Teeth between their flanks, along the pitch line; a follower on its cam.
+    AlongPitchLine,
+}
+
 impl<T> PlayShape<T> {
+    /// How its parts may lie against each other.
+    pub fn freedom(&self) -> PlayFreedom<'_, T> {
+        match self {
+            Self::Pin(_) => PlayFreedom::InCircle,
+            Self::Slot(_) => PlayFreedom::BetweenFaces,
+            Self::Slider(block) => PlayFreedom::Tilting(block),
+            Self::Flanks(_) => PlayFreedom::AlongPitchLine,
+        }
+    }
+
     /// The hole in which a pin has an orbit; none of other parts.
     #[inline(always)]
     pub fn hole(&self) -> Option<&PinShape<T>> {

@@ -2,7 +2,7 @@
 
 use super::error::AccuracyError;
 use loosepin_math::{Vec2, sin_cos};
-use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample, SliderBlock};
+use loosepin_mechanics::mechanism::{Mechanism, PlayFreedom, PlayGeometry, Sample, SliderBlock};
 
 /// The displacements that the clearance of a joint allows.
 ///
@@ -57,13 +57,14 @@ impl PlayReach {
 
     fn of_play(play: &PlayGeometry<f64>, penetration_m: f64) -> Option<Self> {
         let clearance_m = play.clearance_m + penetration_m;
-        if let Some(&SliderBlock { half_length_m, half_height_m, .. }) = play.shape.block() {
-            let largest_tilt_rad = largest_tilt_rad(clearance_m, half_length_m, half_height_m)?;
-            return Some(Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad });
-        }
-        // All others move along one line.
-        let is_round = play.shape.hole().is_some();
-        Some(if is_round { Self::Disc { radius_m: clearance_m } } else { Self::Slot { clearance_m } })
+        Some(match play.shape.freedom() {
+            PlayFreedom::InCircle => Self::Disc { radius_m: clearance_m },
+            PlayFreedom::BetweenFaces | PlayFreedom::AlongPitchLine => Self::Slot { clearance_m },
+            PlayFreedom::Tilting(&SliderBlock { half_length_m, half_height_m, .. }) => {
+                let largest_tilt_rad = largest_tilt_rad(clearance_m, half_length_m, half_height_m)?;
+                Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad }
+            }
+        })
     }
 
     /// The displacement e that is furthest along `gradient`, which makes g·e largest; none where the gradient is zero.
