@@ -36,7 +36,10 @@ mod wear;
 
 pub use beam::{Beam, Formulation, Lump};
 pub use control::{Control, FeedForward};
-pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
+pub use coupling::{
+    Belt, Cam, CamProfile, Coupled, Coupling, CouplingKind, CouplingNumbers, CouplingPlay, CouplingReader, Curve,
+    Gears, KindOfCoupling, Mesh, Proportion, Rack, Ratio, Teeth, Wheels,
+};
 pub use cycle::{Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
 pub use drive::{Drive, DriveLaw};

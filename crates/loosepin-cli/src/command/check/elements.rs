@@ -3,12 +3,13 @@
 use std::fmt::Write;
 
 use loosepin::model::{
-    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, LoadKind, Model, PointId,
-    QuantityId, Ratio, Spring, SpringKind, TableCurve, Values,
+    Control, Coupling, Course, Elasticity, FeedForward, JointId, Load, LoadKind, Model, PointId, Spring, SpringKind,
+    TableCurve, Values,
 };
-use loosepin::units::{Dimension, format_value, listed};
+use loosepin::units::{Dimension, format_value};
 
 use super::law_words::law_words;
+use super::names::NamesOf;
 use crate::console::counted;
 
 /// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them;
@@ -19,7 +20,7 @@ pub fn push_elements(text: &mut String, model: &Model, values: &Values, coupling
     let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     let couplings = model.couplings.iter().zip(&names).zip(coupling_lines).map(|((coupling, name), lines)| {
         let below = lines.iter().map(|line| format!("\n{:1$}{line}", "", width + 4));
-        (name.as_str(), std::iter::once(coupling_words(model, coupling, values)).chain(below).collect::<String>())
+        (name.as_str(), std::iter::once(coupling.words(&NamesOf { model, values })).chain(below).collect::<String>())
     });
     push_list(text, couplings.collect(), ("coupling", "couplings"));
     let springs = model.springs.iter().map(|spring| (spring.name.as_str(), spring_words(model, spring, values)));
@@ -181,56 +182,5 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     }
     let _ =
         write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
-    words
-}
-
-/// The points at which each run of dwelling intervals begins and ends.
-fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
-    let mut ends: Vec<[usize; 2]> = Vec::new();
-    for (interval, _) in dwells.iter().enumerate().filter(|(_, is_dwell)| **is_dwell) {
-        match ends.last_mut() {
-            Some([_, end]) if *end == interval => *end = interval + 1,
-            _ => ends.push([interval, interval + 1]),
-        }
-    }
-    ends
-}
-
-fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
-    let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
-    let (ratio, offset) = match &coupling.law {
-        CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
-        CouplingLaw::Cam { points, dwells } => {
-            let mut words = format!("'{second}' follows '{first}' by a cam of {} points", points.len());
-            let ends = dwell_ends(dwells);
-            if !ends.is_empty() {
-                let shown = |k: usize| format_value(values[points[k][0]], model.quantities[points[k][0]].dimension);
-                let dwells: Vec<String> =
-                    ends.iter().map(|[from, to]| format!("from {} to {}", shown(*from), shown(*to))).collect();
-                let _ = write!(words, "; dwells {}", listed(&dwells, "and"));
-            }
-            return words;
-        }
-    };
-    let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);
-    let sign = |is_reversed: bool| if is_reversed { "-" } else { "" };
-    let factor = match *ratio {
-        Ratio::Given(id) => value(id),
-        Ratio::Wheels { sizes, is_reversed } => {
-            format!("{}{} / {}", sign(is_reversed), value(sizes[0]), value(sizes[1]))
-        }
-        Ratio::Rack { radius_m, is_reversed } => format!("{}{} / rad", sign(is_reversed), value(radius_m)),
-    };
-    let mut words = format!("'{second}' follows '{first}' times {factor}");
-    if values[*offset] != 0.0 {
-        let _ = write!(words, ", plus {}", value(*offset));
-    }
-    if let Some(teeth) = &coupling.teeth {
-        let _ = write!(
-            words,
-            "; their joints feel the teeth, with a pressure angle of {}",
-            value(teeth.pressure_angle_rad)
-        );
-    }
     words
 }

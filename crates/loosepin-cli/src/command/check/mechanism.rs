@@ -6,7 +6,7 @@ use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, Sample};
 use loosepin::model::{
     BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, JointId, JointPlay, JointWear,
-    Model, Names, OffsetPlace, Origin, OutputKind, PlayId, PointId, QuantityId,
+    Model, OffsetPlace, Origin, OutputKind, PlayId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -16,11 +16,10 @@ use super::beams::push_beams;
 use super::elements::push_elements;
 use super::force_law::{joints_of_forces, push_force_laws};
 use super::law_words::law_words;
+use super::names::{NamesOf, SHOWN_ANGLE_RAD, angle};
 use super::trial::Trial;
 use crate::console::counted;
 
-/// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
-const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
 /// Other ways of assembling that are shown: loops that close in two ways each double their number.
 const SHOWN_ASSEMBLIES: usize = 16;
 /// Lengths of positions are shown to this, m.
@@ -114,44 +113,12 @@ fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
         let Some(place) = mechanism.plays.iter().position(|play| *play == PlayId::Coupling(index)) else {
             return vec!["ideal, since its backlash is 0 mm".to_owned()];
         };
-        let words = match play.backlash_m {
-            Some(backlash) => format!("play: backlash {}", format_value(values[backlash], Dimension::LENGTH)),
-            None => "play: the follower may lift off".to_owned(),
-        };
+        let words = play.words(&NamesOf { model, values });
         let numbers = sample.as_ref().map(|sample| &sample.plays[place]);
         let contact = contact_lines(model, &model.contacts[play.contact.0], None, values, numbers);
         std::iter::once(words).chain(contact).collect()
     };
     model.couplings.iter().enumerate().map(lines).collect()
-}
-
-/// Names and numbers of a model for the words of its joints.
-struct NamesOf<'m> {
-    model: &'m Model,
-    values: &'m Values,
-}
-
-impl Names for NamesOf<'_> {
-    fn point(&self, id: PointId) -> String {
-        let body = &self.model.bodies[id.body.0];
-        format!("{}.{}", body.name, body.points[id.point].name)
-    }
-
-    fn body(&self, body: BodyId) -> &str {
-        &self.model.bodies[body.0].name
-    }
-
-    fn value_si(&self, id: QuantityId) -> f64 {
-        self.values[id]
-    }
-
-    fn length(&self, id: QuantityId) -> String {
-        format_value(self.values[id], Dimension::LENGTH)
-    }
-
-    fn angle(&self, angle_rad: f64) -> String {
-        angle(angle_rad)
-    }
 }
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
@@ -484,13 +451,6 @@ pub fn missing_words(model: &Model) -> String {
         "Complete for its motion (loosepin motion, the band of the studio). A run (simulate, study) needs more:{}",
         lines.collect::<String>()
     )
-}
-
-/// An angle in degrees to a hundredth, within half a turn of zero.
-fn angle(angle_rad: f64) -> String {
-    let turn = std::f64::consts::TAU;
-    let within = angle_rad - turn * (angle_rad / turn).round();
-    format_value((within / SHOWN_ANGLE_RAD).round() * SHOWN_ANGLE_RAD, Dimension::ANGLE)
 }
 
 /// A speed with two digits, however small it is.

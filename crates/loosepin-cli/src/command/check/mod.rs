@@ -6,6 +6,7 @@ mod elements;
 mod force_law;
 mod law_words;
 mod mechanism;
+mod names;
 mod study;
 mod trial;
 
