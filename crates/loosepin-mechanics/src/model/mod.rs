@@ -10,6 +10,7 @@ mod coupling;
 mod cycle;
 mod cycle_input;
 mod drive;
+mod entry_reader;
 mod function;
 mod ids;
 mod initial;
@@ -42,8 +43,12 @@ pub use coupling::{
 };
 pub use cycle::{Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
-pub use drive::{Drive, DriveLaw};
-pub use function::Function;
+pub use drive::{
+    AtTime, ConstantSpeed, ConstantSpeedMotion, Cycloidal, CycloidalMotion, Drive, DriveLaw, DriveMotion, DriveReader,
+    Expression, ExpressionMotion, Harmonic, HarmonicMotion, KindOfDrive, Motion, MotionTable, Period, Polynomial,
+    PolynomialMotion, Steady, TableMotion, TablePiece, TimeDual, TimeTable, Written,
+};
+pub use function::{Changing, Function};
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 pub use joint::{

@@ -8,7 +8,6 @@ use loosepin::model::{
 };
 use loosepin::units::{Dimension, format_value};
 
-use super::law_words::law_words;
 use super::names::NamesOf;
 use crate::console::counted;
 
@@ -180,7 +179,6 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     if let Some(id) = control.limit {
         let _ = write!(words, ", at most {}", format_value(values[id], effort));
     }
-    let _ =
-        write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
+    let _ = write!(words, "; the reference goes {}", control.reference.words(&NamesOf { model, values }));
     words
 }

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use loosepin::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin::mechanism::{Drives, Mechanism, Sample};
 use loosepin::model::{
-    BodyId, Contact, Coupling, CycleSpan, DriveId, DriveLaw, Friction, InitialOffset, JointId, JointPlay, JointWear,
-    Model, OffsetPlace, Origin, OutputKind, PlayId, QuantityId,
+    BodyId, Contact, Coupling, CycleSpan, DriveId, Friction, InitialOffset, JointId, JointPlay, JointWear, Model,
+    OffsetPlace, Origin, OutputKind, PlayId, QuantityId,
 };
 use loosepin::model::{SlidingVelocity, Stiffness, Values};
 use loosepin::simulate::columns;
@@ -15,7 +15,6 @@ use loosepin::units::{Dimension, format_number, format_value, listed};
 use super::beams::push_beams;
 use super::elements::push_elements;
 use super::force_law::{joints_of_forces, push_force_laws};
-use super::law_words::law_words;
 use super::names::{NamesOf, SHOWN_ANGLE_RAD, angle};
 use super::trial::Trial;
 use crate::console::counted;
@@ -123,8 +122,7 @@ fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>> {
 
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    let is_prismatic = model.joints[joint.0].kind.slides();
-    format!(", driven by '{}' {}", drive.name, law_words(&drive.law, is_prismatic, values))
+    format!(", driven by '{}' {}", drive.name, drive.law.words(&NamesOf { model, values }))
 }
 
 fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {
@@ -208,10 +206,7 @@ fn contact_lines(
 /// Speed of the fastest drive that turns at a constant one, rad/s.
 fn fastest_drive_rad_s(model: &Model, values: &Values) -> Option<f64> {
     let rotary = model.drives.iter().filter(|drive| model.joints[drive.joint.0].kind.turns());
-    let speeds = rotary.filter_map(|drive| match drive.law {
-        DriveLaw::Constant { speed, .. } => Some(values[speed].abs()),
-        _ => None,
-    });
+    let speeds = rotary.filter_map(|drive| Some(values[drive.law.steady()?.speed].abs()));
     speeds.max_by(f64::total_cmp)
 }
 
@@ -373,9 +368,9 @@ fn push_start(text: &mut String, mechanism: &Mechanism, values: &Values, tried: 
 fn start_of_drive(mechanism: &Mechanism, id: DriveId, values: &Values) -> String {
     let model = &mechanism.model;
     let drive = &model.drives[id.0];
-    let start = match drive.law {
-        DriveLaw::Constant { start, .. } => values[start],
-        _ => Drives::new(model, values).at(model, id, 0.0)[0],
+    let start = match drive.law.steady() {
+        Some(steady) => values[steady.start],
+        None => Drives::new(model, values).at(model, id, 0.0)[0],
     };
     let dimension = model.joints[drive.joint.0].kind.coordinate().unwrap_or(Dimension::ANGLE);
     format!("'{}' at {}", drive.name, format_value(start, dimension))

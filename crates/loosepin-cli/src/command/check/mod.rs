@@ -4,7 +4,6 @@ mod beams;
 mod bending;
 mod elements;
 mod force_law;
-mod law_words;
 mod mechanism;
 mod names;
 mod study;

@@ -1,23 +1,14 @@
 //! What a kind of coupling needs to read its table, beside what a joint needs.
 
+use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{ContactId, JointId};
-use crate::model::joint::{JointKind, JointReader};
+use crate::model::joint::JointKind;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::document::Table;
+use loosepin_text::units::Dimension;
 
 /// The reader of a model, as far as couplings know it. What returns nothing has complained.
-pub trait CouplingReader: JointReader {
-    /// The quantity at an entry, of a given dimension.
-    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId>;
-
-    /// The points of a table that has either `points` or `csv`, arguments increasing, with the names and dimensions of its columns.
-    fn table_points(
-        &mut self,
-        table: &Table<'_>,
-        columns: [(&'static str, Dimension); 2],
-    ) -> Option<Vec<[QuantityId; 2]>>;
-
+pub trait CouplingReader: EntryReader {
     /// Two different joints with coordinates, each of the dimension that is due, where one is.
     fn two_joints(&mut self, table: &Table<'_>, keys: [&str; 2], dues: [Option<Dimension>; 2]) -> Option<[JointId; 2]>;
 

@@ -9,7 +9,7 @@ use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::topology::Stiffness;
 use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::units::Dimension;
 
 impl ModelReader {
     /// Reads the table of couplings.
@@ -54,18 +54,6 @@ impl ModelReader {
 }
 
 impl CouplingReader for ModelReader {
-    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
-        Self::quantity_of(self, entry, dimension, rule)
-    }
-
-    fn table_points(
-        &mut self,
-        table: &Table<'_>,
-        columns: [(&'static str, Dimension); 2],
-    ) -> Option<Vec<[QuantityId; 2]>> {
-        Self::table_points(self, table, columns)
-    }
-
     fn two_joints(&mut self, table: &Table<'_>, keys: [&str; 2], dues: [Option<Dimension>; 2]) -> Option<[JointId; 2]> {
         let mut found = [None; 2];
         for ((key, due), found) in keys.into_iter().zip(dues).zip(&mut found) {
