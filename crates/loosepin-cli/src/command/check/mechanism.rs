@@ -257,7 +257,7 @@ fn friction_words(model: &Model, friction: &Friction, values: &Values) -> String
         .zip(&friction.numbers)
         .map(|(number, id)| {
             let value = format_value(values[*id], model.quantities[*id].dimension);
-            format!("{} {value}", number.key.replace('_', " "))
+            format!("{} {value}", number.name().replace('_', " "))
         })
         .collect();
     format!("friction by {}: {}{reading}", friction.law.name, numbers.join(", "))
