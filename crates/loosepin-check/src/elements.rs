@@ -3,20 +3,19 @@
 use std::fmt::Write;
 
 use loosepin_mechanics::model::{
-    Control, Coupling, CouplingLaw, Course, Elasticity, FeedForward, JointId, Load, Model, PointId, QuantityId, Ratio,
-    Spring, SpringKind, TableCurve, Values,
+    Control, Course, Elasticity, FeedForward, JointId, Load, Model, PointId, Spring, SpringKind, TableCurve, Values,
 };
 use loosepin_text::article::{Fact, Section};
-use loosepin_text::units::{Dimension, counted, format_value, listed};
+use loosepin_text::units::{Dimension, counted, format_value};
 
-use super::law_words::law_words;
+use super::names::NamesOf;
 
 /// The couplings, each with `coupling_lines` below it, the springs, the loads and the controls, each under a line that counts them; no
 /// section where there are none.
 pub fn elements(model: &Model, values: &Values, coupling_lines: &[Vec<String>]) -> Vec<Section> {
     let couplings = model.couplings.iter().zip(coupling_lines).map(|(coupling, lines)| {
         let name = coupling.path.rsplit('.').next().unwrap_or_default();
-        Fact::new(name, std::iter::once(coupling_words(model, coupling, values)).chain(lines.iter().cloned()))
+        Fact::new(name, std::iter::once(coupling.words(&NamesOf { model, values })).chain(lines.iter().cloned()))
     });
     let springs = model.springs.iter().map(|spring| Fact::new(&spring.name, [spring_words(model, spring, values)]));
     let loads = model.loads.iter().map(|load| Fact::new(&load.name, [load_words(model, load, values)]));
@@ -164,58 +163,6 @@ fn control_words(model: &Model, control: &Control, values: &Values) -> String {
     if let Some(id) = control.limit {
         let _ = write!(words, ", at most {}", format_value(values[id], effort));
     }
-    let _ =
-        write!(words, "; the reference goes {}", law_words(&control.reference, is_prismatic(control.measured), values));
-    words
-}
-
-/// The points at which each run of dwelling intervals begins and ends.
-fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
-    let mut ends: Vec<[usize; 2]> = Vec::new();
-    for (interval, _) in dwells.iter().enumerate().filter(|(_, is_dwell)| **is_dwell) {
-        match ends.last_mut() {
-            Some([_, end]) if *end == interval => *end = interval + 1,
-            _ => ends.push([interval, interval + 1]),
-        }
-    }
-    ends
-}
-
-fn coupling_words(model: &Model, coupling: &Coupling, values: &Values) -> String {
-    let [first, second] = [coupling.first, coupling.second].map(|joint| &model.joints[joint.0].name);
-    let (ratio, offset) = match &coupling.law {
-        CouplingLaw::Ratio { ratio, offset } => (ratio, offset),
-        CouplingLaw::Cam { points, dwells } => {
-            let mut words = format!("'{second}' follows '{first}' by a cam of {} points", points.len());
-            let ends = dwell_ends(dwells);
-            if !ends.is_empty() {
-                let shown = |k: usize| format_value(values[points[k][0]], model.quantities[points[k][0]].dimension);
-                let dwells: Vec<String> =
-                    ends.iter().map(|[from, to]| format!("from {} to {}", shown(*from), shown(*to))).collect();
-                let _ = write!(words, "; dwells {}", listed(&dwells, "and"));
-            }
-            return words;
-        }
-    };
-    let value = |id: QuantityId| format_value(values[id], model.quantities[id].dimension);
-    let sign = |is_reversed: bool| if is_reversed { "-" } else { "" };
-    let factor = match *ratio {
-        Ratio::Given(id) => value(id),
-        Ratio::Wheels { sizes, is_reversed } => {
-            format!("{}{} / {}", sign(is_reversed), value(sizes[0]), value(sizes[1]))
-        }
-        Ratio::Rack { radius_m, is_reversed } => format!("{}{} / rad", sign(is_reversed), value(radius_m)),
-    };
-    let mut words = format!("'{second}' follows '{first}' times {factor}");
-    if values[*offset] != 0.0 {
-        let _ = write!(words, ", plus {}", value(*offset));
-    }
-    if let Some(teeth) = &coupling.teeth {
-        let _ = write!(
-            words,
-            "; their joints feel the teeth, with a pressure angle of {}",
-            value(teeth.pressure_angle_rad)
-        );
-    }
+    let _ = write!(words, "; the reference goes {}", control.reference.words(&NamesOf { model, values }));
     words
 }

@@ -3,16 +3,14 @@
 use loosepin_mechanics::contact::{NormalContact, NormalDescription, NormalLaw};
 use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample};
 use loosepin_mechanics::model::{
-    BodyId, Contact, Coupling, DriveLaw, Friction, Joint, JointId, JointPlay, JointWear, Model, Names, PlayId, PointId,
-    QuantityId, SlidingVelocity, Stiffness, Values,
+    Contact, Coupling, Friction, Joint, JointId, JointPlay, JointWear, Model, PlayId, QuantityId, SlidingVelocity,
+    Stiffness, Values,
 };
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value};
 
-use super::law_words::law_words;
+use super::names::NamesOf;
 
-/// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
-pub const SHOWN_ANGLE_RAD: f64 = 0.01 * std::f64::consts::PI / 180.0;
 /// Each joint with its drive, its friction, its wear and its play.
 pub fn joints(mechanism: &Mechanism, values: &Values) -> Section {
     let model = &mechanism.model;
@@ -61,10 +59,7 @@ pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>
         let Some(place) = mechanism.plays.iter().position(|play| *play == PlayId::Coupling(index)) else {
             return vec!["ideal, since its backlash is 0 mm".to_owned()];
         };
-        let words = match play.backlash_m {
-            Some(backlash) => format!("play: backlash {}", format_value(values[backlash], Dimension::LENGTH)),
-            None => "play: the follower may lift off".to_owned(),
-        };
+        let words = play.words(&NamesOf { model, values });
         let numbers = sample.as_ref().map(|sample| &sample.plays[place]);
         let contact = contact_lines(model, &model.contacts[play.contact.0], None, values, numbers);
         std::iter::once(words).chain(contact).collect()
@@ -72,39 +67,9 @@ pub fn coupling_lines(mechanism: &Mechanism, values: &Values) -> Vec<Vec<String>
     model.couplings.iter().enumerate().map(lines).collect()
 }
 
-/// Names and numbers of a model for the words of its joints.
-struct NamesOf<'m> {
-    model: &'m Model,
-    values: &'m Values,
-}
-
-impl Names for NamesOf<'_> {
-    fn point(&self, id: PointId) -> String {
-        let body = &self.model.bodies[id.body.0];
-        format!("{}.{}", body.name, body.points[id.point].name)
-    }
-
-    fn body(&self, body: BodyId) -> &str {
-        &self.model.bodies[body.0].name
-    }
-
-    fn value_si(&self, id: QuantityId) -> f64 {
-        self.values[id]
-    }
-
-    fn length(&self, id: QuantityId) -> String {
-        format_value(self.values[id], Dimension::LENGTH)
-    }
-
-    fn angle(&self, angle_rad: f64) -> String {
-        angle_words(angle_rad)
-    }
-}
-
 fn drive_words(model: &Model, joint: JointId, values: &Values) -> String {
     let Some(drive) = model.drives.iter().find(|drive| drive.joint == joint) else { return String::new() };
-    let is_prismatic = model.joints[joint.0].kind.slides();
-    format!(", driven by '{}' {}", drive.name, law_words(&drive.law, is_prismatic, values))
+    format!(", driven by '{}' {}", drive.name, drive.law.words(&NamesOf { model, values }))
 }
 
 fn wear_words(model: &Model, wear: &JointWear, values: &Values) -> String {
@@ -188,10 +153,7 @@ fn contact_lines(
 /// Speed of the fastest drive that turns at a constant one, rad/s.
 fn fastest_drive_rad_s(model: &Model, values: &Values) -> Option<f64> {
     let rotary = model.drives.iter().filter(|drive| model.joints[drive.joint.0].kind.turns());
-    let speeds = rotary.filter_map(|drive| match drive.law {
-        DriveLaw::Constant { speed, .. } => Some(values[speed].abs()),
-        _ => None,
-    });
+    let speeds = rotary.filter_map(|drive| Some(values[drive.law.steady()?.speed].abs()));
     speeds.max_by(f64::total_cmp)
 }
 
@@ -242,17 +204,10 @@ fn friction_words(model: &Model, friction: &Friction, values: &Values) -> String
         .zip(&friction.numbers)
         .map(|(number, id)| {
             let value = format_value(values[*id], model.quantities[*id].dimension);
-            format!("{} {value}", number.key.replace('_', " "))
+            format!("{} {value}", number.name().replace('_', " "))
         })
         .collect();
     format!("friction by {}: {}{reading}", friction.law.name, numbers.join(", "))
-}
-
-/// An angle in degrees to a hundredth, within half a turn of zero.
-pub fn angle_words(angle_rad: f64) -> String {
-    let turn = std::f64::consts::TAU;
-    let within = angle_rad - turn * (angle_rad / turn).round();
-    format_value((within / SHOWN_ANGLE_RAD).round() * SHOWN_ANGLE_RAD, Dimension::ANGLE)
 }
 
 /// A speed with two digits, however small it is.

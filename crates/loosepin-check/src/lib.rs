@@ -8,6 +8,7 @@
 //! | flexible bodies | `beams.rs`; how far they bend `bending.rs` |
 //! | couplings, springs, loads, controls | `elements.rs` |
 //! | the law behind a force that is asked about | `force_law.rs` |
+//! | names and numbers of a model | `names.rs` |
 //! | a study: its inputs, its questions, its time | `study.rs` |
 //!
 //! What is moved and run to know it: `trial.rs`.
@@ -19,8 +20,8 @@ mod bending;
 mod elements;
 mod force_law;
 mod joints;
-mod law_words;
 mod mechanism;
+mod names;
 mod study;
 mod trial;
 

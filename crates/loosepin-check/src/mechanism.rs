@@ -2,8 +2,7 @@
 
 use loosepin_mechanics::mechanism::{Drives, Mechanism};
 use loosepin_mechanics::model::{
-    Body, BodyId, CycleSpan, DriveId, DriveLaw, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Recorded,
-    Values,
+    Body, BodyId, CycleSpan, DriveId, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Recorded, Values,
 };
 use loosepin_simulate::columns;
 use loosepin_text::article::{Article, Content, Fact, Section};
@@ -12,7 +11,8 @@ use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value
 use super::beams::beams;
 use super::elements::elements;
 use super::force_law::{force_laws, joints_of_forces};
-use super::joints::{SHOWN_ANGLE_RAD, angle_words, coupling_lines, joints};
+use super::joints::{coupling_lines, joints};
+use super::names::{SHOWN_ANGLE_RAD, angle_words};
 use super::trial::Trial;
 
 /// Other ways of assembling that are shown: loops that close in two ways each double their number.
@@ -154,9 +154,9 @@ fn start(mechanism: &Mechanism, values: &Values, tried: &Trial) -> Section {
 fn start_of_drive(mechanism: &Mechanism, id: DriveId, values: &Values) -> String {
     let model = &mechanism.model;
     let drive = &model.drives[id.0];
-    let start = match drive.law {
-        DriveLaw::Constant { start, .. } => values[start],
-        _ => Drives::new(model, values).at(model, id, 0.0)[0],
+    let start = match drive.law.steady() {
+        Some(steady) => values[steady.start],
+        None => Drives::new(model, values).at(model, id, 0.0)[0],
     };
     let dimension = model.joints[drive.joint.0].kind.coordinate().unwrap_or(Dimension::ANGLE);
     format!("'{}' at {}", drive.name, format_value(start, dimension))

@@ -19,6 +19,7 @@ mod interval;
 mod ldl;
 mod linear;
 mod numbers;
+mod pieces;
 mod real;
 mod real_lu;
 mod scalar;
@@ -40,6 +41,7 @@ pub use interval::{Certainty, Interval};
 pub use ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
 pub use linear::{Elimination, determinant, determinant_sign, solve_square};
 pub use numbers::Numbers;
+pub use pieces::Pieces;
 pub use real::Real;
 pub use spline::{
     clamped_spline, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, periodic_spline, resting_spline,

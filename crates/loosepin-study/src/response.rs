@@ -10,7 +10,7 @@ use loosepin_bounds::{Failure, Response};
 use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
-    ContactId, CycleInput, CycleSpan, DriveLaw, LawError, Model, PlayId, Position, QuantityError, QuantityId, Values,
+    ContactId, CycleInput, CycleSpan, LawError, Model, PlayId, Position, QuantityError, QuantityId, Steady, Values,
 };
 use loosepin_result::study::PathError;
 use loosepin_simulate::{
@@ -318,7 +318,7 @@ fn check_turns(study: &Study) -> Result<(), PrepareError> {
 /// The drive that the cycle counts must start where it always starts, and turn one way.
 fn check_drive(study: &Study) -> Result<(), PrepareError> {
     let CycleSpan::Turns(drive) = study.cycle.span else { return Ok(()) };
-    let DriveLaw::Constant { speed, start } = study.model.drives[drive.0].law else { return Ok(()) };
+    let Some(Steady { speed, start }) = study.model.drives[drive.0].law.steady() else { return Ok(()) };
     let random = study.random.iter().map(|input| {
         let corners = |known: &EpistemicVariable| known.ends().to_vec();
         let range = input

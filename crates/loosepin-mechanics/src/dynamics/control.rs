@@ -34,8 +34,7 @@ impl<T: Real> Dynamics<'_, T> {
         for (index, control) in model.controls.iter().enumerate() {
             let [actuated, measured] = self.control_places[index];
             let numbers = &self.sample.controls[index];
-            let motion =
-                self.sample.references.law_motion(&control.reference, index, self.time_s, &mut self.drive_room);
+            let motion = self.sample.references.law_motion(index, self.time_s, &mut self.drive_room);
             let [coordinate, speed] = numbers.measured.motion(&measured, &self.kinematics);
             let error = motion[0] - coordinate;
             let mut effort = match (&control.feed_forward, &numbers.feed_forward, &self.inverse) {

@@ -215,7 +215,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
         self.coordinates[..n].copy_from_slice(&free_coordinates[..n]);
         self.rates[..n].copy_from_slice(&free_rates[..n]);
         for (k, drive) in tree.drives.iter().enumerate() {
-            let motion = self.sample.drives.motion(&self.mechanism.model, *drive, time_s, &mut self.drive_room);
+            let motion = self.sample.drives.motion(*drive, time_s, &mut self.drive_room);
             [self.coordinates[n + k], self.rates[n + k], self.driven_accelerations[k]] = motion;
         }
         self.kinematics.set_positions(tree, &self.sample.real, &self.coordinates);

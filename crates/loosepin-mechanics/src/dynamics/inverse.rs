@@ -39,10 +39,8 @@ impl<'a, T: Real> InverseDynamics<'a, T> {
         let tree = &self.chain.tree;
         for k in 0..tree.drives.len() {
             let motion = match self.chain.control_of(model, k) {
-                Some(control) => {
-                    sample.references.law_motion(&model.controls[control].reference, control, time_s, room)
-                }
-                None => sample.drives.motion(model, tree.drives[k], time_s, room),
+                Some(control) => sample.references.law_motion(control, time_s, room),
+                None => sample.drives.motion(tree.drives[k], time_s, room),
             };
             [self.coordinates[k], self.rates[k], self.accelerations[k]] = motion;
         }

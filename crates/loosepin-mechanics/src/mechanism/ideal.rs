@@ -2,7 +2,7 @@
 
 use super::compile::Mechanism;
 use super::constraints::{self, Opening};
-use super::drive::{Drives, TimeDual, room};
+use super::drive::{Drives, room};
 use super::drive_place::drive_place;
 use super::error::{DrivePlace, SampleError};
 use super::geometry::Geometry;
@@ -10,6 +10,7 @@ use super::kinematics::{Kinematics, Twist};
 use super::mobility::eliminate_free;
 use super::tree::Tree;
 use super::ways_on::{WaysOn, ways_on};
+use crate::model::TimeDual;
 use loosepin_math::{Dual, solve_square};
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -237,7 +238,7 @@ impl<'a> IdealMotion<'a> {
         let n = tree.free;
         self.drives.take_pieces_at(self.held_s.unwrap_or(time_s));
         for (k, &drive) in tree.drives.iter().enumerate() {
-            let motion = self.drives.motion(&self.mechanism.model, drive, time_s, &mut self.room);
+            let motion = self.drives.motion(drive, time_s, &mut self.room);
             if motion.iter().any(|number| !number.is_finite()) {
                 let drive = self.mechanism.model.drives[drive.0].name.clone();
                 return Err(SampleError::DriveWithoutValue { drive, time_s });

@@ -3,7 +3,7 @@
 use super::joint_geometry::JointGeometry;
 use super::load_table::TableNumbers;
 use super::points::point_m;
-use crate::model::{ActsOn, Course, DriveLaw, Load, LoadTable, Model, PeriodProblem, Values};
+use crate::model::{ActsOn, Course, Load, LoadTable, Model, PeriodProblem, Steady, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 
 /// Numbers of a load.
@@ -136,12 +136,13 @@ fn clock(model: &Model, load: &Load, values: &Values) -> Option<[f64; 2]> {
     let Some(Course::Table(LoadTable { variable, .. })) = &load.course else { return None };
     match variable {
         0 => Some([0.0, 1.0]),
-        1 => model.drives.iter().find_map(|drive| match drive.law {
-            DriveLaw::Constant { speed, start } if Some(drive.joint) == load.joint && values[speed] != 0.0 => {
-                Some([values[start], values[speed]])
-            }
-            _ => None,
-        }),
+        1 => {
+            let mut of_joint = model.drives.iter().filter(|drive| Some(drive.joint) == load.joint);
+            of_joint.find_map(|drive| {
+                let Steady { speed, start } = drive.law.steady()?;
+                (values[speed] != 0.0).then(|| [values[start], values[speed]])
+            })
+        }
         _ => None,
     }
 }

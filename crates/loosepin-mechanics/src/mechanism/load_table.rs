@@ -1,8 +1,9 @@
 //! The numbers of loads given by points.
 
-use super::pieces::Pieces;
 use crate::model::{LoadTable, PeriodProblem, TableCurve, Values};
-use loosepin_math::{Real, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers, periodic_spline};
+use loosepin_math::{
+    Pieces, Real, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers, periodic_spline,
+};
 
 /// A curve over the time or over the motion of a joint, N or N m: cubic pieces between points. Its slope does not jump, except
 /// at the ends of one that does not go round: beyond them it is constant.

@@ -1,9 +1,10 @@
 //! The numbers of springs with their dampers.
 
-use super::pieces::Pieces;
 use super::points::point_m;
 use crate::model::{Elasticity, Model, Spring, SpringKind, TableCurve, Values};
-use loosepin_math::{Numbers, Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers};
+use loosepin_math::{
+    Numbers, Pieces, Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers,
+};
 
 /// Numbers of a spring: it pulls with F(x) + d ẋ, x its length, m, or the angle of the second body from the first, rad.
 #[derive(Debug, Clone)]

@@ -14,7 +14,7 @@ use super::joint_geometry::JointGeometry;
 use super::kinematics::Kinematics;
 use super::tooth_geometry::ToothForce;
 use super::tree::{CouplingPlace, Tree};
-use crate::model::{Mesh, Model, QuantityId, Values};
+use crate::model::{Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};
 
@@ -35,28 +35,14 @@ impl<T: Real> ToothForce<T> {
     ) -> Vec2<T> {
         let signed = |value: T, is_positive: bool| if is_positive { value } else { -value };
         let on_wheel = signed(effort, self.is_second[1]);
-        let [along_n, across_n] = match self.mesh {
-            Mesh::Rack { is_backward } => {
-                // From the pinion to the pitch point: on the right of the line where the rack goes along it.
-                let (_, line) = joints[1].line_of_action(&places[1], kinematics);
-                let outwards = if is_backward { line.turned() } else { -line.turned() };
-                [line * on_wheel, outwards * (on_wheel.abs() * self.slope)]
-            }
-            Mesh::External | Mesh::Internal => {
-                let [first_m, second_m] = centres_m(joints, places, kinematics);
-                let gap_m = second_m - first_m;
-                let direction = gap_m * (T::one() / gap_m.length());
-                // The pitch point lies behind the second centre, seen from the first, where the first wheel is the ring.
-                let is_external = self.mesh == Mesh::External;
-                let is_in_first = self.radii_m[1].less_than(self.radii_m[0]);
-                let tangential_n = on_wheel / self.radii_m[1];
-                let behind_n =
-                    if is_external { -tangential_n } else { T::select(is_in_first, tangential_n, -tangential_n) };
-                let apart_n = signed(tangential_n.abs() * self.slope, is_external);
-                [direction.turned() * behind_n, direction * apart_n]
-            }
-        };
-        let is_rack = matches!(self.mesh, Mesh::Rack { .. }) && side == 1;
+        let [along_n, across_n] = self.mesh.force_n(
+            on_wheel,
+            self.slope,
+            self.radii_m,
+            || joints[1].line_of_action(&places[1], kinematics).1,
+            || centres_m(joints, places, kinematics),
+        );
+        let is_rack = self.mesh.is_along_line() && side == 1;
         let on_second_wheel_n = if is_rack { across_n } else { along_n + across_n };
         // The joint holds its wheel against the teeth; the body that carries it gets the force itself.
         if (side == 1) == self.is_second[side] { -on_second_wheel_n } else { on_second_wheel_n }
@@ -82,13 +68,7 @@ pub(super) fn demand_fit(
     let number = |id: QuantityId| values[id];
     for (index, coupling) in model.couplings.iter().enumerate() {
         let Some(teeth) = ToothForce::new(coupling, &number) else { continue };
-        let [first_m, second_m] = teeth.radii_m;
-        let due_m = match teeth.mesh {
-            Mesh::External => first_m + second_m,
-            Mesh::Internal => (first_m - second_m).abs(),
-            // Where the rack has its teeth the model does not say.
-            Mesh::Rack { .. } => continue,
-        };
+        let Some(due_m) = teeth.mesh.distance_m(teeth.radii_m) else { continue };
         let joints = [coupling.first, coupling.second].map(|joint| JointGeometry::new(model, joint, &number));
         let [first, second] = centres_m(&joints, &tree.coupling_place(model, index), kinematics);
         let distance_m = (second - first).length();

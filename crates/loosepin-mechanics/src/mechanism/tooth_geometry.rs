@@ -1,6 +1,6 @@
 //! The numbers of teeth whose force the joints of their wheels feel.
 
-use crate::model::{Coupling, CouplingLaw, Mesh, QuantityId, Ratio};
+use crate::model::{Coupling, Mesh, QuantityId};
 use loosepin_math::{Real, numbers};
 
 /// Numbers of teeth whose force the joints feel.
@@ -22,11 +22,8 @@ impl<T: Real> ToothForce<T> {
     /// Those of a coupling, where its joints feel the force.
     pub fn new(coupling: &Coupling, number: &dyn Fn(QuantityId) -> T) -> Option<Self> {
         let teeth = coupling.teeth?;
-        let radii_m = match coupling.law {
-            CouplingLaw::Ratio { ratio: Ratio::Wheels { sizes, .. }, .. } => sizes.map(number),
-            CouplingLaw::Ratio { ratio: Ratio::Rack { radius_m, .. }, .. } => [number(radius_m), T::one()],
-            CouplingLaw::Ratio { ratio: Ratio::Given(_), .. } | CouplingLaw::Cam { .. } => return None,
-        };
+        // The force of a rack is one already: no radius makes it of a torque.
+        let radii_m = teeth.radii_m.map(|radius_m| radius_m.map_or(T::one(), number));
         let (sine, cosine) = number(teeth.pressure_angle_rad).sin_cos();
         Some(Self { slope: sine / cosine, radii_m, mesh: teeth.mesh, is_second: teeth.is_second })
     }

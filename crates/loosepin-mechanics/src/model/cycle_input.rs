@@ -1,7 +1,7 @@
 //! The input of a mechanism over its cycle.
 
 use super::cycle::CycleSpan;
-use super::drive::{Drive, DriveLaw};
+use super::drive::{Drive, Steady};
 use super::quantity::{QuantityId, Values};
 use super::topology::Model;
 use loosepin_math::Real;
@@ -41,9 +41,10 @@ impl Model {
     /// The input of the cycle that counts by `span`.
     pub fn input(&self, span: CycleSpan, values: &Values) -> CycleInput {
         if let CycleSpan::Turns(drive) = span
-            && let Drive { name, law: DriveLaw::Constant { speed, start }, .. } = &self.drives[drive.0]
+            && let Drive { name, law, .. } = &self.drives[drive.0]
+            && let Some(Steady { speed, start }) = law.steady()
         {
-            let (start_rad, speed_rad_s) = (values[*start], values[*speed]);
+            let (start_rad, speed_rad_s) = (values[start], values[speed]);
             return CycleInput { name: name.clone(), is_drive: true, start_rad, speed_rad_s };
         }
         let speed_rad_s =
@@ -61,14 +62,7 @@ impl Model {
         match span {
             CycleSpan::Turns(_) => None,
             CycleSpan::Duration(duration_s) => Some(number(duration_s)),
-            CycleSpan::Periods(drive) => match &self.drives[drive.0].law {
-                DriveLaw::Harmonic { frequency, .. } => Some(T::one() / number(*frequency)),
-                DriveLaw::Table { points, .. } => {
-                    let ([first, _], [last, _]) = (points.first()?, points.last()?);
-                    Some(number(*last) - number(*first))
-                }
-                _ => None,
-            },
+            CycleSpan::Periods(drive) => self.drives[drive.0].law.period().map(|period| period.duration_s(number)),
         }
     }
 }

@@ -38,6 +38,15 @@ enum Step {
     Power(usize, i32),
 }
 
+/// A value that may change.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Changing {
+    /// A value without variables.
+    Constant(QuantityId),
+    /// A function of the variables.
+    Function(Function),
+}
+
 /// Operation that a function cannot have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beyond {

@@ -10,6 +10,7 @@ mod coupling;
 mod cycle;
 mod cycle_input;
 mod drive;
+mod entry_reader;
 mod function;
 mod ids;
 mod initial;
@@ -39,11 +40,18 @@ mod wear;
 
 pub use beam::{Beam, Formulation, Lump};
 pub use control::{Control, FeedForward};
-pub use coupling::{Coupling, CouplingLaw, CouplingPlay, Mesh, Ratio, Teeth};
+pub use coupling::{
+    Belt, Cam, CamProfile, Coupled, Coupling, CouplingKind, CouplingNumbers, CouplingPlay, CouplingReader, Curve,
+    Gears, KindOfCoupling, Mesh, Proportion, Rack, Ratio, Teeth, Wheels,
+};
 pub use cycle::{Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
-pub use drive::{Drive, DriveLaw};
-pub use function::Function;
+pub use drive::{
+    AtTime, ConstantSpeed, ConstantSpeedMotion, Cycloidal, CycloidalMotion, Drive, DriveLaw, DriveMotion, DriveReader,
+    Expression, ExpressionMotion, Harmonic, HarmonicMotion, KindOfDrive, MotionLaw, MotionTable, Period, Polynomial,
+    PolynomialMotion, Steady, TableMotion, TablePiece, TimeDual, TimeTable, Written,
+};
+pub use function::{Changing, Function};
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 pub use joint::{

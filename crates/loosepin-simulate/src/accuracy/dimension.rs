@@ -32,7 +32,7 @@ impl DimensionDirection {
         let points = model.bodies.iter().flat_map(|body| body.points.iter().flat_map(|point| point.position_m));
         let drives = model.drives.iter().flat_map(|drive| drive.law.quantities());
         let angles = model.joints.iter().flat_map(|joint| joint.kind.angles_rad().into_iter().flatten());
-        let couplings = model.couplings.iter().flat_map(|coupling| coupling.law.quantities());
+        let couplings = model.couplings.iter().flat_map(|coupling| coupling.kind.quantities());
         points.chain(drives).chain(angles).chain(couplings).collect()
     }
 }

@@ -4,7 +4,7 @@ use super::dimension::DimensionDirection;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use loosepin_math::{Dual, Vec2};
-use loosepin_mechanics::mechanism::{DriveMotion, Geometry, Mechanism, numbered_point_m, room};
+use loosepin_mechanics::mechanism::{Geometry, Mechanism, numbered_point_m, room};
 use loosepin_mechanics::model::{CycleSpan, DriveId, Position, Values};
 
 /// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`, SI.
@@ -49,7 +49,7 @@ pub fn dimension_derivatives(
     let mut room = vec![Dual::constant(Dual::constant(Dual::constant(0.0))); room(model)];
     let mut motion = |drive: DriveId| {
         let law = &model.drives[drive.0].law;
-        let [position, velocity, _] = DriveMotion::new(law, &number, time_s).at(law, Dual::constant(time_s), &mut room);
+        let [position, velocity, _] = law.motion(&number, time_s).at(Dual::constant(time_s), &mut room);
         [position.derivative, velocity.value]
     };
     // What the time must change by to hold the input: an angle of a drive, or a share of the period.

@@ -98,7 +98,7 @@ impl<T: Real> Driven<T> {
         self.coordinates[..free].copy_from_slice(&state.coordinates);
         self.rates[..free].copy_from_slice(&state.rates);
         for (k, drive) in case.mechanism.real.drives.iter().enumerate() {
-            let motion = sample.drives.motion(&case.mechanism.model, *drive, state.time_s, &mut self.room);
+            let motion = sample.drives.motion(*drive, state.time_s, &mut self.room);
             [self.coordinates[free + k], self.rates[free + k], self.accelerations[k]] = motion;
         }
     }

@@ -1,5 +1,6 @@
 //! Brown and McPhee 2016.
 
+use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, TRANSITION_SPEED, VISCOUS};
 use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
 use loosepin_math::{Real, hyperbolic_tangent};
 
@@ -27,10 +28,10 @@ impl BrownMcPheeFriction<f64> {
         name: "brown-mcphee",
         source: "Brown and McPhee 2016: μ_d tanh(4v/v_t) + (μ_s - μ_d) (v/v_t)/(¼(v/v_t)² + ¾)² + η v",
         numbers: &[
-            FrictionNumber { key: "coefficient", default_si: None },
-            FrictionNumber { key: "static_coefficient", default_si: None },
-            FrictionNumber { key: "transition_speed", default_si: Some(1e-3) },
-            FrictionNumber { key: "viscous", default_si: Some(0.0) },
+            FrictionNumber { key: COEFFICIENT, default_si: None },
+            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
+            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
+            FrictionNumber { key: VISCOUS, default_si: Some(0.0) },
         ],
         below: None,
     };

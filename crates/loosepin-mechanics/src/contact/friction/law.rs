@@ -1,6 +1,7 @@
 //! The interface of a friction law.
 
 use loosepin_math::Real;
+use loosepin_text::document::Key;
 
 /// Sliding speeds at which a friction law has a kink, m/s: a step of an integrator should not straddle one.
 pub type KinkSpeeds<T> = [Option<T>; 2];
@@ -61,12 +62,52 @@ macro_rules! friction_numbers {
 pub(super) use friction_numbers;
 
 /// A number that a friction law takes from the model file.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct FrictionNumber {
-    /// Its key.
-    pub key: &'static str,
+    /// Its key. Laws that have a key in common have the same one.
+    pub key: FrictionKey,
     /// Its value, SI, where the file has none; absent where the file must have one.
     pub default_si: Option<f64>,
+}
+
+impl FrictionNumber {
+    /// The word of its key.
+    pub const fn name(&self) -> &'static str {
+        self.key.key.name
+    }
+}
+
+/// A key of a number, and the part of friction that it tells of.
+#[derive(Debug, Clone, Copy)]
+pub struct FrictionKey {
+    /// The part.
+    pub of: FrictionPart,
+    /// The key.
+    pub key: Key,
+}
+
+/// The parts of friction, from rest to fast sliding: keys are listed in this order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionPart {
+    /// How large it is.
+    Sliding,
+    /// Where it begins and is full.
+    Ramp,
+    /// How large it is at the onset of sliding.
+    Onset,
+    /// Where it has risen from nothing.
+    Rise,
+    /// How it falls from its static to its dynamic value.
+    Fall,
+    /// Bristles between the surfaces.
+    Bristles,
+    /// What grows with the speed.
+    Viscous,
+}
+
+impl FrictionPart {
+    /// The last one.
+    pub(super) const LAST: Self = Self::Viscous;
 }
 
 /// A friction law as model files, help and reports know it.

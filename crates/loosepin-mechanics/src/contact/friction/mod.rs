@@ -6,6 +6,7 @@ mod bengisu_akay;
 mod brown_mcphee;
 #[cfg(test)]
 mod coefficient;
+mod keys;
 mod law;
 mod lugre;
 mod stribeck;
@@ -14,12 +15,13 @@ mod threlfall;
 pub use ambrosio::AmbrosioFriction;
 pub use bengisu_akay::BengisuAkayFriction;
 pub use brown_mcphee::BrownMcPheeFriction;
-pub use law::{BristledForce, Friction, FrictionDescription, FrictionNumber, KinkSpeeds};
+pub use law::{BristledForce, Friction, FrictionDescription, FrictionKey, FrictionNumber, FrictionPart, KinkSpeeds};
 pub use lugre::LuGreFriction;
 pub use stribeck::StribeckFriction;
 pub use threlfall::ThrelfallFriction;
 
 use loosepin_math::{Real, numbers};
+use loosepin_text::document::Key;
 
 impl<T> FrictionLaw<T> {
     /// Whether there is any friction.
@@ -54,7 +56,9 @@ macro_rules! friction_laws {
         }
 
         /// Every friction law.
-        pub static FRICTION_LAWS: &[FrictionDescription] = &[$($friction::<f64>::DESCRIPTION),*];
+        pub static FRICTION_LAWS: &[FrictionDescription] = LAWS;
+
+        const LAWS: &[FrictionDescription] = &[$($friction::<f64>::DESCRIPTION),*];
 
         impl FrictionDescription {
             /// The law with its numbers in the order of [`FrictionDescription::numbers`].
@@ -128,6 +132,9 @@ friction_laws! {
     LuGre(LuGreFriction),
 }
 
+/// The keys of the numbers of all laws, each once.
+pub const FRICTION_KEYS: &[Key] = &keys::keys::<{ keys::count(LAWS) }>(LAWS);
+
 /// The friction law called `name` in model files.
 pub fn friction_law(name: &str) -> Option<&'static FrictionDescription> {
     FRICTION_LAWS.iter().find(|law| law.name == name)
@@ -139,6 +146,17 @@ mod tests {
     use loosepin_math::Numbers;
 
     #[test]
+    fn a_key_is_listed_once_and_means_the_same_in_all_laws() {
+        let numbers = || FRICTION_LAWS.iter().flat_map(|law| law.numbers);
+        for key in FRICTION_KEYS {
+            assert_eq!(FRICTION_KEYS.iter().filter(|other| other.name == key.name).count(), 1, "{}", key.name);
+            let mut same = numbers().filter(|number| number.name() == key.name);
+            assert!(same.all(|number| format!("{:?}", number.key.key) == format!("{key:?}")), "{}", key.name);
+        }
+        assert!(numbers().all(|number| FRICTION_KEYS.iter().any(|key| key.name == number.name())));
+    }
+
+    #[test]
     fn identity_a_law_is_found_by_name_takes_its_numbers_and_shows_them_in_order() {
         for description in FRICTION_LAWS {
             let numbers: Vec<f64> = (1..=description.numbers.len()).map(|k| 0.01 * k as f64).collect();
@@ -148,7 +166,7 @@ mod tests {
             assert_eq!(shown, numbers, "{}", description.name);
             assert!(law.acts());
             assert_eq!(friction_law(description.name).map(|found| found.source), Some(description.source));
-            let keys = description.numbers.iter().map(|number| number.key);
+            let keys = description.numbers.iter().map(|number| number.name());
             assert!(description.below.into_iter().flatten().all(|key| keys.clone().any(|known| known == key)));
         }
         assert!(!FrictionLaw::<f64>::None.acts());

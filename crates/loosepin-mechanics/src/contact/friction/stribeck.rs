@@ -1,5 +1,6 @@
 //! Stribeck's curve.
 
+use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, STRIBECK_SPEED, TRANSITION_SPEED, VISCOUS};
 use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
 use loosepin_math::{Real, exponential, hyperbolic_tangent};
 
@@ -35,11 +36,11 @@ impl StribeckFriction<f64> {
         name: "stribeck",
         source: "Stribeck 1902, Bo and Pavelescu 1982: (μ_c + (μ_s - μ_c) exp(-(v/v_s)²)) tanh(4v/v_t) + η v",
         numbers: &[
-            FrictionNumber { key: "coefficient", default_si: None },
-            FrictionNumber { key: "static_coefficient", default_si: None },
-            FrictionNumber { key: "stribeck_speed", default_si: None },
-            FrictionNumber { key: "transition_speed", default_si: Some(1e-3) },
-            FrictionNumber { key: "viscous", default_si: Some(0.0) },
+            FrictionNumber { key: COEFFICIENT, default_si: None },
+            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
+            FrictionNumber { key: STRIBECK_SPEED, default_si: None },
+            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
+            FrictionNumber { key: VISCOUS, default_si: Some(0.0) },
         ],
         below: None,
     };

@@ -1,5 +1,6 @@
 //! Threlfall 1978.
 
+use super::keys::{COEFFICIENT, TRANSITION_SPEED};
 use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds, friction_numbers};
 use loosepin_math::{Real, exponential};
 
@@ -21,8 +22,8 @@ impl ThrelfallFriction<f64> {
         name: "threlfall",
         source: "Threlfall 1978: μ (1 - exp(-3v/v_r)) up to v_r, constant and continuous beyond",
         numbers: &[
-            FrictionNumber { key: "coefficient", default_si: None },
-            FrictionNumber { key: "transition_speed", default_si: Some(1e-3) },
+            FrictionNumber { key: COEFFICIENT, default_si: None },
+            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
         ],
         below: None,
     };

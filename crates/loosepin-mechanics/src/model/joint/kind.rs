@@ -2,7 +2,7 @@
 
 use super::clearance::{Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
-use crate::model::ids::{BodyId, ContactId, PointId};
+use crate::model::ids::{BodyId, ContactId, JointId, PointId};
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;
@@ -225,8 +225,12 @@ pub trait Names {
     fn point(&self, point: PointId) -> String;
     /// `rod`.
     fn body(&self, body: BodyId) -> &str;
+    /// `gudgeon`.
+    fn joint(&self, joint: JointId) -> &str;
     /// Value, SI.
     fn value_si(&self, id: QuantityId) -> f64;
+    /// A number with the unit of its dimension.
+    fn quantity(&self, id: QuantityId) -> String;
     /// A length with its unit.
     fn length(&self, id: QuantityId) -> String;
     /// An angle with its unit.

@@ -1,6 +1,6 @@
 //! The keys of controls.
 
-use super::drive::MOTION_KINDS;
+use crate::model::drive::MOTION_KINDS;
 use loosepin_text::document::{Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 

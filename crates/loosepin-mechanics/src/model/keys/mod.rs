@@ -2,7 +2,6 @@
 
 pub(super) mod beam;
 pub(super) mod control;
-pub(super) mod coupling;
 pub(super) mod drive;
 pub(super) mod friction;
 pub(super) mod spring;
@@ -10,12 +9,12 @@ pub(super) mod table;
 pub(super) mod wear;
 
 use crate::contact::{FILM_LAWS, NormalDescription, POINT_LAWS};
+use crate::model::coupling::{CAM, COUPLING_KINDS};
 use crate::model::joint::JOINT_KINDS;
 use crate::model::load::LOAD_KINDS;
 use crate::model::output::OUTPUT_KEYS;
 use beam::BEAM_KEYS;
 use control::CONTROL_KEYS;
-use coupling::{CAM_KEYS, COUPLING_KINDS};
 use drive::DRIVE_KEYS;
 use friction::FRICTION_KEYS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
@@ -326,7 +325,7 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional(
             "cam",
-            Kind::Tables { keys: &CAM_KEYS, except: &[] },
+            Kind::Tables { keys: CAM.1, except: &[] },
             "",
             "cams with a profile by points, each under [cam.NAME]",
         ),

@@ -217,18 +217,21 @@ impl ModelReader {
             return None;
         };
         for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
-            if law.numbers.iter().all(|number| number.key != key.name) {
+            if law.numbers.iter().all(|number| number.name() != key.name) {
                 self.refuse_beside(&table, key.name, law.name);
             }
         }
         let numbers = law.numbers.iter().map(|number| match number.default_si {
-            Some(default_si) => self.quantity_or(&table, number.key, default_si),
-            None => self.reader.demand(&table, number.key).then(|| self.quantity(&table, number.key)).flatten(),
+            Some(default_si) => self.quantity_or(&table, number.name(), default_si),
+            None => {
+                let key = number.name();
+                self.reader.demand(&table, key).then(|| self.quantity(&table, key)).flatten()
+            }
         });
         // All of them are read, so that all complaints come together.
         let numbers: Vec<Option<QuantityId>> = numbers.collect();
         if let Some(keys) = law.below {
-            let place = |key: &str| law.numbers.iter().position(|number| number.key == key);
+            let place = |key: &str| law.numbers.iter().position(|number| number.name() == key);
             let [smaller, larger] = keys.map(|key| place(key).and_then(|place| numbers[place]));
             let written = keys.into_iter().find_map(|key| table.get(key));
             let span = written.map_or(table.span, |entry| entry.span);

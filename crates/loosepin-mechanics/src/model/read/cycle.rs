@@ -2,7 +2,7 @@
 
 use super::reader::ModelReader;
 use crate::model::cycle::{Cycle, CycleSpan};
-use crate::model::drive::{Drive, DriveLaw};
+use crate::model::drive::Drive;
 use crate::model::ids::JointId;
 use crate::model::keys::CYCLE_KEYS;
 use crate::model::problem::ModelProblem;
@@ -37,11 +37,11 @@ impl ModelReader {
         let name = self.reader.text(entry)?;
         let drive = self.named(entry, "drive", name, |file| &file.drive_names)?;
         let Drive { joint, law, .. } = &self.drives[drive.0];
-        if law.has_period() {
+        if law.period().is_some() {
             return Some(CycleSpan::Periods(drive));
         }
-        let problem = if !matches!(law, DriveLaw::Constant { .. }) {
-            ModelProblem::CycleNeedsPeriod { drive: name.to_owned(), kind: law.kind() }
+        let problem = if law.steady().is_none() {
+            ModelProblem::CycleNeedsPeriod { drive: name.to_owned(), kind: law.word() }
         } else if !self.turns(*joint) {
             ModelProblem::CycleNeedsTurns { drive: name.to_owned() }
         } else {

@@ -1,12 +1,11 @@
 //! Reading drives and the motions that they prescribe.
 
-use super::function::Changing;
 use super::reader::ModelReader;
-use crate::model::drive::{Drive, DriveLaw};
-use crate::model::function::TIME;
+use crate::model::drive::{Drive, DriveLaw, DriveReader, MOTION_KINDS, Steady};
+use crate::model::function::{Changing, TIME};
 use crate::model::ids::{DriveId, JointId};
 use crate::model::joint::NotDriven;
-use crate::model::keys::drive::{DRIVE_KEYS, MOTION_KINDS};
+use crate::model::keys::drive::DRIVE_KEYS;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
@@ -95,66 +94,17 @@ impl ModelReader {
             self.reader.complain(&problem, found.key_span);
         }
         let start = self.quantity(table, driven.start_key);
-        Some(DriveLaw::Constant { speed: speed?, start: start? })
+        Some(DriveLaw::steady_motion(Steady { speed: speed?, start: start? }))
     }
 
     pub(super) fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
-        let (kind, table) = self.table_of_kind(entry, MOTION_KINDS)?;
-        match kind {
-            "polynomial" => self.polynomial(&table, driven.dimension),
-            "harmonic" => self.harmonic(&table, driven.dimension),
-            "cycloidal" => self.cycloidal(&table, driven.dimension),
-            "table" => self.table_motion(&table, driven.dimension),
-            _ => {
-                let entry = table.get("position")?;
-                match self.changing(&entry, driven.dimension, Rule::Finite, &[TIME])? {
-                    Changing::Function(function) => Some(DriveLaw::Function(function)),
-                    // It stands still.
-                    Changing::Constant(id) => Some(DriveLaw::Polynomial { coefficients: vec![id] }),
-                }
-            }
-        }
+        let (word, table) = self.table_of_kind(entry, MOTION_KINDS)?;
+        DriveLaw::read(word, &table, driven.dimension, self)
     }
+}
 
-    fn polynomial(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let list = table.get("coefficients")?;
-        let elements = self.reader.list(&list)?;
-        if elements.is_empty() {
-            return self
-                .reader
-                .refuse(&ModelProblem::TooFewPoints { entry: list.path.describe(), least: 1 }, list.span);
-        }
-        let mut due = dimension;
-        let mut coefficients = Vec::new();
-        for element in &elements {
-            coefficients.push(self.quantity_of(element, due, Rule::Finite));
-            due = due.over(Dimension::TIME);
-        }
-        let coefficients: Option<Vec<QuantityId>> = coefficients.into_iter().collect();
-        Some(DriveLaw::Polynomial { coefficients: coefficients? })
-    }
-
-    fn harmonic(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let [mean, amplitude] = ["mean", "amplitude"]
-            .map(|key| table.get(key).and_then(|entry| self.quantity_of(&entry, dimension, Rule::Finite)));
-        let frequency = self.quantity(table, "frequency");
-        let phase_rad = self.quantity_or(table, "phase", 0.0);
-        Some(DriveLaw::Harmonic { mean: mean?, amplitude: amplitude?, frequency: frequency?, phase_rad: phase_rad? })
-    }
-
-    fn cycloidal(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let [from, to] = ["from", "to"]
-            .map(|key| table.get(key).and_then(|entry| self.quantity_of(&entry, dimension, Rule::Finite)));
-        let duration_s = self.quantity(table, "duration");
-        let dwell_s = self.quantity_or(table, "dwell", 0.0);
-        Some(DriveLaw::Cycloidal { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? })
-    }
-
-    fn table_motion(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<DriveLaw> {
-        let ends = table.get("ends");
-        let is_periodic = ends.and_then(|entry| self.reader.choice(&entry, &[("clamped", false), ("periodic", true)]));
-        let points = self.table_points(table, [("time", Dimension::TIME), ("position", dimension)])?;
-        let is_periodic = is_periodic?;
-        Some(DriveLaw::Table { points, is_periodic })
+impl DriveReader for ModelReader {
+    fn over_time(&mut self, entry: &Entry<'_>, dimension: Dimension) -> Option<Changing> {
+        self.changing(entry, dimension, Rule::Finite, &[TIME])
     }
 }

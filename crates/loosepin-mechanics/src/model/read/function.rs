@@ -1,19 +1,11 @@
 //! Reading expressions over variables.
 
 use super::reader::ModelReader;
+pub(super) use crate::model::function::Changing;
 use crate::model::function::{Beyond, Function, FunctionNames, Variable};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Written};
 use loosepin_text::units::{Dimension, ExpressionProblem, Names, parse_expression};
-
-/// A value that may change.
-pub(super) enum Changing {
-    /// A value without variables.
-    Constant(QuantityId),
-    /// A function of the variables.
-    Function(Function),
-}
 
 impl ModelReader {
     /// Reads an expression over parameters and `variables`. One without variables is a quantity like any other.

@@ -1,6 +1,7 @@
 //! Tables of points: in the file itself, or in a CSV file beside it.
 
 use super::reader::{ModelReader, UNREAD};
+use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, Quantity, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place, Source};
@@ -10,8 +11,15 @@ use loosepin_text::units::{Dimension, Rule, parse_quantity};
 /// A cubic spline needs two intervals to have a bend.
 const LEAST_POINTS: usize = 3;
 
-/// A column: its name in paths, and its dimension.
-pub(super) type Column = (&'static str, Dimension);
+impl EntryReader for ModelReader {
+    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
+        Self::quantity_of(self, entry, dimension, rule)
+    }
+
+    fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
+        Self::table_points(self, table, columns)
+    }
+}
 
 impl ModelReader {
     /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.

@@ -1,7 +1,7 @@
 //! Runs of drawn mechanisms: other clearances, restitutions, speeds and start angles than their files have.
 
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{DriveLaw, JointKind, Model, QuantityId, Values};
+use loosepin_mechanics::model::{JointKind, Model, QuantityId, Steady, Values};
 use std::path::Path;
 
 /// The mechanisms on which the share of a length was chosen, by which two runs may differ: names in `cases/`.
@@ -103,7 +103,7 @@ fn drawn_values(model: &Model, nominal: &Values, mut state: u64) -> Option<Value
         set.push((restitution, nominal[restitution] + RESTITUTION_SHARE * room * even()));
     }
     for drive in &model.drives {
-        if let DriveLaw::Constant { speed, start } = drive.law {
+        if let Some(Steady { speed, start }) = drive.law.steady() {
             set.push((speed, nominal[speed] * SPEED_FACTOR.powf(even())));
             if let JointKind::Revolute { .. } = model.joints[drive.joint.0].kind {
                 set.push((start, nominal[start] + START_RAD * even()));

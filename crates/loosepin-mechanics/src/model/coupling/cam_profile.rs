@@ -1,7 +1,7 @@
 //! The profile of a cam: a periodic cubic spline with dwells.
 
-use super::pieces::Pieces;
-use loosepin_math::{Real, cubic_piece, numbers, periodic_spline, resting_spline};
+use super::kind::Curve;
+use loosepin_math::{Pieces, Real, cubic_piece, numbers, periodic_spline, resting_spline};
 
 /// The coordinate of a follower over that of its cam: a spline through points, repeated for ever, each time from where the last one
 /// ended. Its second derivative does not jump. In a dwell the follower rests: the spline reaches it and leaves it with slope and second
@@ -46,10 +46,11 @@ impl<T: Real> CamProfile<T> {
         let breaks = nodes[1..count].iter().map(|node| node[0]).collect();
         Self { start: nodes[0][0], period, rise, pieces: Pieces::new(breaks, (0..count).map(piece).collect()) }
     }
+}
 
-    /// Value and first two derivatives at `coordinate`.
+impl<T: Real> Curve<T> for CamProfile<T> {
     #[inline(always)]
-    pub fn at(&self, coordinate: T) -> [T; 3] {
+    fn at(&self, coordinate: T) -> [T; 3] {
         let (half, two, three) = (T::from_f64(0.5), T::from_f64(2.0), T::from_f64(3.0));
         let periods = ((coordinate - self.start) / self.period - half).nearest_whole();
         let within = coordinate - periods * self.period;
@@ -58,6 +59,24 @@ impl<T: Real> CamProfile<T> {
         let value = c3.mul_add(u, c2).mul_add(u, c1).mul_add(u, c0);
         let slope = (three * c3).mul_add(u, two * c2).mul_add(u, c1);
         [periods.mul_add(self.rise, value), slope, two * (three * c3).mul_add(u, c2)]
+    }
+
+    /// A follower stays on its cam.
+    fn offset(&self) -> Option<T> {
+        None
+    }
+
+    fn offset_mut(&mut self) -> Option<&mut T> {
+        None
+    }
+
+    fn gain(&self, scale: T) -> T {
+        /// Points to a wave of the profile.
+        const POINTS_OF_WAVE: f64 = 8.0;
+        let pieces = self.pieces.all();
+        let steepest = pieces.iter().fold(T::zero(), |steepest, [_, _, c1, ..]| steepest.max(c1.abs()));
+        let density = T::from_f64(pieces.len() as f64) / self.period.abs();
+        (steepest * scale).max(density * T::from_f64(std::f64::consts::TAU / POINTS_OF_WAVE))
     }
 }
 
@@ -78,14 +97,6 @@ fn stretches<T: Real>(dwells: &[bool], first: usize, point: impl Fn(usize) -> [T
         }
     }
     (nodes, moments)
-}
-
-impl CamProfile<f64> {
-    /// The steepest slope at a point, and points in a unit of the coordinate.
-    pub fn steepness(&self) -> [f64; 2] {
-        let steepest = self.pieces.all().iter().fold(0.0_f64, |steepest, [_, _, c1, ..]| steepest.max(c1.abs()));
-        [steepest, self.pieces.all().len() as f64 / self.period.abs()]
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Motions given by points: cubic splines, piece by piece.
 
-use loosepin_math::{Dual, Real, clamped_spline, cubic_piece, periodic_spline};
+use loosepin_math::{Dual, Real, clamped_spline, cubic_piece, numbers, periodic_spline};
 
 /// Numbers that tell at which time they are, for finding the piece of a table.
 pub trait AtTime: Real {
@@ -27,6 +27,21 @@ pub struct TablePiece<T> {
     pub origin_s: T,
     /// c_0 to c_3.
     pub coefficients: [T; 4],
+}
+
+numbers!(struct TablePiece { origin_s, coefficients });
+
+/// Value, rate and acceleration of Σ c_k (t - t0)^k at `time_s`, by Horner's scheme for the value and both derivatives.
+#[inline(always)]
+pub(super) fn polynomial_at<T: Real>(origin_s: T, coefficients: &[T], time_s: T) -> [T; 3] {
+    let u = time_s - origin_s;
+    let [mut value, mut rate, mut half] = [T::zero(); 3];
+    for coefficient in coefficients.iter().rev() {
+        half = half.mul_add(u, rate);
+        rate = rate.mul_add(u, value);
+        value = value.mul_add(u, *coefficient);
+    }
+    [value, rate, half + half]
 }
 
 /// A spline through points of time and coordinate, at rest outside of them or repeated for ever.

@@ -1,6 +1,6 @@
 //! Functions in pieces, picked without a choice by value: on lanes every lane is in its own piece.
 
-use loosepin_math::{Numbers, Real};
+use super::{Numbers, Real};
 
 /// Pieces side by side along an argument, each with its N numbers.
 #[derive(Debug, Clone)]

@@ -1,0 +1,134 @@
+//! A cam and its follower, which may lift off.
+
+use super::cam_profile::CamProfile;
+use super::kind::{Coupled, KindOfCoupling};
+use super::play::CouplingPlay;
+use super::reading::CouplingReader;
+use crate::model::ids::JointId;
+use crate::model::joint::Names;
+use crate::model::keys::table::CSV;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::QuantityId;
+use loosepin_math::Real;
+use loosepin_text::document::{Entry, Keys, Kind, Table, optional, required};
+use loosepin_text::units::{Dimension, format_value, listed};
+
+/// Of the angles of a whole period that are written with as many digits as tables have.
+const PERIOD_ROUND_OFF: f64 = 1e-9;
+
+/// A periodic cubic spline with dwells: the profile of a cam.
+#[derive(Debug, Clone)]
+pub struct Cam {
+    /// Coordinates of the first joint, increasing, and of the second.
+    pub points: Vec<[QuantityId; 2]>,
+    /// Whether the follower rests from a point to the next: their values are equal in the model.
+    pub dwells: Vec<bool>,
+}
+
+impl KindOfCoupling for Cam {
+    type Curve<T: Real> = CamProfile<T>;
+
+    const WORD: &'static str = "cam";
+    const KEYS: &'static Keys = &KEYS;
+
+    fn read(_entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
+        let joints = reader.two_joints(table, ["joint", "follower"], [None; 2])?;
+        let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
+        let points = reader.table_points(table, [("cam", from), ("follower", to)])?;
+        if from == Dimension::ANGLE {
+            demand_whole_turns(table, &points, reader)?;
+        }
+        let dwells = points.windows(2).map(|pair| {
+            let [before, after] = [pair[0][1], pair[1][1]].map(|id| reader.nominal_value(id));
+            before == after
+        });
+        let dwells = dwells.collect();
+        let play = if table.has("contact") { Some(lift_off(table, joints[1], reader)?) } else { None };
+        Some(Coupled { joints, kind: Self { points, dwells }, play, teeth: None })
+    }
+
+    fn quantities(&self) -> Vec<QuantityId> {
+        self.points.iter().flatten().copied().collect()
+    }
+
+    fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> CamProfile<T> {
+        let points: Vec<[T; 2]> = self.points.iter().map(|point| point.map(number)).collect();
+        CamProfile::new(&points, &self.dwells)
+    }
+
+    fn words(&self, names: &dyn Names) -> String {
+        let words = format!("by a cam of {} points", self.points.len());
+        let shown = |k: usize| names.quantity(self.points[k][0]);
+        let dwells = dwell_ends(&self.dwells).into_iter();
+        let dwells: Vec<String> = dwells.map(|[from, to]| format!("from {} to {}", shown(from), shown(to))).collect();
+        if dwells.is_empty() { words } else { format!("{words}; dwells {}", listed(&dwells, "and")) }
+    }
+}
+
+/// The play of a follower that may lift off; nothing after a complaint.
+fn lift_off(table: &Table<'_>, follower: JointId, reader: &mut dyn CouplingReader) -> Option<CouplingPlay> {
+    let contact = reader.contact_of(table)?;
+    reader.demand_contact_of_flanks(table, contact, "a cam and its follower")?;
+    let entry = table.get("follower").filter(|_| reader.coordinate_of(follower) != Dimension::LENGTH);
+    if let Some(entry) = entry {
+        let joint = reader.joint_name(follower);
+        let problem = ModelProblem::FollowerTurns { entry: table.path.describe(), joint };
+        return reader.document().refuse(&problem, entry.span);
+    }
+    Some(CouplingPlay { backlash_m: None, second_radius_m: None, contact })
+}
+
+/// The points of a cam that turns span a turn, whole turns, or a whole part of one: after a turn it is where it was.
+fn demand_whole_turns(table: &Table<'_>, points: &[[QuantityId; 2]], reader: &mut dyn CouplingReader) -> Option<()> {
+    let [first, last] = [points[0][0], points[points.len() - 1][0]].map(|id| reader.nominal_value(id));
+    let turns = (last - first) / std::f64::consts::TAU;
+    let is_whole = |count: f64| (count - count.round()).abs() < PERIOD_ROUND_OFF * count;
+    if is_whole(turns) || is_whole(1.0 / turns) {
+        return Some(());
+    }
+    let degrees = |angle_rad: f64| format_value(angle_rad, Dimension::ANGLE);
+    let problem = ModelProblem::CamPeriod {
+        entry: table.path.describe(),
+        from: degrees(first),
+        to: degrees(last),
+        whole: degrees(first + turns.ceil() * std::f64::consts::TAU),
+    };
+    let key = if table.has("csv") { "csv" } else { "points" };
+    reader.document().refuse(&problem, table.get(key).map_or(table.span, |entry| entry.span))
+}
+
+/// The points at which each run of dwelling intervals begins and ends.
+fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
+    let mut ends: Vec<[usize; 2]> = Vec::new();
+    for (interval, _) in dwells.iter().enumerate().filter(|(_, is_dwell)| **is_dwell) {
+        match ends.last_mut() {
+            Some([_, end]) if *end == interval => *end = interval + 1,
+            _ => ends.push([interval, interval + 1]),
+        }
+    }
+    ends
+}
+
+static KEYS: Keys = Keys::new(
+    "a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from \
+     where the last one ended",
+    &[
+        required("joint", Kind::Reference("joint"), "\"cam\"", "the joint of the cam"),
+        required("follower", Kind::Reference("joint"), "\"lifter\"", "the joint of the follower"),
+        optional(
+            "points",
+            Kind::List(&Kind::List(&Kind::AnyQuantity)),
+            "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]",
+            "pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first \
+             to the last is a period",
+        ),
+        CSV,
+        optional(
+            "contact",
+            Kind::Reference("contact"),
+            "\"tappet\"",
+            "contact between cam and follower, which may then lift off; if left out, the cam holds it both ways",
+        ),
+    ],
+)
+.with_exactly_one(&[&["points", "csv"]]);

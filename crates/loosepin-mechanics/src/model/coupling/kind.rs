@@ -1,0 +1,70 @@
+//! What every kind of coupling says of itself, and the terms in which it says it.
+
+use super::play::CouplingPlay;
+use super::reading::CouplingReader;
+use super::teeth::Teeth;
+use crate::model::ids::JointId;
+use crate::model::joint::Names;
+use crate::model::quantity::QuantityId;
+use loosepin_math::Real;
+use loosepin_text::document::{Entry, Keys, Table};
+
+/// A kind of coupling: how the coordinate of the second joint follows from that of the first, q_2 = f(q_1).
+///
+/// The rest of the program asks these questions, and knows no kind by its name.
+pub trait KindOfCoupling: Sized {
+    /// The numbers of f.
+    type Curve<T: Real>: Curve<T>;
+
+    /// Word in files; of a kind with tables of its own, their name.
+    const WORD: &'static str;
+    /// Keys of its table.
+    const KEYS: &'static Keys;
+
+    /// Reads it from its table, which stands at `entry`; nothing after a complaint.
+    fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>>;
+
+    /// The quantities that shape f.
+    fn quantities(&self) -> Vec<QuantityId>;
+
+    /// The numbers of f, with those that `number` gives for its quantities.
+    fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Self::Curve<T>;
+
+    /// How the second joint follows, behind "follows 'first'": `times 2.5`.
+    fn words(&self, names: &dyn Names) -> String;
+}
+
+/// The numbers of f: what the constraints evaluate.
+pub trait Curve<T: Real> {
+    /// f, f' and f'' at `coordinate`.
+    fn at(&self, coordinate: T) -> [T; 3];
+
+    /// The number that is added to f, where play may displace the second joint.
+    fn offset(&self) -> Option<T>;
+
+    /// The same number, to be changed.
+    fn offset_mut(&mut self) -> Option<&mut T>;
+
+    /// How much faster than the first coordinate the second one changes, about, where a unit of the second counts `scale` of the first.
+    fn gain(&self, scale: T) -> T;
+}
+
+/// What is read of a coupling.
+#[derive(Debug, Clone)]
+pub struct Coupled<K> {
+    /// The joint that is followed and the one that follows.
+    pub joints: [JointId; 2],
+    /// How it follows.
+    pub kind: K,
+    /// Absent for a coupling that is always ideal.
+    pub play: Option<CouplingPlay>,
+    /// There where the joints feel the force of the teeth.
+    pub teeth: Option<Teeth>,
+}
+
+impl<K> Coupled<K> {
+    /// Without play and teeth.
+    pub fn ideally(joints: [JointId; 2], kind: K) -> Self {
+        Self { joints, kind, play: None, teeth: None }
+    }
+}

@@ -1,0 +1,83 @@
+//! The play of couplings: backlash between the flanks of teeth, and followers that may lift off.
+
+use super::reading::CouplingReader;
+use crate::model::ids::ContactId;
+use crate::model::joint::{Names, PlayKeys};
+use crate::model::quantity::QuantityId;
+use loosepin_text::document::{Key, Kind, Table, optional, quantity};
+use loosepin_text::units::{Dimension as D, Rule};
+
+/// The play of a coupling: contact in place of the relation of both coordinates.
+#[derive(Debug, Clone, Copy)]
+pub struct CouplingPlay {
+    /// Backlash j, m, >= 0; zero makes the coupling ideal. None of a follower that may lift off its cam.
+    pub backlash_m: Option<QuantityId>,
+    /// Radius on which the angle of the second joint counts as a length, m; none where its coordinate is a length.
+    pub second_radius_m: Option<QuantityId>,
+    /// The contact between the flanks, or between cam and follower.
+    pub contact: ContactId,
+}
+
+impl CouplingPlay {
+    /// `play: backlash 0.1 mm`.
+    pub fn words(&self, names: &dyn Names) -> String {
+        match self.backlash_m {
+            Some(backlash_m) => format!("play: backlash {}", names.length(backlash_m)),
+            None => "play: the follower may lift off".to_owned(),
+        }
+    }
+}
+
+/// The key of the backlash.
+pub(super) const BACKLASH: Key = optional(
+    "backlash",
+    quantity(D::LENGTH, Rule::NonNegative),
+    "\"0.1 mm\"",
+    "way from flank to flank on the pitch circles; zero, or left out: none",
+);
+
+/// The key of the contact of flanks.
+pub(super) const CONTACT: Key = optional(
+    "contact",
+    Kind::Reference("contact"),
+    "\"teeth\"",
+    "contact between the flanks; with a backlash above zero",
+);
+
+/// Backlash and contact as a table states them.
+pub(super) struct Backlash {
+    contact: Option<ContactId>,
+    /// The outer option is absent after a complaint, the inner for an ideal coupling.
+    backlash_m: Option<Option<QuantityId>>,
+}
+
+impl Backlash {
+    /// Reads both keys.
+    pub fn read(table: &Table<'_>, reader: &mut dyn CouplingReader) -> Self {
+        const KEYS: PlayKeys = PlayKeys { clearance: "backlash", needed: &["contact"], beside: &["contact"] };
+        Self { contact: reader.contact_of(table), backlash_m: reader.play_clearance(table, &KEYS) }
+    }
+
+    /// Whether there is a backlash, be it zero.
+    pub fn is_stated(&self) -> bool {
+        self.backlash_m.flatten().is_some()
+    }
+
+    /// The same after a complaint about it.
+    pub fn refused(self) -> Self {
+        Self { backlash_m: None, ..self }
+    }
+
+    /// The play between flanks; the outer option is absent after a complaint, the inner for an ideal coupling.
+    pub fn between_flanks(
+        self,
+        table: &Table<'_>,
+        second_radius_m: Option<QuantityId>,
+        reader: &mut dyn CouplingReader,
+    ) -> Option<Option<CouplingPlay>> {
+        let Some(backlash_m) = self.backlash_m? else { return Some(None) };
+        let contact = reader.contact_of_play(table, self.contact)?;
+        reader.demand_contact_of_flanks(table, contact, "the flanks of teeth")?;
+        Some(Some(CouplingPlay { backlash_m: Some(backlash_m), second_radius_m, contact }))
+    }
+}

@@ -1,0 +1,57 @@
+//! Any two joints, the coordinate of one a multiple of that of the other.
+
+use super::kind::{Coupled, KindOfCoupling};
+use super::proportion::{OFFSET, Proportion, first, joints, offset, second, words};
+use super::reading::CouplingReader;
+use crate::model::joint::Names;
+use crate::model::quantity::QuantityId;
+use loosepin_math::Real;
+use loosepin_text::document::{Entry, Keys, Kind, Table, required};
+use loosepin_text::units::Rule;
+
+/// A ratio as given.
+#[derive(Debug, Clone)]
+pub struct Ratio {
+    /// Coordinate of the second joint by that of the first, rad/rad, m/rad, rad/m or m/m.
+    pub ratio: QuantityId,
+    /// Coordinate of the second joint where the first is at zero, rad or m.
+    pub offset: QuantityId,
+}
+
+impl KindOfCoupling for Ratio {
+    type Curve<T: Real> = Proportion<T>;
+
+    const WORD: &'static str = "ratio";
+    const KEYS: &'static Keys = &KEYS;
+
+    fn read(_entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
+        let joints = joints(table, [None; 2], reader)?;
+        let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
+        let ratio = table.get("ratio").and_then(|entry| reader.quantity_of(&entry, to.over(from), Rule::Finite))?;
+        let offset = offset(table, joints[1], reader)?;
+        Some(Coupled::ideally(joints, Self { ratio, offset }))
+    }
+
+    fn quantities(&self) -> Vec<QuantityId> {
+        vec![self.ratio, self.offset]
+    }
+
+    fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
+        Proportion { ratio: number(self.ratio), offset: number(self.offset) }
+    }
+
+    fn words(&self, names: &dyn Names) -> String {
+        words(&names.quantity(self.ratio), self.offset, names)
+    }
+}
+
+static KEYS: Keys = Keys::new(
+    "the angle or position of the second joint is a multiple of that of the first",
+    &[
+        required("kind", Kind::Choice(&["ratio"]), "\"ratio\"", "the kind of coupling"),
+        first("a revolute or prismatic joint"),
+        second("another one"),
+        required("ratio", Kind::AnyQuantity, "-2.5", "coordinate of the second joint by that of the first"),
+        OFFSET,
+    ],
+);

@@ -1,0 +1,91 @@
+//! The sizes of two wheels, and which way they turn.
+
+use super::proportion::{sign, signed};
+use super::reading::CouplingReader;
+use crate::model::ids::{BodyId, JointId};
+use crate::model::joint::Names;
+use crate::model::problem::ModelProblem;
+use crate::model::quantity::QuantityId;
+use loosepin_math::Real;
+use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
+
+/// Two wheels: size of the first over that of the second, with a sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wheels {
+    /// Pitch radii, m, or numbers of teeth.
+    pub sizes: [QuantityId; 2],
+    /// Whether the coordinates of the joints go against each other.
+    pub is_reversed: bool,
+}
+
+/// The key of both radii.
+pub(super) const RADII: Key = optional(
+    "radii",
+    Kind::List(&quantity(D::LENGTH, Rule::Positive)),
+    "[\"20 mm\", \"45 mm\"]",
+    "pitch radii on the first and on the second joint",
+);
+
+/// The key of both numbers of teeth.
+pub(super) const TEETH: Key = optional(
+    "teeth",
+    Kind::List(&quantity(D::NUMBER, Rule::Positive)),
+    "[20, 45]",
+    "numbers of teeth on the first and on the second joint, in place of radii",
+);
+
+impl Wheels {
+    /// Reads them from `table` at `entry`; `are_opposed`: whether they turn against each other on the body that carries both, nothing after
+    /// a complaint.
+    pub(super) fn read(
+        (entry, table): (&Entry<'_>, &Table<'_>),
+        joints: [JointId; 2],
+        are_opposed: Option<bool>,
+        reader: &mut dyn CouplingReader,
+    ) -> Option<Self> {
+        let sizes = sizes(table, reader);
+        let is_turned = is_turned(entry, joints, reader);
+        Some(Self { sizes: sizes?, is_reversed: are_opposed? != is_turned? })
+    }
+
+    /// The ratio of both coordinates.
+    pub(super) fn ratio<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> T {
+        let [first, second] = self.sizes;
+        signed(number(first) / number(second), self.is_reversed)
+    }
+
+    /// `-20 mm / 45 mm`.
+    pub(super) fn words(&self, names: &dyn Names) -> String {
+        let [first, second] = self.sizes.map(|id| names.quantity(id));
+        format!("{}{first} / {second}", sign(self.is_reversed))
+    }
+}
+
+/// Radii or teeth of two wheels.
+fn sizes(table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<[QuantityId; 2]> {
+    let (key, dimension) = if table.has("radii") { ("radii", Dimension::LENGTH) } else { ("teeth", Dimension::NUMBER) };
+    let entry = table.get(key)?;
+    let pair = reader.document().pair(&entry)?;
+    let mut ids = [None; 2];
+    for ((mut element, name), id) in pair.into_iter().zip(["first", "second"]).zip(&mut ids) {
+        element.path = entry.path.join(name);
+        *id = reader.quantity_of(&element, dimension, Rule::Positive);
+    }
+    let [first, second] = ids;
+    Some([first?, second?])
+}
+
+/// Whether seen from the body that carries both wheels the coordinate of exactly one of the joints counts backwards: where
+/// that body is the bearing's in one joint and the journal's in the other.
+pub(super) fn is_turned(entry: &Entry<'_>, joints: [JointId; 2], reader: &mut dyn CouplingReader) -> Option<bool> {
+    let [a, b] = joints.map(|joint| reader.joint_kind(joint).bodies());
+    let sides = |body: BodyId, [bearing, _]: [BodyId; 2]| body == bearing;
+    let common: Vec<BodyId> = a.into_iter().filter(|body| b.contains(body)).collect();
+    let [carrier] = common[..] else {
+        let [first, second] = joints.map(|joint| reader.joint_name(joint));
+        let problem = ModelProblem::NoCarrier { entry: entry.path.describe(), first, second };
+        return reader.document().refuse(&problem, entry.key_span);
+    };
+    Some(sides(carrier, a) != sides(carrier, b))
+}

@@ -1,0 +1,110 @@
+//! A rise between two rests.
+
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, coordinate, kind};
+use super::reading::DriveReader;
+use super::table_motion::AtTime;
+use crate::model::joint::Names;
+use crate::model::quantity::QuantityId;
+use loosepin_math::{Real, numbers};
+use loosepin_text::document::{Keys, Table, optional, quantity, required};
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
+
+/// from + (to - from) (τ - sin(2π τ)/2π) with τ = (t - dwell)/duration cut to [0, 1].
+#[derive(Debug, Clone)]
+pub struct Cycloidal {
+    /// Where it rests before, rad or m.
+    pub from: QuantityId,
+    /// Where it rests afterwards, rad or m.
+    pub to: QuantityId,
+    /// Duration of the rise, s, > 0.
+    pub duration_s: QuantityId,
+    /// Rest before the rise, s, >= 0.
+    pub dwell_s: QuantityId,
+}
+
+/// Numbers of from + rise (τ - sin(2π τ)/2π), τ = (t - dwell)/duration cut to [0, 1].
+#[derive(Debug, Clone)]
+pub struct CycloidalMotion<T> {
+    /// Where it rests before, m or rad.
+    from: T,
+    /// How far it rises, m or rad.
+    rise: T,
+    /// Duration of the rise, s.
+    duration_s: T,
+    /// Rest before the rise, s.
+    dwell_s: T,
+}
+
+numbers!(struct CycloidalMotion { from, rise, duration_s, dwell_s });
+
+impl KindOfDrive for Cycloidal {
+    type Motion<T: Real> = CycloidalMotion<T>;
+
+    const WORD: &'static str = "cycloidal";
+
+    fn quantities(&self) -> Vec<QuantityId> {
+        vec![self.from, self.to, self.duration_s, self.dwell_s]
+    }
+
+    fn motion<T: AtTime>(&self, number: &dyn Fn(QuantityId) -> T, _time_s: f64) -> CycloidalMotion<T> {
+        CycloidalMotion {
+            from: number(self.from),
+            rise: number(self.to) - number(self.from),
+            duration_s: number(self.duration_s),
+            dwell_s: number(self.dwell_s),
+        }
+    }
+
+    fn words(&self, names: &dyn Names) -> String {
+        let [from, to, duration, dwell] =
+            [self.from, self.to, self.duration_s, self.dwell_s].map(|id| names.quantity(id));
+        format!("from {from} to {to} within {duration} after a rest of {dwell}")
+    }
+
+    fn breaks_s(&self, number: &dyn Fn(QuantityId) -> f64) -> Vec<f64> {
+        let dwell_s = number(self.dwell_s);
+        vec![dwell_s, dwell_s + number(self.duration_s)]
+    }
+}
+
+impl<T: Real> MotionLaw<T> for CycloidalMotion<T> {
+    #[inline(always)]
+    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+        let share = ((time_s - self.dwell_s) / self.duration_s).max(T::zero()).min(T::one());
+        let turn = T::from_f64(std::f64::consts::TAU);
+        let (sine, cosine) = (turn * share).sin_cos();
+        let pace = self.rise / self.duration_s;
+        [
+            self.rise.mul_add(share - sine / turn, self.from),
+            pace * (T::one() - cosine),
+            pace * turn * sine / self.duration_s,
+        ]
+    }
+
+    fn pace_1_s(&self, scale: T) -> Option<T> {
+        let turn = T::from_f64(std::f64::consts::TAU);
+        Some((T::from_f64(2.0) * self.rise.abs() / scale).max(turn) / self.duration_s)
+    }
+}
+
+impl MotionTable for Cycloidal {
+    const KEYS: &'static Keys = &KEYS;
+
+    fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
+        let [from, to] = ["from", "to"].map(|key| coordinate(table, key, dimension, reader));
+        let duration_s = reader.quantity(table, "duration");
+        let dwell_s = reader.quantity_or(table, "dwell", 0.0);
+        Some(Written::Motion(Self { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? }))
+    }
+}
+
+static KEYS: Keys = Keys::new(
+    "a rise without a jump of the acceleration, between two rests",
+    &[
+        kind(&["cycloidal"], "\"cycloidal\""),
+        required("from", COORDINATE, "\"0 deg\"", "where it rests before"),
+        required("to", COORDINATE, "\"90 deg\"", "where it rests afterwards"),
+        required("duration", quantity(D::TIME, Rule::Positive), "\"0.2 s\"", "duration of the rise"),
+        optional("dwell", quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", "rest before the rise; none if left out"),
+    ],
+);

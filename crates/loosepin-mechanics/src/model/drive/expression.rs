@@ -1,0 +1,86 @@
+//! An expression over time.
+
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, kind};
+use super::reading::DriveReader;
+use super::table_motion::AtTime;
+use crate::model::function::{Changing, Function};
+use crate::model::joint::Names;
+use crate::model::quantity::QuantityId;
+use loosepin_math::{Dual, Real, numbers};
+use loosepin_text::document::{Keys, Table, required};
+use loosepin_text::units::Dimension;
+use std::sync::Arc;
+
+/// A function of the time.
+#[derive(Debug, Clone)]
+pub struct Expression {
+    /// The function.
+    pub function: Arc<Function>,
+}
+
+/// A function with its parameters.
+#[derive(Debug, Clone)]
+pub struct ExpressionMotion<T> {
+    parameters: Vec<T>,
+    function: Arc<Function>,
+}
+
+numbers!(struct ExpressionMotion { parameters; function });
+
+impl KindOfDrive for Expression {
+    type Motion<T: Real> = ExpressionMotion<T>;
+
+    const WORD: &'static str = "expression";
+
+    fn quantities(&self) -> Vec<QuantityId> {
+        self.function.parameters.clone()
+    }
+
+    fn motion<T: AtTime>(&self, number: &dyn Fn(QuantityId) -> T, _time_s: f64) -> ExpressionMotion<T> {
+        let parameters = self.function.parameters.iter().map(|id| number(*id)).collect();
+        ExpressionMotion { parameters, function: Arc::clone(&self.function) }
+    }
+
+    fn words(&self, _names: &dyn Names) -> String {
+        "by an expression over time".to_owned()
+    }
+
+    fn room(&self) -> usize {
+        self.function.steps()
+    }
+}
+
+impl<T: Real> MotionLaw<T> for ExpressionMotion<T> {
+    #[inline(always)]
+    fn at(&self, time_s: T, room: &mut [TimeDual<T>]) -> [T; 3] {
+        let time = Dual { value: Dual::variable(time_s), derivative: Dual::constant(T::one()) };
+        let found = self.function.value(
+            &self.parameters,
+            &[time],
+            #[inline(always)]
+            |number| Dual::constant(Dual::constant(number)),
+            room,
+        );
+        [found.value.value, found.value.derivative, found.derivative.derivative]
+    }
+}
+
+impl MotionTable for Expression {
+    const KEYS: &'static Keys = &KEYS;
+
+    fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
+        let entry = table.get("position")?;
+        Some(match reader.over_time(&entry, dimension)? {
+            Changing::Function(function) => Written::Motion(Self { function: Arc::new(function) }),
+            Changing::Constant(id) => Written::Standstill(id),
+        })
+    }
+}
+
+static KEYS: Keys = Keys::new(
+    "an expression over time",
+    &[
+        kind(&["expression"], "\"expression\""),
+        required("position", COORDINATE, "\"30 deg * sin(3 rad/s * time)\"", "the angle or position at the time"),
+    ],
+);

@@ -1,0 +1,107 @@
+//! A harmonic motion.
+
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written, coordinate, kind};
+use super::reading::DriveReader;
+use super::table_motion::AtTime;
+use crate::model::joint::Names;
+use crate::model::quantity::QuantityId;
+use loosepin_math::{Real, numbers};
+use loosepin_text::document::{Keys, Table, optional, quantity, required};
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
+
+/// mean + amplitude sin(2π frequency t + phase).
+#[derive(Debug, Clone)]
+pub struct Harmonic {
+    /// Its middle, rad or m.
+    pub mean: QuantityId,
+    /// Largest departure from the middle, rad or m.
+    pub amplitude: QuantityId,
+    /// Oscillations in a second, 1/s, > 0.
+    pub frequency_1_s: QuantityId,
+    /// At time zero, rad.
+    pub phase_rad: QuantityId,
+}
+
+/// Numbers of mean + amplitude sin(ω t + φ).
+#[derive(Debug, Clone)]
+pub struct HarmonicMotion<T> {
+    /// Its middle, m or rad.
+    mean: T,
+    /// Largest departure from the middle, m or rad.
+    amplitude: T,
+    /// ω, rad/s.
+    angular_frequency_rad_s: T,
+    /// φ, rad.
+    phase_rad: T,
+}
+
+numbers!(struct HarmonicMotion { mean, amplitude, angular_frequency_rad_s, phase_rad });
+
+impl KindOfDrive for Harmonic {
+    type Motion<T: Real> = HarmonicMotion<T>;
+
+    const WORD: &'static str = "harmonic";
+
+    fn quantities(&self) -> Vec<QuantityId> {
+        vec![self.mean, self.amplitude, self.frequency_1_s, self.phase_rad]
+    }
+
+    fn motion<T: AtTime>(&self, number: &dyn Fn(QuantityId) -> T, _time_s: f64) -> HarmonicMotion<T> {
+        HarmonicMotion {
+            mean: number(self.mean),
+            amplitude: number(self.amplitude),
+            angular_frequency_rad_s: number(self.frequency_1_s) * T::from_f64(std::f64::consts::TAU),
+            phase_rad: number(self.phase_rad),
+        }
+    }
+
+    fn words(&self, names: &dyn Names) -> String {
+        let [amplitude, mean, frequency] = [self.amplitude, self.mean, self.frequency_1_s].map(|id| names.quantity(id));
+        format!("up and down by {amplitude} about {mean} at {frequency}")
+    }
+
+    fn period(&self) -> Option<Period> {
+        Some(Period::Frequency(self.frequency_1_s))
+    }
+}
+
+impl<T: Real> MotionLaw<T> for HarmonicMotion<T> {
+    #[inline(always)]
+    fn at(&self, time_s: T, _room: &mut [TimeDual<T>]) -> [T; 3] {
+        let (sine, cosine) = self.angular_frequency_rad_s.mul_add(time_s, self.phase_rad).sin_cos();
+        let speed = self.amplitude * self.angular_frequency_rad_s;
+        [self.amplitude.mul_add(sine, self.mean), speed * cosine, -(speed * self.angular_frequency_rad_s * sine)]
+    }
+
+    fn pace_1_s(&self, scale: T) -> Option<T> {
+        Some(self.angular_frequency_rad_s * (self.amplitude.abs() / scale).max(T::one()))
+    }
+}
+
+impl MotionTable for Harmonic {
+    const KEYS: &'static Keys = &KEYS;
+
+    fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
+        let [mean, amplitude] = ["mean", "amplitude"].map(|key| coordinate(table, key, dimension, reader));
+        let frequency = reader.quantity(table, "frequency");
+        let phase_rad = reader.quantity_or(table, "phase", 0.0);
+        let (mean, amplitude) = (mean?, amplitude?);
+        Some(Written::Motion(Self { mean, amplitude, frequency_1_s: frequency?, phase_rad: phase_rad? }))
+    }
+}
+
+static KEYS: Keys = Keys::new(
+    "mean + amplitude sin(360 deg frequency time + phase)",
+    &[
+        kind(&["harmonic"], "\"harmonic\""),
+        required("mean", COORDINATE, "\"90 deg\"", "its middle"),
+        required("amplitude", COORDINATE, "\"30 deg\"", "largest departure from the middle"),
+        required("frequency", quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"", "oscillations in a second"),
+        optional(
+            "phase",
+            quantity(D::ANGLE, Rule::Finite),
+            "\"90 deg\"",
+            "phase at time zero, 0 for the middle on the way up; 0 deg if left out",
+        ),
+    ],
+);

@@ -1,0 +1,18 @@
+//! The reader of a model, as far as couplings and motions know it, beside what joints know.
+
+use super::joint::JointReader;
+use super::quantity::QuantityId;
+use loosepin_text::document::{Entry, Table};
+use loosepin_text::units::{Dimension, Rule};
+
+/// A column of a table of points: its name in paths, and its dimension.
+pub type Column = (&'static str, Dimension);
+
+/// The reader of a model. What returns nothing has complained.
+pub trait EntryReader: JointReader {
+    /// The quantity at an entry, of a given dimension.
+    fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId>;
+
+    /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.
+    fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>>;
+}
