@@ -109,11 +109,17 @@ fn no_files_of_a_crate_import_each_other_in_a_circle() {
 }
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 6] = [
+const ONE_PLACE: [(&str, &str); 12] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
     ("OutputKind", "loosepin-mechanics/src/model/output/"),
     ("LoadKind", "loosepin-mechanics/src/model/load/"),
+    ("CouplingKind", "loosepin-mechanics/src/model/coupling/"),
+    ("CouplingNumbers", "loosepin-mechanics/src/model/coupling/"),
+    ("Mesh", "loosepin-mechanics/src/model/coupling/"),
+    ("DriveLaw", "loosepin-mechanics/src/model/drive/"),
+    ("DriveMotion", "loosepin-mechanics/src/model/drive/"),
+    ("FrictionLaw", "loosepin-mechanics/src/contact/friction/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
 ];
