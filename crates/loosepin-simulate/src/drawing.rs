@@ -16,44 +16,44 @@ const SENSE_LOOKS: u32 = 64;
 /// Places along a flexible body at which its deflection is drawn.
 const BEAM_PLACES: usize = 25;
 
-/// Bodies, points and joints of `mechanism` with the numbers of one sample; the poses are still empty.
-pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
-    let model = &mechanism.model;
-    let bodies = model
-        .bodies
-        .iter()
-        .enumerate()
-        .map(|(index, body)| DrawnBody {
-            name: body.name.clone(),
-            is_ground: index == 0,
-            points: body
-                .points
-                .iter()
-                .map(|point| DrawnPoint {
-                    name: point.name.clone(),
-                    x_m: values[point.position_m[0]],
-                    y_m: values[point.position_m[1]],
-                })
-                .collect(),
-        })
-        .collect();
-    let joints = model
-        .joints
-        .iter()
-        .map(|joint| {
-            let [first, second] = joint.kind.points().map(reference);
-            drawn_joint(joint, [first, second], values)
-        })
-        .collect();
+/// Bodies, points, joints and drives of `model`: what is drawn of it before it is known to move. The poses are still empty, and drives stand still.
+pub fn parts(model: &Model, values: &Values) -> Drawing {
+    let bodies = model.bodies.iter().enumerate().map(|(index, body)| DrawnBody {
+        name: body.name.clone(),
+        is_ground: index == 0,
+        points: body
+            .points
+            .iter()
+            .map(|point| DrawnPoint {
+                name: point.name.clone(),
+                x_m: values[point.position_m[0]],
+                y_m: values[point.position_m[1]],
+            })
+            .collect(),
+    });
+    let still = |drive: &Drive| DrawnDrive { name: drive.name.clone(), joint: drive.joint.0, sense: DriveSense::Still };
+    let output =
+        |output: &Output| Some(DrawnOutput { name: output.name.clone(), point: reference(output.kind.drawn_point()?) });
     Drawing {
-        bodies,
-        joints,
-        drives: drives(model, values),
-        output_points: output_points(model),
-        poses: empty_poses(mechanism),
-        ideal_poses: empty_poses(mechanism),
-        beams: beams(mechanism, values),
+        bodies: bodies.collect(),
+        joints: model.joints.iter().map(|joint| drawn_joint(joint, values)).collect(),
+        drives: model.drives.iter().map(still).collect(),
+        output_points: model.outputs.iter().filter_map(output).collect(),
+        poses: PoseTable::default(),
+        ideal_poses: PoseTable::default(),
+        beams: Vec::new(),
     }
+}
+
+/// [`parts`] of a mechanism that moves, with the way that its drives go and its flexible bodies.
+pub fn skeleton(mechanism: &Mechanism, values: &Values) -> Drawing {
+    let mut drawing = parts(&mechanism.model, values);
+    let senses = drive_senses(&mechanism.model, values);
+    drawing.drives.iter_mut().zip(senses).for_each(|(drive, sense)| drive.sense = sense);
+    drawing.poses = empty_poses(mechanism);
+    drawing.ideal_poses = empty_poses(mechanism);
+    drawing.beams = beams(mechanism, values);
+    drawing
 }
 
 /// Flexible bodies, still without the coordinates of their shapes.
@@ -126,13 +126,7 @@ fn reference(point: PointId) -> PointReference {
     PointReference { body: point.body.0, point: point.point }
 }
 
-fn output_points(model: &Model) -> Vec<DrawnOutput> {
-    let drawn =
-        |output: &Output| Some(DrawnOutput { name: output.name.clone(), point: reference(output.kind.drawn_point()?) });
-    model.outputs.iter().filter_map(drawn).collect()
-}
-
-fn drives(model: &Model, values: &Values) -> Vec<DrawnDrive> {
+fn drive_senses(model: &Model, values: &Values) -> Vec<DriveSense> {
     let turn_s = model.cycle_input(values).turn_s();
     // A cycle that stands still has no end: the drives are then asked at its start.
     let end_s = if turn_s.is_finite() { turn_s } else { 0.0 };
@@ -145,12 +139,7 @@ fn drives(model: &Model, values: &Values) -> Vec<DrawnDrive> {
             speeds.push(motions.at(model, DriveId(index), time_s)[1]);
         }
     }
-    let drawn = |(drive, speeds): (&Drive, &Vec<f64>)| DrawnDrive {
-        name: drive.name.clone(),
-        joint: drive.joint.0,
-        sense: sense(speeds),
-    };
-    model.drives.iter().zip(&speeds).map(drawn).collect()
+    speeds.iter().map(|speeds| sense(speeds)).collect()
 }
 
 /// Which way a drive with these speeds goes; what is a billionth of the largest is round-off.
@@ -185,8 +174,9 @@ pub fn add_pose(poses: &mut PoseTable, tree: &Tree, kinematics: &Kinematics<f64>
     }
 }
 
-/// A joint as it is drawn between two points.
-pub fn drawn_joint(joint: &Joint, [first, second]: [PointReference; 2], values: &Values) -> DrawnJoint {
+/// A joint as it is drawn between its two points.
+fn drawn_joint(joint: &Joint, values: &Values) -> DrawnJoint {
+    let [first, second] = joint.kind.points().map(reference);
     // Only in a hole does the clearance leave room to draw it in.
     let radial_clearance_m = joint.kind.pin_clearance().map_or(0.0, |pin| values[pin.radial_clearance_m]);
     let guide_angle_rad = joint.kind.line().map_or(0.0, |line| values[line.angle_rad]);

@@ -68,7 +68,7 @@ pub use bending_estimate::{BendingEstimate, estimate_bending};
 pub use column::{Column, columns};
 pub use contact_basis::{contact_basis, long_pin_force};
 pub use controlled_drawing::controlled_drawing;
-pub use drawing::{add_pose, drawn_joint, skeleton};
+pub use drawing::{add_pose, parts, skeleton};
 pub use engine::{conduct, demand_dynamics, run};
 pub use execution::Execution;
 pub use failure::RunFailure;

@@ -4,10 +4,8 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
 use loosepin::model::{Drive, Model, PointId, Values};
-use loosepin::result::simulation::{
-    Drawing, DrawnBody, DrawnDrive, DrawnOutput, DrawnPoint, DriveSense, PointReference, PoseTable,
-};
-use loosepin::simulate::drawn_joint;
+use loosepin::result::simulation::{Drawing, PoseTable};
+use loosepin::simulate::parts;
 
 const M_PER_MM: f64 = 1e-3;
 /// Nobody draws further, mm.
@@ -121,50 +119,13 @@ pub fn placed(model: &Model, given: &NamedPoses) -> Vec<Pose> {
 
 /// The drawing of a model at one pose.
 pub fn still_drawing(model: &Model, poses: &[Pose]) -> Drawing {
-    let values = model.quantities.nominal();
-    let bodies = model.bodies.iter().enumerate().map(|(index, body)| DrawnBody {
-        name: body.name.clone(),
-        is_ground: index == 0,
-        points: body
-            .points
-            .iter()
-            .map(|point| DrawnPoint {
-                name: point.name.clone(),
-                x_m: values[point.position_m[0]],
-                y_m: values[point.position_m[1]],
-            })
-            .collect(),
-    });
-    let joints = model.joints.iter().map(|joint| {
-        let [first, second] = joint.kind.points().map(reference);
-        drawn_joint(joint, [first, second], &values)
-    });
-    let drives = model.drives.iter().map(|drive| DrawnDrive {
-        name: drive.name.clone(),
-        joint: drive.joint.0,
-        sense: DriveSense::Still,
-    });
-    let outputs = model.outputs.iter().filter_map(|output| {
-        Some(DrawnOutput { name: output.name.clone(), point: reference(output.kind.drawn_point()?) })
-    });
     let column = |number: fn(&Pose) -> f64| poses.iter().map(|pose| vec![number(pose)]).collect::<Vec<_>>();
-    let table = PoseTable {
+    let mut drawing = parts(model, &model.quantities.nominal());
+    drawing.poses = PoseTable {
         drive_angle_rad: vec![0.0],
         x_m: column(|pose| pose.origin_m[0]),
         y_m: column(|pose| pose.origin_m[1]),
         angle_rad: column(|pose| pose.angle_rad),
     };
-    Drawing {
-        bodies: bodies.collect(),
-        joints: joints.collect(),
-        drives: drives.collect(),
-        output_points: outputs.collect(),
-        poses: table,
-        ideal_poses: PoseTable::default(),
-        beams: Vec::new(),
-    }
-}
-
-fn reference(point: PointId) -> PointReference {
-    PointReference { body: point.body.0, point: point.point }
+    drawing
 }
