@@ -135,9 +135,10 @@ impl StudyError {
             )
             | Self::Loosened { .. } => Complaint::error(self, Some(Place::new(study.source(), 0..0))),
             Self::BudgetTooSmall { least, .. } if study.surrogate.is_some_and(|surrogate| surrogate.is_alone) => {
+                let also = if study.allowances.is_empty() { "" } else { ", and so do fewer inputs under [allow]" };
                 let hint = format!(
                     "a budget of {least} runs suffices for a first answer; fewer training_runs and confirming_runs under \
-                     [surrogate] need fewer"
+                     [surrogate] need fewer{also}"
                 );
                 Complaint { hint: Some(hint), ..Complaint::error(self, study.budget_place().cloned()) }
             }

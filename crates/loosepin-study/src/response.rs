@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// Turns of a run of a study, at most: the ideal motion is followed through all of them before the first run, and again for each.
 const MOST_TURNS: f64 = 10_000.0;
 /// Recorded ones, at most: each has a table of the ideal motion.
-const MOST_RECORDED_TURNS: f64 = 1000.0;
+pub const MOST_RECORDED_TURNS: f64 = 1000.0;
 /// Numbers of a run that are asked for, at most: each has bounds of its own, with hundreds of numbers in the files and on the page.
 pub const MOST_COLUMNS: usize = 20_000;
 /// Combinations of contact laws, at most: each is a mechanism of its own.
@@ -302,7 +302,7 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
 }
 
 /// A run must end in a person's time.
-fn check_turns(study: &Study) -> Result<(), PrepareError> {
+pub fn check_turns(study: &Study) -> Result<(), PrepareError> {
     let (transient, recorded) = (study.cycle.transient_turns, study.cycle.recorded_turns);
     for (turns, what, most, key) in [
         (recorded, "recorded", MOST_RECORDED_TURNS, "recorded_turns"),

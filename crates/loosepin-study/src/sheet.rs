@@ -204,7 +204,8 @@ impl<'s> Sheet<'s> {
     /// # Errors
     /// The study was interrupted.
     pub fn make_again(&self, response: &StudyResponse, runs: &[usize]) -> Result<Vec<Option<Vec<f64>>>, StudyError> {
-        let Runner { pool, stop, .. } = *self.runner;
+        let Runner { pool, stop, progress, .. } = *self.runner;
+        progress.stage(Stage::Runs);
         let batch: Vec<RunInputs> = runs.iter().map(|&run| self.table.inputs()[run].clone()).collect();
         let work = Work { batch: &batch, is_waiting: &vec![true; batch.len()], response, stop };
         let is_stopped = || stop.load(Ordering::Relaxed);

@@ -9,7 +9,7 @@ use crate::assemble::SETTLED;
 use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
-use crate::response::StudyResponse;
+use crate::response::{MOST_RECORDED_TURNS, StudyResponse, check_turns};
 use crate::sheet::Sheet;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
@@ -19,8 +19,8 @@ use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
 const SHARE_OF_STUDY: f64 = 0.05;
 const FEWEST_RUNS: usize = 8;
 const LARGEST_SHARE_RUNS: usize = 64;
-/// As many as a run of a cycle may record.
-const MOST_TURNS: u64 = 10_000;
+/// As many as a run may record.
+const MOST_TURNS: u64 = MOST_RECORDED_TURNS as u64;
 
 static KEYS: Keys = Keys::new(
     "what turns after the recorded ones change, where the motion does not repeat itself",
@@ -81,12 +81,24 @@ struct FurtherTurnsQuestion {
 }
 
 /// Planned always: whether a motion repeats itself is known once it has run.
+///
+/// # Errors
+/// A run may not have as many turns as are stated.
 fn planned(basis: &Basis<'_>) -> Planned {
-    let settings = basis.study.questions.get::<Settings>().copied().unwrap_or_default();
+    let stated = basis.study.questions.get::<Settings>().copied();
+    let settings = stated.unwrap_or_default();
+    if stated.is_some() {
+        check_turns(&with_further_turns(settings, basis.study))?;
+    }
     Ok(Some(Box::new(FurtherTurnsQuestion { settings, answer: None })))
 }
 
 impl Question for FurtherTurnsQuestion {
+    fn most_runs(&self) -> usize {
+        // Without a number of them they are few, and what the study has runs for stays what it is.
+        self.settings.runs.unwrap_or(0)
+    }
+
     fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
         self.answer = further_turns(self.settings, sheet)?;
         Ok(())
@@ -118,14 +130,13 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
         return Ok(None);
     }
     let runs = spread(&restless, number_of_runs(settings, study, table.len()));
-    let mut longer = study.clone();
+    let mut longer = with_further_turns(settings, study);
     let ask = |&(column, reduction): &(usize, Reduction)| {
         let StudyColumn { output, deviation, .. } = plan.columns[column];
         Ask::of_values(output, deviation, Where::Reduced(reduction))
     };
     longer.asks = columns.iter().map(ask).collect();
     longer.requirements.clear();
-    longer.cycle.recorded_turns += f64::from(settings.turns);
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
     let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
@@ -168,6 +179,13 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
         broken_later: broken_later.collect(),
         outputs: outputs.collect(),
     }))
+}
+
+/// `study` with so many more recorded turns.
+fn with_further_turns(settings: Settings, study: &Study) -> Study {
+    let mut longer = study.clone();
+    longer.cycle.recorded_turns += f64::from(settings.turns);
+    longer
 }
 
 /// A column that more turns can only move one way.

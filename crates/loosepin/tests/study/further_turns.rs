@@ -6,7 +6,7 @@ use crate::silent::Silent;
 use loosepin::model::Model;
 use loosepin::study::result::Reduction;
 use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Means, RunRows, Study, conduct};
+use loosepin::study::{Conducted, Means, RunRows, Study, conduct, plan_runs};
 use loosepin::templates::find_template;
 
 /// Largest magnitude that is allowed, m: some of the runs reach it in six turns and not in one.
@@ -108,4 +108,7 @@ fn a_study_states_how_many_runs_go_on_and_how_far() {
     assert!(five.outputs.iter().any(|output| output.largest_excess_si > 0.0));
     let wrong = with_table("count = 0").expect_err("no turn at all");
     assert!(wrong.contains("further turns count is 0; must be a whole number from 1"), "{wrong}");
+    let many = with_table("count = 1000").expect("a study");
+    let refused = plan_runs(&many).expect_err("1001 recorded turns").to_string();
+    assert!(refused.contains("1001") && refused.contains("1000"), "{refused}");
 }

@@ -41,6 +41,7 @@ impl Question for LoosestQuestion {
 
     /// Its studies have sheets of their own; what is in `sheet` is kept whatever happens to them.
     fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
+        sheet.close();
         self.search(sheet).map_err(|error| match error {
             StudyError::Interrupted { most_runs, .. } => {
                 StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs }
