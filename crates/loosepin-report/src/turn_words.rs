@@ -26,8 +26,7 @@ pub(super) fn turns_sentence(result: &StudyResult, writer: &NumberWriter) -> Opt
     })
 }
 
-/// "In 5 turns after the recorded ones, 64 of these runs exceed the largest deviation of slider by 0.03 mm on average and 0.1 mm at
-/// most."
+/// "64 of these runs were continued for 5 turns. They exceed the largest deviation of slider by 0.03 mm on average and 0.1 mm at most."
 fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
     let turns = counted(u64::from(further.turns), "turn", &writer.about(&Tag::Given("further turns")));
     let runs = count(further.runs, &writer.about(&Tag::Count("continued runs")));
@@ -40,23 +39,27 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
             told.push(one);
         }
     }
+    let [were, they, exceed, do_not] = match further.runs {
+        1 => ["was", "It", "exceeds", "does not"],
+        _ => ["were", "They", "exceed", "do not"],
+    };
     let exceeds = |one: &&FurtherOutput| {
         let unit = output_unit(result, &one.output);
         let what = extreme_words(one, result);
         if !(one.largest_excess_si > 0.0) {
-            return format!("do not exceed {what}");
+            return format!("{do_not} exceed {what}");
         }
         let of = |part: &str, value_si: f64, rounding| {
             writer.about(&Tag::further_turns(one, part)).rounded(value_si, &unit, DIGITS, rounding)
         };
         format!(
-            "exceed {what} by {} on average and {} at most",
+            "{exceed} {what} by {} on average and {} at most",
             of("mean excess", one.mean_excess_si, Rounding::Nearest),
             of("largest excess", one.largest_excess_si, Rounding::Up)
         )
     };
     let told: Vec<String> = told.iter().map(exceeds).collect();
-    format!("In {turns} after the recorded ones, {runs} of these runs {}.", listed(&told))
+    format!("{runs} of these runs {were} continued for {turns}. {they} {}.", listed(&told))
 }
 
 /// `the largest deviation of slider`; `the smallest value of force`.

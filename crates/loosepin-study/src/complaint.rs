@@ -116,8 +116,8 @@ impl StudyError {
                 }
                 complaint
             }
-            Self::Prepare(PrepareError::TooManyTurns { key, .. }) => {
-                Complaint::error(self, Some(place_within("cycle", Some(key), study)))
+            Self::Prepare(PrepareError::TooManyTurns { table, key, .. }) => {
+                Complaint::error(self, Some(place_within(table, Some(key), study)))
             }
             Self::Prepare(PrepareError::TooManyPoses { .. }) => {
                 Complaint::error(self, Some(place_within("cycle", Some("samples_per_turn"), study)))

@@ -54,8 +54,8 @@ problems! {
         TooManyColumns { columns: usize } => Code::TooMany,
             says("all questions together are about {columns} numbers of each run; must be at most {MOST_COLUMNS}"),
             hint("ask for fewer poses, or for fewer samples_per_turn in the [cycle] of the study");
-        /// More turns than a run of a study may have; `key` under `[cycle]` says so.
-        TooManyTurns { turns: f64, what: &'static str, most: f64, key: &'static str } => Code::AskNotPossible,
+        /// More turns than a run of a study may have; `key` of `table` says so.
+        TooManyTurns { turns: f64, what: &'static str, most: f64, table: &'static str, key: &'static str } => Code::AskNotPossible,
             says("{turns} turns are {what}; must be at most {most}"),
             hint("transient_turns and recorded_turns stand in the [cycle] of the study, or of its model");
         /// More mechanisms than are made.
@@ -309,7 +309,7 @@ pub fn check_turns(study: &Study) -> Result<(), PrepareError> {
         (transient + recorded, "run", MOST_TURNS, "transient_turns"),
     ] {
         if turns > most {
-            return Err(PrepareError::TooManyTurns { turns, what, most, key });
+            return Err(PrepareError::TooManyTurns { turns, what, most, table: "cycle", key });
         }
     }
     Ok(())

@@ -9,7 +9,7 @@ use crate::assemble::SETTLED;
 use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
-use crate::response::{MOST_RECORDED_TURNS, StudyResponse, check_turns};
+use crate::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
 use crate::sheet::Sheet;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
@@ -19,8 +19,8 @@ use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
 const SHARE_OF_STUDY: f64 = 0.05;
 const FEWEST_RUNS: usize = 8;
 const LARGEST_SHARE_RUNS: usize = 64;
-/// As many as a run may record.
-const MOST_TURNS: u64 = MOST_RECORDED_TURNS as u64;
+/// As many as a run may record beside one turn.
+const MOST_TURNS: u64 = MOST_RECORDED_TURNS as u64 - 1;
 
 static KEYS: Keys = Keys::new(
     "what turns after the recorded ones change, where the motion does not repeat itself",
@@ -35,7 +35,7 @@ static KEYS: Keys = Keys::new(
             "runs",
             Kind::Count { least: 1, most: MOST_RUNS },
             "200",
-            "runs that are made again; if left out 8 to 64, for about a twentieth of the work of the study",
+            "runs that are made again, of those whose motion does not repeat itself; all of them if it is more than there are; if left out 8 to 64, for about a twentieth of the work of the study",
         ),
     ],
 );
@@ -77,6 +77,8 @@ fn read(table: &Table<'_>, reader: &mut Reader, stated: &mut QuestionSettings) {
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
     settings: Settings,
+    /// Runs of the bounds at most, among which those are that go on.
+    most_of_bounds: usize,
     answer: Option<FurtherTurns>,
 }
 
@@ -88,15 +90,26 @@ fn planned(basis: &Basis<'_>) -> Planned {
     let stated = basis.study.questions.get::<Settings>().copied();
     let settings = stated.unwrap_or_default();
     if stated.is_some() {
-        check_turns(&with_further_turns(settings, basis.study))?;
+        check_turns(&with_further_turns(settings, basis.study)).map_err(by_own_table)?;
     }
-    Ok(Some(Box::new(FurtherTurnsQuestion { settings, answer: None })))
+    let most_of_bounds = basis.double_loop.most_runs();
+    Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
+}
+
+/// It is the number of further turns that is too large.
+fn by_own_table(error: PrepareError) -> PrepareError {
+    match error {
+        PrepareError::TooManyTurns { turns, what, most, .. } => {
+            PrepareError::TooManyTurns { turns, what, most, table: "further_turns", key: "count" }
+        }
+        other => other,
+    }
 }
 
 impl Question for FurtherTurnsQuestion {
     fn most_runs(&self) -> usize {
         // Without a number of them they are few, and what the study has runs for stays what it is.
-        self.settings.runs.unwrap_or(0)
+        self.settings.runs.map_or(0, |runs| runs.min(self.most_of_bounds))
     }
 
     fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {

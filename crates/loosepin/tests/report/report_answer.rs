@@ -331,8 +331,15 @@ fn what_may_overturn_a_verdict_stands_with_it() {
     result.requirements = worn_pin().requirements;
     assert_says(
         &result,
-        "does not repeat itself from turn to turn. In 5 turns after the recorded ones, 64 of these runs exceed the largest deviation of slider \
+        "does not repeat itself from turn to turn. 64 of these runs were continued for 5 turns. They exceed the largest deviation of slider \
          by 0.0087 mm on average and 0.042 mm at most. None of them leaves the limit of slider only then.",
+    );
+    if let Some(further) = &mut result.further_turns {
+        (further.turns, further.runs) = (1, 1);
+    }
+    assert_says(
+        &result,
+        "1 of these runs was continued for 1 turn. It exceeds the largest deviation of slider by 0.0087 mm",
     );
     result.settled_share = Some(1.0);
     let text = one_line(&study_text(&result));

@@ -108,7 +108,11 @@ fn a_study_states_how_many_runs_go_on_and_how_far() {
     assert!(five.outputs.iter().any(|output| output.largest_excess_si > 0.0));
     let wrong = with_table("count = 0").expect_err("no turn at all");
     assert!(wrong.contains("further turns count is 0; must be a whole number from 1"), "{wrong}");
-    let many = with_table("count = 1000").expect("a study");
-    let refused = plan_runs(&many).expect_err("1001 recorded turns").to_string();
-    assert!(refused.contains("1001") && refused.contains("1000"), "{refused}");
+    let mut many = with_table("count = 999").expect("a study");
+    assert!(plan_runs(&many).is_ok());
+    many.cycle.recorded_turns = 2.0;
+    let refused = plan_runs(&many).expect_err("1001 recorded turns").complaint(&many).to_string();
+    assert!(refused.contains("1001 turns are recorded; must be at most 1000"), "{refused}");
+    let line = many.source().text().lines().position(|line| line.starts_with("count")).expect("a line") + 1;
+    assert!(refused.contains(&format!("study.toml:{line}:")), "{refused}");
 }
