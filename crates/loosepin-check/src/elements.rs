@@ -85,7 +85,7 @@ fn load_words(model: &Model, load: &Load, values: &Values) -> String {
         (Some(course), Some(size)) => course_words(model, course, load.joint, size.dimension, values),
         (None, _) | (_, None) => String::new(),
     };
-    load.kind.words(model, &|id| format_value(values[id], model.quantities[id].dimension), &size)
+    load.kind.words(&NamesOf { model, values }, &size)
 }
 
 fn course_words(

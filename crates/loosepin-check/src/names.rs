@@ -1,6 +1,6 @@
 //! Names and numbers of a model as people read them.
 
-use loosepin_mechanics::model::{BodyId, JointId, Model, Names, PointId, QuantityId, Values};
+use loosepin_mechanics::model::{Actuator, BodyId, JointId, Model, Names, PartNames, PointId, QuantityId, Values};
 use loosepin_text::units::{Dimension, format_value};
 
 /// Angles in sentences are shown to this, rad: a hundredth of a degree picks an assembly well enough.
@@ -14,20 +14,25 @@ pub struct NamesOf<'m> {
     pub values: &'m Values,
 }
 
-impl Names for NamesOf<'_> {
-    fn point(&self, id: PointId) -> String {
-        let body = &self.model.bodies[id.body.0];
-        format!("{}.{}", body.name, body.points[id.point].name)
+impl PartNames for NamesOf<'_> {
+    fn point(&self, point: PointId) -> String {
+        self.model.point(point)
     }
 
     fn body(&self, body: BodyId) -> &str {
-        &self.model.bodies[body.0].name
+        self.model.body(body)
     }
 
     fn joint(&self, joint: JointId) -> &str {
-        &self.model.joints[joint.0].name
+        self.model.joint(joint)
     }
 
+    fn actuator(&self, actuator: Actuator) -> String {
+        self.model.actuator(actuator)
+    }
+}
+
+impl Names for NamesOf<'_> {
     fn value_si(&self, id: QuantityId) -> f64 {
         self.values[id]
     }

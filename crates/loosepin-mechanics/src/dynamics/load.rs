@@ -74,9 +74,4 @@ impl<T: Real> LoadPlace<T> for Place<'_, T> {
     fn velocity_m_s(&self, arm_m: Vec2<T>) -> Vec2<T> {
         self.twist.at(arm_m)
     }
-
-    #[inline(always)]
-    fn angular_velocity_rad_s(&self) -> T {
-        self.twist.angular
-    }
 }

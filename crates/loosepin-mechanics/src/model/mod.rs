@@ -55,8 +55,8 @@ pub use function::{Changing, Function};
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 pub use joint::{
-    AtBeam, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay, Keeps, KindOfJoint, Line, Names,
-    NotDriven, PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+    AtBeam, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay, Keeps, KindOfJoint, Line, NotDriven,
+    PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
 };
 pub use keys::CYCLE_NUMBERS;
 pub use law_choice::LawError;
@@ -71,7 +71,7 @@ pub use output::{
     Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Recorded,
     Relative, Stress, Wear, relative_words,
 };
-pub use part_names::PartNames;
+pub use part_names::{Names, PartNames};
 pub use part_reader::PartReader;
 pub use path_error::PathError;
 pub use plausible::HardlyPossible;

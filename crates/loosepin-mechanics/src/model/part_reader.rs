@@ -1,4 +1,4 @@
-//! What kinds of loads and outputs need to read their tables: the reader of the model, as far as they know it.
+//! What every kind of part needs to read its table: the reader of the model, as far as all of them know it.
 
 use super::ids::{BodyId, JointId, PointId};
 use super::quantity::QuantityId;
@@ -18,7 +18,7 @@ pub trait PartReader {
     /// A joint, written `joint.NAME` or by its name alone.
     fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId>;
 
-    /// The quantity behind a key; nothing where it is not written.
+    /// The quantity behind a key; `None` if it is not written.
     fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId>;
 
     /// The same with a value where it is not written, SI.

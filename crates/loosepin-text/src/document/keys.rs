@@ -140,6 +140,36 @@ pub const fn optional(name: &'static str, kind: Kind, example: &'static str, doc
     Key { name, kind, is_required: false, example, doc }
 }
 
+/// How many there are in all of `lists`.
+pub const fn count_of<T>(lists: &[&[T]]) -> usize {
+    let (mut count, mut list) = (0, 0);
+    while list < lists.len() {
+        count += lists[list].len();
+        list += 1;
+    }
+    count
+}
+
+/// `lists` one after the other, put together by the compiler: tables of keys are static. `COUNT` is [`count_of`] them, above zero.
+pub const fn joined<T: Copy, const COUNT: usize>(lists: &[&[T]]) -> [T; COUNT] {
+    let mut first = 0;
+    while lists[first].is_empty() {
+        first += 1;
+    }
+    let mut all = [lists[first][0]; COUNT];
+    let (mut count, mut list) = (0, 0);
+    while list < lists.len() {
+        let mut own = 0;
+        while own < lists[list].len() {
+            all[count] = lists[list][own];
+            count += 1;
+            own += 1;
+        }
+        list += 1;
+    }
+    all
+}
+
 /// A value with a unit.
 pub const fn quantity(dimension: Dimension, rule: Rule) -> Kind {
     Kind::Quantity { dimension, rule }

@@ -17,7 +17,7 @@ pub use crate::units::listed;
 pub use differences::{Difference, differences};
 pub use entry::{Entry, Table, Written};
 pub use keys::{Key, Keys, Kind};
-pub use keys::{optional, quantity, required};
+pub use keys::{count_of, joined, optional, quantity, required};
 pub use path::EntryPath;
 pub use path::describe_path;
 pub use problem::DocumentProblem;

@@ -1,10 +1,10 @@
 //! A belt or a chain around two wheels.
 
 use super::kind::{Coupled, KindOfCoupling};
-use super::proportion::{OFFSET, Proportion, first, joints, offset, second, words};
+use super::proportion::{OFFSET, Proportion, first, joints, second};
 use super::reading::CouplingReader;
 use super::wheels::{RADII, TEETH, Wheels};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, optional, required};
@@ -15,8 +15,6 @@ use loosepin_text::units::Dimension;
 pub struct Belt {
     /// Both wheels.
     pub wheels: Wheels,
-    /// Angle of the second where the first is at zero, rad.
-    pub offset_rad: QuantityId,
 }
 
 impl KindOfCoupling for Belt {
@@ -32,20 +30,19 @@ impl KindOfCoupling for Belt {
             None => Some(false),
         };
         let wheels = Wheels::read((entry, table), joints, are_opposed, reader)?;
-        let offset_rad = offset(table, joints[1], reader)?;
-        Some(Coupled::ideally(joints, Self { wheels, offset_rad }))
+        Some(Coupled::ideally(joints, Self { wheels }))
     }
 
     fn quantities(&self) -> Vec<QuantityId> {
-        self.wheels.sizes.into_iter().chain([self.offset_rad]).collect()
+        self.wheels.quantities()
     }
 
     fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
-        Proportion { ratio: self.wheels.ratio(number), offset: number(self.offset_rad) }
+        self.wheels.proportion(number)
     }
 
     fn words(&self, names: &dyn Names) -> String {
-        words(&self.wheels.words(names), self.offset_rad, names)
+        self.wheels.words(names)
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::kind::{Coupled, KindOfCoupling};
 use super::play::{BACKLASH, Backlash, CONTACT};
-use super::proportion::{OFFSET, Proportion, first, joints, offset, second, words};
+use super::proportion::{OFFSET, Proportion, first, joints, second};
 use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
 use super::wheels::{RADII, TEETH, Wheels};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
@@ -18,8 +18,6 @@ use loosepin_text::units::Dimension;
 pub struct Gears {
     /// Both wheels.
     pub wheels: Wheels,
-    /// Angle of the second where the first is at zero, rad.
-    pub offset_rad: QuantityId,
 }
 
 impl KindOfCoupling for Gears {
@@ -43,22 +41,21 @@ impl KindOfCoupling for Gears {
         });
         let are_opposed = mesh.map(|mesh| mesh == Mesh::External);
         let wheels = Wheels::read((entry, table), joints, are_opposed, reader)?;
-        let offset_rad = offset(table, joints[1], reader)?;
         let play = backlash.between_flanks(table, Some(wheels.sizes[1]), reader)?;
         let teeth = Teeth::read(table, joints, wheels.sizes.map(Some), mesh?, reader)?;
-        Some(Coupled { joints, kind: Self { wheels, offset_rad }, play, teeth })
+        Some(Coupled { joints, kind: Self { wheels }, play, teeth })
     }
 
     fn quantities(&self) -> Vec<QuantityId> {
-        self.wheels.sizes.into_iter().chain([self.offset_rad]).collect()
+        self.wheels.quantities()
     }
 
     fn curve<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
-        Proportion { ratio: self.wheels.ratio(number), offset: number(self.offset_rad) }
+        self.wheels.proportion(number)
     }
 
     fn words(&self, names: &dyn Names) -> String {
-        words(&self.wheels.words(names), self.offset_rad, names)
+        self.wheels.words(names)
     }
 }
 

@@ -4,7 +4,7 @@ use super::play::CouplingPlay;
 use super::reading::CouplingReader;
 use super::teeth::Teeth;
 use crate::model::ids::JointId;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Table};

@@ -31,7 +31,7 @@ pub use teeth::{Mesh, Teeth};
 pub use wheels::Wheels;
 
 use super::ids::JointId;
-use super::joint::Names;
+use super::part_names::Names;
 use super::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table};

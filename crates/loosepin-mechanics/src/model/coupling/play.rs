@@ -2,7 +2,8 @@
 
 use super::reading::CouplingReader;
 use crate::model::ids::ContactId;
-use crate::model::joint::{Names, PlayKeys};
+use crate::model::joint::PlayKeys;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Key, Kind, Table, optional, quantity};
 use loosepin_text::units::{Dimension as D, Rule};

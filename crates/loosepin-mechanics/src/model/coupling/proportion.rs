@@ -3,7 +3,7 @@
 use super::kind::Curve;
 use super::reading::CouplingReader;
 use crate::model::ids::JointId;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Key, Kind, Table, optional, quantity, required};

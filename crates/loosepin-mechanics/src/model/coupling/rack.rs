@@ -6,7 +6,7 @@ use super::proportion::{OFFSET, Proportion, first, joints, offset, second, sign,
 use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
 use super::wheels::is_turned;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, quantity, required};

@@ -3,7 +3,7 @@
 use super::kind::{Coupled, KindOfCoupling};
 use super::proportion::{OFFSET, Proportion, first, joints, offset, second, words};
 use super::reading::CouplingReader;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Kind, Table, required};

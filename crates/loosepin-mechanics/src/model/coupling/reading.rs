@@ -23,9 +23,6 @@ pub trait CouplingReader: EntryReader {
     /// Value of a quantity in the file, SI.
     fn nominal_value(&self, id: QuantityId) -> f64;
 
-    /// Name of a joint.
-    fn joint_name(&self, joint: JointId) -> String;
-
     /// Kind of a joint.
     fn joint_kind(&self, joint: JointId) -> &JointKind;
 

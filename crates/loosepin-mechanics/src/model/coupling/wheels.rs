@@ -1,22 +1,24 @@
 //! The sizes of two wheels, and which way they turn.
 
-use super::proportion::{sign, signed};
+use super::proportion::{Proportion, offset, sign, signed, words};
 use super::reading::CouplingReader;
 use crate::model::ids::{BodyId, JointId};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
-/// Two wheels: size of the first over that of the second, with a sign.
+/// Two wheels: size of the first over that of the second, with a sign, and the angle between them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wheels {
     /// Pitch radii, m, or numbers of teeth.
     pub sizes: [QuantityId; 2],
     /// Whether the coordinates of the joints go against each other.
     pub is_reversed: bool,
+    /// Angle of the second where the first is at zero, rad.
+    pub offset_rad: QuantityId,
 }
 
 /// The key of both radii.
@@ -46,19 +48,26 @@ impl Wheels {
     ) -> Option<Self> {
         let sizes = sizes(table, reader);
         let is_turned = is_turned(entry, joints, reader);
-        Some(Self { sizes: sizes?, is_reversed: are_opposed? != is_turned? })
+        let (sizes, is_reversed) = (sizes?, are_opposed? != is_turned?);
+        Some(Self { sizes, is_reversed, offset_rad: offset(table, joints[1], reader)? })
     }
 
-    /// The ratio of both coordinates.
-    pub(super) fn ratio<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> T {
+    /// What shapes the coordinate of the second by that of the first.
+    pub(super) fn quantities(&self) -> Vec<QuantityId> {
+        self.sizes.into_iter().chain([self.offset_rad]).collect()
+    }
+
+    /// Their ratio and offset.
+    pub(super) fn proportion<T: Real>(&self, number: &dyn Fn(QuantityId) -> T) -> Proportion<T> {
         let [first, second] = self.sizes;
-        signed(number(first) / number(second), self.is_reversed)
+        let ratio = signed(number(first) / number(second), self.is_reversed);
+        Proportion { ratio, offset: number(self.offset_rad) }
     }
 
-    /// `-20 mm / 45 mm`.
+    /// `times -20 mm / 45 mm, plus 12 deg`.
     pub(super) fn words(&self, names: &dyn Names) -> String {
         let [first, second] = self.sizes.map(|id| names.quantity(id));
-        format!("{}{first} / {second}", sign(self.is_reversed))
+        words(&format!("{}{first} / {second}", sign(self.is_reversed)), self.offset_rad, names)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::kind::{KindOfDrive, MotionLaw, Steady, TimeDual};
 use super::table_motion::AtTime;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 

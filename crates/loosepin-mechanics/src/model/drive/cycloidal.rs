@@ -3,7 +3,7 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, coordinate, kind};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Keys, Table, optional, quantity, required};

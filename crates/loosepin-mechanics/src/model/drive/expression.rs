@@ -4,7 +4,7 @@ use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Wri
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::function::{Changing, Function};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Dual, Real, numbers};
 use loosepin_text::document::{Keys, Table, required};

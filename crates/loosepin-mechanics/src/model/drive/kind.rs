@@ -2,7 +2,7 @@
 
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Dual, Real};
 use loosepin_text::document::{Key, Keys, Kind, Table, quantity, required};

@@ -24,7 +24,7 @@ pub use table_motion::{AtTime, TableMotion, TablePiece};
 pub use time_table::TimeTable;
 
 use super::ids::JointId;
-use super::joint::Names;
+use super::part_names::Names;
 use super::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Keys, Table};

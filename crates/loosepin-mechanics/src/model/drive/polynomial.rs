@@ -3,7 +3,7 @@
 use super::kind::{KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, kind};
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, polynomial_at};
-use crate::model::joint::Names;
+use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};

@@ -3,8 +3,8 @@
 use super::kind::{KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written, kind};
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion, TablePiece, polynomial_at};
-use crate::model::joint::Names;
 use crate::model::keys::table::CSV;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
 use loosepin_text::document::{Keys, Kind, Table, optional, required};

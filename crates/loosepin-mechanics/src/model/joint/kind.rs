@@ -2,7 +2,8 @@
 
 use super::clearance::{Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
-use crate::model::ids::{BodyId, ContactId, JointId, PointId};
+use crate::model::ids::{ContactId, PointId};
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;
@@ -217,22 +218,4 @@ impl NotDriven {
     pub const fn never(why: &'static str) -> Self {
         Self { why, hint: "drive a revolute or prismatic joint" }
     }
-}
-
-/// Names and numbers of a model as people read them.
-pub trait Names {
-    /// `rod.small_end`.
-    fn point(&self, point: PointId) -> String;
-    /// `rod`.
-    fn body(&self, body: BodyId) -> &str;
-    /// `gudgeon`.
-    fn joint(&self, joint: JointId) -> &str;
-    /// Value, SI.
-    fn value_si(&self, id: QuantityId) -> f64;
-    /// A number with the unit of its dimension.
-    fn quantity(&self, id: QuantityId) -> String;
-    /// A length with its unit.
-    fn length(&self, id: QuantityId) -> String;
-    /// An angle with its unit.
-    fn angle(&self, angle_rad: f64) -> String;
 }

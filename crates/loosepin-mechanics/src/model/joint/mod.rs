@@ -11,7 +11,7 @@ mod rigid;
 mod slot;
 
 pub use clearance::{Clearance, GuideClearance, SlotClearance};
-pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, Names, NotDriven, PlayParts};
+pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, NotDriven, PlayParts};
 pub use prismatic::Prismatic;
 pub use reading::{ContactFacts, JointReader, PlayKeys};
 pub use revolute::Revolute;
@@ -19,6 +19,7 @@ pub use rigid::Rigid;
 pub use slot::Slot;
 
 use super::ids::{BodyId, PointId};
+use super::part_names::Names;
 use super::quantity::QuantityId;
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;

@@ -1,10 +1,11 @@
 //! A slider moves along a line of its guide and does not turn against it; with a clearance it has play.
 
 use super::clearance::GuideClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Keys, Kind, Table, optional, quantity, required};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};

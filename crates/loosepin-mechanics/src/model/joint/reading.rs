@@ -1,9 +1,10 @@
 //! What a kind of joint needs to read its table: the reader of the model, as far as joints know it.
 
-use crate::model::ids::{BodyId, ContactId, PointId};
+use crate::model::ids::{BodyId, ContactId};
+use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::{Entry, EntryPath, Reader, Table};
+use loosepin_text::document::{EntryPath, Table};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Keys of a kind that go with its clearance.
@@ -28,19 +29,7 @@ pub struct ContactFacts {
 }
 
 /// The reader of a model, as far as joints know it. What returns nothing has complained.
-pub trait JointReader {
-    /// The reader of the document, for tables in tables and complaints.
-    fn document(&mut self) -> &mut Reader;
-
-    /// A point of a body.
-    fn point(&mut self, entry: &Entry<'_>) -> Option<PointId>;
-
-    /// The quantity behind a key; nothing where it is not written.
-    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId>;
-
-    /// The same with a value where it is not written, SI.
-    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId>;
-
+pub trait JointReader: PartReader {
     /// A quantity that is not written, SI.
     fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId;
 

@@ -1,11 +1,12 @@
 //! A pin (journal) turns in a hole (bearing); with a radial clearance it has play.
 
 use super::clearance::Clearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, PointId};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
 use crate::model::keys::wear::JOINT_WEAR;
+use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use loosepin_text::document::{EntryPath, Keys, Kind, Table, optional, quantity, required};

@@ -1,8 +1,9 @@
 //! Two points coincide and the bodies do not turn against each other.
 
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven};
 use super::reading::JointReader;
 use crate::model::ids::PointId;
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Keys, Kind, Table, quantity, required};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};

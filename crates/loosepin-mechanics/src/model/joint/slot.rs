@@ -1,9 +1,10 @@
 //! A pin slides and turns in a straight slot with round ends; with a clearance it has play.
 
 use super::clearance::SlotClearance;
-use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, Names, NotDriven, PlayParts};
+use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, clearance_span};
 use crate::model::ids::{BodyId, PointId};
+use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Keys, Kind, Table, optional, quantity, required};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};

@@ -1,7 +1,7 @@
 //! Keys of friction, in contacts and in ideal joints.
 
 use crate::contact::{FRICTION_KEYS as NUMBERS, FRICTION_LAWS};
-use loosepin_text::document::{Key, Keys, Kind, optional};
+use loosepin_text::document::{Key, Keys, Kind, joined, optional};
 
 fn friction_law_names() -> Vec<&'static str> {
     FRICTION_LAWS.iter().map(|law| law.name).collect()
@@ -18,16 +18,7 @@ const SLIDING_VELOCITY: Key = optional(
 );
 
 /// Keys of friction in contacts: the law, its numbers, and how it reads the sliding velocity.
-static OF_CONTACTS: [Key; NUMBERS.len() + 2] = {
-    let mut keys = [SLIDING_VELOCITY; NUMBERS.len() + 2];
-    keys[0] = LAW;
-    let mut k = 0;
-    while k < NUMBERS.len() {
-        keys[k + 1] = NUMBERS[k];
-        k += 1;
-    }
-    keys
-};
+static OF_CONTACTS: [Key; NUMBERS.len() + 2] = joined(&[&[LAW], NUMBERS, &[SLIDING_VELOCITY]]);
 
 pub(in crate::model) static FRICTION_KEYS: Keys = Keys::new("friction between pin and hole", &OF_CONTACTS);
 

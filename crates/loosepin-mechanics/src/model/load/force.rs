@@ -4,7 +4,7 @@ use super::kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
 use super::size::{CURVE, FREQUENCY, JOINT, OF, PERIOD, PHASE, SizeKeys};
 use crate::model::ids::PointId;
 use crate::model::keys::table::CSV;
-use crate::model::part_names::PartNames;
+use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, Vec2, sin_cos};
@@ -59,9 +59,9 @@ impl KindOfLoad for ForceLoad {
         Push { arm_m, force_n: direction * size, torque_n_m: T::zero() }
     }
 
-    fn words(&self, names: &dyn PartNames, value: &dyn Fn(QuantityId) -> String, size: &str) -> String {
+    fn words(&self, names: &dyn Names, size: &str) -> String {
         let frame = if self.direction.follows_body { "of the body's x axis" } else { "from the x axis" };
-        format!("force on {}: {size}, {} {frame}", names.point(self.point), value(self.direction.angle_rad))
+        format!("force on {}: {size}, {} {frame}", names.point(self.point), names.quantity(self.direction.angle_rad))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::size::SizeKeys;
 use crate::model::ids::{BodyId, PointId};
-use crate::model::part_names::PartNames;
+use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, Vec2};
@@ -41,8 +41,8 @@ pub trait KindOfLoad: Sized {
     /// What it does at a state: `numbers` are those of [`Self::numbers`], `size` is zero where it has none.
     fn push<T: Real>(&self, numbers: &[T], size: T, place: &impl LoadPlace<T>) -> Push<T>;
 
-    /// What it is, in words: `value` is a quantity with its unit, `size` its size in words, empty where it has none.
-    fn words(&self, names: &dyn PartNames, value: &dyn Fn(QuantityId) -> String, size: &str) -> String;
+    /// What it is, in words: `size` is its size in words, empty where it has none.
+    fn words(&self, names: &dyn Names, size: &str) -> String;
 }
 
 /// What a load acts on.
@@ -85,9 +85,6 @@ pub trait LoadPlace<T: Real> {
 
     /// Velocity of the body at the end of such an arm, m/s, in the frame of the ground.
     fn velocity_m_s(&self, arm_m: Vec2<T>) -> Vec2<T>;
-
-    /// Angular velocity of the body, rad/s.
-    fn angular_velocity_rad_s(&self) -> T;
 }
 
 /// Force and torque of a load on its body.

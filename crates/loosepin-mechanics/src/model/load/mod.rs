@@ -16,7 +16,7 @@ pub use size::SizeKeys;
 pub use torque::TorqueLoad;
 
 use super::ids::JointId;
-use super::part_names::PartNames;
+use super::part_names::Names;
 use super::part_reader::PartReader;
 use super::quantity::QuantityId;
 use loosepin_math::Real;
@@ -84,8 +84,8 @@ macro_rules! load_kinds {
             }
 
             /// See [`KindOfLoad::words`].
-            pub fn words(&self, names: &dyn PartNames, value: &dyn Fn(QuantityId) -> String, size: &str) -> String {
-                match self { $(Self::$kind(kind) => kind.words(names, value, size),)* }
+            pub fn words(&self, names: &dyn Names, size: &str) -> String {
+                match self { $(Self::$kind(kind) => kind.words(names, size),)* }
             }
         }
     };

@@ -4,9 +4,8 @@ use super::kind::{ActsOn, KindOfLoad, LoadPlace, Push};
 use super::size::{CURVE, FREQUENCY, JOINT, OF, PERIOD, PHASE, SizeKeys};
 use crate::model::ids::BodyId;
 use crate::model::keys::table::CSV;
-use crate::model::part_names::PartNames;
+use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, Vec2};
 use loosepin_text::document::{Keys, Kind, Table, optional, quantity, required};
 use loosepin_text::units::{Dimension, Rule};
@@ -41,7 +40,7 @@ impl KindOfLoad for TorqueLoad {
         Push { arm_m: Vec2::zero(), force_n: Vec2::zero(), torque_n_m: size }
     }
 
-    fn words(&self, names: &dyn PartNames, _value: &dyn Fn(QuantityId) -> String, size: &str) -> String {
+    fn words(&self, names: &dyn Names, size: &str) -> String {
         format!("torque on {}: {size}", names.body(self.body))
     }
 }

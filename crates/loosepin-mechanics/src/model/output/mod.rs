@@ -29,9 +29,8 @@ pub use wear::Wear;
 use super::ids::{BodyId, JointId, PointId};
 use super::part_names::PartNames;
 use loosepin_math::Real;
-use loosepin_text::document::{Key, Keys, Table};
+use loosepin_text::document::{Key, Keys, Table, count_of, joined};
 use loosepin_text::units::{Dimension, ReadableUnit};
-use table::KindTable;
 
 /// Makes the enum of all kinds and that of what is read at an instant, and hands every question on to the kind.
 macro_rules! output_kinds {
@@ -42,12 +41,10 @@ macro_rules! output_kinds {
             $($(#[$doc])* $kind($kind),)*
         }
 
-        /// What the kinds say of the table of an output.
-        const TABLES: &[KindTable] = &[$(KindTable {
-            measures: <$kind as KindOfOutput>::MEASURES,
-            keys: <$kind as KindOfOutput>::KEYS,
-            components: <$kind as KindOfOutput>::COMPONENTS,
-        }),*];
+        /// The measures of each kind, the keys that stand beside them, and the words of its component.
+        const MEASURES_OF_KINDS: &[&[Measure]] = &[$(<$kind as KindOfOutput>::MEASURES),*];
+        const KEYS_OF_KINDS: &[&[Key]] = &[$(<$kind as KindOfOutput>::KEYS),*];
+        const COMPONENTS_OF_KINDS: &[&[&str]] = &[$(<$kind as KindOfOutput>::COMPONENTS),*];
 
         impl OutputKind {
             /// Reads an output of the kind that has the key `measure`; nothing after a complaint.
@@ -199,18 +196,28 @@ impl OutputKind {
 
     /// The keys that mean something beside some measures only.
     pub(super) fn keys_beside() -> impl Iterator<Item = &'static str> {
-        let of_kinds = TABLES.iter().flat_map(|kind| kind.keys).map(|key| key.name);
+        let of_kinds = KEYS_OF_KINDS.iter().copied().flatten().map(|key| key.name);
         of_kinds.chain(std::iter::once("component"))
     }
 }
 
-const MEASURE_COUNT: usize = table::measure_count(TABLES);
-const MEASURES: &[Measure; MEASURE_COUNT] = &table::measures(TABLES);
-static MEASURE_NAMES: [&str; MEASURE_COUNT] = table::names(MEASURES);
-static ALL_KEYS: [Key; table::key_count(TABLES)] = table::keys(TABLES, MEASURES, component_words);
+const MEASURES: &[Measure; count_of(MEASURES_OF_KINDS)] = &joined(MEASURES_OF_KINDS);
+const MEASURE_KEYS: &[Key; MEASURES.len()] = &table::keys(MEASURES);
+static MEASURE_NAMES: [&str; MEASURES.len()] = table::names(MEASURE_KEYS);
 
+const OWN_KEYS: &[Key; count_of(KEYS_OF_KINDS)] = &joined(KEYS_OF_KINDS);
+const ALL_KEYS: [Key; MEASURES.len() + OWN_KEYS.len() + 2] =
+    joined(&[MEASURE_KEYS, OWN_KEYS, &[table::component(component_words), table::UNIT]]);
+
+/// The words behind `component`, each once.
 fn component_words() -> Vec<&'static str> {
-    table::component_words(TABLES)
+    let mut words: Vec<&'static str> = Vec::new();
+    for word in COMPONENTS_OF_KINDS.iter().copied().flatten() {
+        if !words.contains(word) {
+            words.push(word);
+        }
+    }
+    words
 }
 
 /// The keys of the table of an output.

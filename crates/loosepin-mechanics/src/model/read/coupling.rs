@@ -91,10 +91,6 @@ impl CouplingReader for ModelReader {
         self.quantities.nominal_value(id)
     }
 
-    fn joint_name(&self, joint: JointId) -> String {
-        self.joints[joint.0].name.clone()
-    }
-
     fn joint_kind(&self, joint: JointId) -> &JointKind {
         &self.joints[joint.0].kind
     }

@@ -2,7 +2,7 @@
 
 use super::reader::ModelReader;
 use crate::contact::NormalDescription;
-use crate::model::ids::{BodyId, ContactId, JointId, PointId};
+use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, PlayKeys};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
 use crate::model::problem::ModelProblem;
@@ -10,7 +10,7 @@ use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use crate::model::topology::{Joint, JointFriction, Stiffness};
 use crate::model::wear::JointWear;
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::{Entry, EntryPath, Reader, Table};
+use loosepin_text::document::{Entry, EntryPath, Table};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 impl ModelReader {
@@ -79,22 +79,6 @@ impl ModelReader {
 }
 
 impl JointReader for ModelReader {
-    fn document(&mut self) -> &mut Reader {
-        &mut self.reader
-    }
-
-    fn point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
-        Self::point(self, entry)
-    }
-
-    fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId> {
-        Self::quantity(self, table, key)
-    }
-
-    fn quantity_or(&mut self, table: &Table<'_>, key: &'static str, default_si: f64) -> Option<QuantityId> {
-        Self::quantity_or(self, table, key, default_si)
-    }
-
     fn default_quantity(&mut self, path: &EntryPath, dimension: Dimension, rule: Rule, default_si: f64) -> QuantityId {
         Self::default_quantity(self, path, dimension, rule, default_si)
     }

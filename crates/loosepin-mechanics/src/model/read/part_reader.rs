@@ -1,4 +1,4 @@
-//! The reader of the model, as far as kinds of loads and outputs know it.
+//! The reader of the model, as far as all kinds of parts know it.
 
 use super::reader::ModelReader;
 use crate::model::ids::{BodyId, JointId, PointId};
