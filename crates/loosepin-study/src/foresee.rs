@@ -37,7 +37,7 @@ pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;
     let mut foreseen = Foreseen { most_runs: plans.limits.most_runs(), run_s: None, promise: None };
-    plans.questions.iter().for_each(|question| question.foresee(&mut foreseen));
+    plans.questions.iter().for_each(|question| question.add_cost(&mut foreseen));
     let variants = response.mechanisms.len().min(MOST_VARIANTS);
     let all = TIMED_MULTIPLICATIONS / (variants as f64 * response.mechanism().multiplications());
     // What has no room for the lanes of a thread runs on its own.

@@ -152,7 +152,7 @@ impl StudyResponse {
             .collect();
         demand_dynamics(&study.model)?;
         check_drive(study)?;
-        check_turns(study)?;
+        check_turns(study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
         if poses > MOST_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
             return Err(PrepareError::TooManyPoses { poses });
@@ -301,9 +301,8 @@ fn models_with_laws(study: &Study) -> Result<Vec<Model>, PrepareError> {
     Ok((0..combinations).map(of).collect::<Result<Vec<Model>, LawError>>()?)
 }
 
-/// A run must end in a person's time.
-pub fn check_turns(study: &Study) -> Result<(), PrepareError> {
-    let (transient, recorded) = (study.cycle.transient_turns, study.cycle.recorded_turns);
+/// A run of so many turns before the recorded ones, and of these, must end in a person's time.
+pub fn check_turns(transient: f64, recorded: f64) -> Result<(), PrepareError> {
     for (turns, what, most, key) in [
         (recorded, "recorded", MOST_RECORDED_TURNS, "recorded_turns"),
         (transient + recorded, "run", MOST_TURNS, "transient_turns"),

@@ -6,7 +6,7 @@ use crate::together::frontier;
 use loosepin_result::study::StudyResult;
 use loosepin_text::article::{Content, Medium, Section};
 
-/// Nothing where nothing is asked for that is allowed.
+/// `None` if no input may be loosened.
 pub(crate) fn allowed_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let sentences = inverse_sentences(result, writer);
     if sentences.is_empty() {
@@ -23,7 +23,7 @@ pub(crate) fn allowed_section(result: &StudyResult, writer: &NumberWriter) -> Op
     Some(section)
 }
 
-/// Nothing where no small probability was asked for.
+/// `None` if no small probability was asked for.
 pub(crate) fn rare_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let sentences = rare_sentences(result, writer);
     let mut section = Section::new("rare", "Small probabilities");

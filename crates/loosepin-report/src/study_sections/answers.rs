@@ -8,7 +8,7 @@ use loosepin_text::article::{Content, Section};
 /// Digits of a quantity in a sentence.
 const DIGITS: usize = 3;
 
-/// Nothing where no such question is asked.
+/// `None` if no such question is asked.
 pub(crate) fn answers_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let mut section = Section::new("answers", "Further questions");
     for answer in &result.answers {

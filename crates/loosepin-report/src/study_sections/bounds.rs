@@ -18,7 +18,7 @@ fn most_rows(medium: Medium) -> usize {
     }
 }
 
-/// Nothing where no bound was asked for.
+/// `None` if no bound was asked for.
 pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     if result.bounds.is_empty() {
         return None;

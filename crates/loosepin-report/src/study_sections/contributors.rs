@@ -9,7 +9,7 @@ use crate::wording::{counted, listed, response_words};
 use loosepin_result::study::{Contributors, ResponsePoint, ShareRange, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
-/// Nothing where no question asks for contributors.
+/// `None` if no question asks for contributors.
 pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     if result.contributors.is_empty() {
         return None;

@@ -22,7 +22,7 @@ use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Tabl
 /// Rows of a table; the others stand in `summary.json`.
 const MOST_ROWS: usize = 24;
 
-/// Nothing where nothing was learned.
+/// `None` if no surrogate was asked for.
 pub(crate) fn surrogate_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     let record = result.surrogate.as_ref()?;
     let mut section = Section::new("surrogate", title(record));

@@ -13,7 +13,7 @@ use crate::wording::{
 use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
-/// Nothing where treatments were not compared.
+/// `None` if treatments were not compared.
 pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
     const TITLE: &str = "Three treatments of the unknown inputs";
     if result.treatments.is_empty() {

@@ -16,7 +16,7 @@ pub struct FurtherTurns {
     /// What they were looked at for: every largest or smallest value of the study.
     pub outputs: Vec<FurtherOutput>,
     /// Of each of [`super::StudyResult::requirements`], how many of these runs keep its limit in the recorded turns and leave it in the turns
-    /// after them; nothing where it is not of the whole cycle.
+    /// after them; `None` if it is not of the whole cycle.
     pub broken_later: Vec<Option<u64>>,
 }
 

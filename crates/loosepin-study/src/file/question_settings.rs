@@ -14,7 +14,7 @@ impl QuestionSettings {
         self.0.push(Arc::new(settings));
     }
 
-    /// What a question states; nothing where a study has no such table.
+    /// What a question states; `None` if a study has no such table.
     pub fn get<T: Any>(&self) -> Option<&T> {
         self.0.iter().find_map(|settings| settings.downcast_ref())
     }

@@ -13,7 +13,7 @@ pub struct CurveBand {
     pub share: f64,
     /// Whether it is promised for a share of the box too.
     pub is_promised: bool,
-    /// The band; nothing where the ends at some pose are not finite, or nothing differs from run to run.
+    /// The band; `None` if the ends at some pose are not finite, or nothing differs from run to run.
     pub found: Option<SimultaneousBand>,
 }
 

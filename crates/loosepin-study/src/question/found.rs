@@ -15,7 +15,7 @@ use loosepin_result::study::StudyResult;
 pub struct Found {
     /// The study with the samples that it came to have.
     pub study: Study,
-    /// The double loop of the last round; nothing where the surrogate stands alone.
+    /// The double loop of the last round; `None` if the surrogate stands alone.
     pub double_loop: Option<DoubleLoop>,
     pub bounds: Bounds,
     /// How the steps towards the goals ended.
@@ -35,7 +35,7 @@ pub struct Conclusion<'c> {
     pub found: &'c Found,
     pub input_hash: &'c str,
     pub result: StudyResult,
-    /// The surrogates, to be saved; nothing where the study asks for none.
+    /// The surrogates, to be saved; `None` if the study asks for none.
     pub surrogates: Option<SavedSurrogates>,
 }
 

@@ -90,7 +90,8 @@ fn planned(basis: &Basis<'_>) -> Planned {
     let stated = basis.study.questions.get::<Settings>().copied();
     let settings = stated.unwrap_or_default();
     if stated.is_some() {
-        check_turns(&with_further_turns(settings, basis.study)).map_err(by_own_table)?;
+        let cycle = &basis.study.cycle;
+        check_turns(cycle.transient_turns, cycle.recorded_turns + f64::from(settings.turns)).map_err(by_own_table)?;
     }
     let most_of_bounds = basis.double_loop.most_runs();
     Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
@@ -123,8 +124,8 @@ impl Question for FurtherTurnsQuestion {
     }
 }
 
-/// What more turns change in the study of `sheet`; nothing where every motion repeats itself, where no largest or smallest value is asked
-/// for, and where the recorded turns are not a part of many equal ones.
+/// What more turns change in the study of `sheet`; `None` if every motion repeats itself, if no largest or smallest value is asked
+/// for, or if the recorded turns are not a part of many equal ones.
 ///
 /// # Errors
 /// The study was interrupted.
@@ -143,7 +144,8 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
         return Ok(None);
     }
     let runs = spread(&restless, number_of_runs(settings, study, table.len()));
-    let mut longer = with_further_turns(settings, study);
+    let mut longer = study.clone();
+    longer.cycle.recorded_turns += f64::from(settings.turns);
     let ask = |&(column, reduction): &(usize, Reduction)| {
         let StudyColumn { output, deviation, .. } = plan.columns[column];
         Ask::of_values(output, deviation, Where::Reduced(reduction))
@@ -192,13 +194,6 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
         broken_later: broken_later.collect(),
         outputs: outputs.collect(),
     }))
-}
-
-/// `study` with so many more recorded turns.
-fn with_further_turns(settings: Settings, study: &Study) -> Study {
-    let mut longer = study.clone();
-    longer.cycle.recorded_turns += f64::from(settings.turns);
-    longer
 }
 
 /// A column that more turns can only move one way.

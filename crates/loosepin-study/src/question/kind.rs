@@ -20,7 +20,7 @@ pub trait Question: Send + Sync {
     }
 
     /// Adds what is known of its cost before anything has run.
-    fn foresee(&self, cost: &mut Foreseen) {
+    fn add_cost(&self, cost: &mut Foreseen) {
         let _ = cost;
     }
 
@@ -50,7 +50,7 @@ pub struct Basis<'b> {
     pub is_surrogate_alone: bool,
 }
 
-/// The plan of a question; nothing where the study does not ask it.
+/// The plan of a question; `None` if the study does not ask it.
 pub type Planned = Result<Option<Box<dyn Question>>, StudyError>;
 
 /// A kind of question.

@@ -18,7 +18,7 @@ pub(crate) trait Steps: Send {
     /// There is no answer.
     fn next(&mut self, runs: &SampleTable) -> Result<Next<Self::Answer>, StudyError>;
 
-    /// The plan of bounds that the runs so far allow; nothing where there is none.
+    /// The plan of bounds that the runs so far allow; `None` if there is none.
     fn plan_so_far(&self, runs: &SampleTable) -> Option<DoubleLoop> {
         let _ = runs;
         None

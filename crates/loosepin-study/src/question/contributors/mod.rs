@@ -13,7 +13,7 @@ use plan::ContributorPlan;
 
 /// What contributes to the answers that are asked so.
 struct ContributorQuestion {
-    /// Nothing where nothing is random: then unknown inputs contribute, which needs no further runs.
+    /// `None` if nothing is random: then unknown inputs contribute, which needs no further runs.
     plan: Option<ContributorPlan>,
 }
 

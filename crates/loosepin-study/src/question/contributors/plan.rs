@@ -23,7 +23,7 @@ pub struct ContributorPlan {
 }
 
 impl ContributorPlan {
-    /// The plan of `study`; nothing where nothing is random.
+    /// The plan of `study`; `None` if nothing is random.
     ///
     /// # Errors
     /// More random inputs than indices can be had of.

@@ -147,7 +147,7 @@ fn gone(pinching: &Pinching, index: usize) -> ([f64; 2], f64) {
     ([share(input.remaining[1]), share(input.remaining[0])], error.min(1.0))
 }
 
-/// The quasi-static answer with the epistemic inputs in the middle; nothing where the mechanism has none.
+/// The quasi-static answer with the epistemic inputs in the middle; `None` if the mechanism has none.
 fn quasi_static(material: &Material<'_>) -> Option<MotionRecord> {
     let study = material.study;
     let scatter = study
@@ -213,7 +213,7 @@ impl Still<'_> {
         (total > 0.0).then(|| own / total)
     }
 
-    /// The share of `joints` in the first-order effect of all; nothing where there are none.
+    /// The share of `joints` in the first-order effect of all; `None` if there are none.
     fn play_share(&self, joints: &[&str]) -> Option<f64> {
         let all = &self.output.clearance.contributors;
         let own: Vec<f64> = all

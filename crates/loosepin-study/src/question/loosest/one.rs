@@ -170,7 +170,7 @@ fn loosest<'a>(
     Ok([low, high].map(|value_si| Some((value_si, None))))
 }
 
-/// The cheapest combination of offers; nothing where no input has any.
+/// The cheapest combination of offers; `None` if no input has any.
 ///
 /// Combinations are run in the order of their cost, each a direct study, until one meets the requirements twice, with two sets of random numbers. One that does not meet them
 /// excludes every combination that is at least as loose in all inputs, since looser is never better. The first one that meets them

@@ -20,7 +20,7 @@ pub fn most_tried_together(how: Together) -> usize {
     }
 }
 
-/// How far the inputs of `[allow]` may be loosened together; nothing where that is not asked.
+/// How far the inputs of `[allow]` may be loosened together; `None` if that is not asked.
 ///
 /// A combination is met where two direct studies are, with two sets of random numbers. Looser is taken to be never better: what is at
 /// least as loose in every input as a refused combination is refused without a run, and what is at least as tight as one that is met is met.

@@ -32,7 +32,7 @@ impl Question for PromiseQuestion {
         self.plan.runs()
     }
 
-    fn foresee(&self, cost: &mut Foreseen) {
+    fn add_cost(&self, cost: &mut Foreseen) {
         cost.promise = Some(ForeseenPromise::new(&self.plan));
     }
 

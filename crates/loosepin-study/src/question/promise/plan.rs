@@ -8,7 +8,7 @@ use crate::response::StudyResponse;
 use loosepin_bounds::{PromisePlan, PromiseRequest, Request};
 use loosepin_result::study::Side;
 
-/// The plan of what `study` promises; nothing where it promises nothing.
+/// The plan of what `study` promises; `None` if it promises nothing.
 ///
 /// # Errors
 /// Nothing can be promised.

@@ -9,7 +9,7 @@ pub struct Promised<'p> {
     pub plan: &'p PromisePlan,
     /// Ends of single numbers.
     pub ends: &'p [PromisedBound],
-    /// Bands over curves: the band of the double loop, and the factor of its shape; nothing where it has no shape.
+    /// Bands over curves: the band of the double loop, and the factor of its shape; a band without a shape is left out.
     pub bands: Vec<(SimultaneousBand, PromisedBound)>,
 }
 

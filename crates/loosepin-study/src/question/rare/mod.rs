@@ -261,7 +261,7 @@ impl Event<'_> {
         self.known.study.random.len()
     }
 
-    /// Both ends by importance sampling where the index is largest and smallest; nothing where an index cannot be relied on.
+    /// Both ends by importance sampling where the index is largest and smallest; `None` if an index cannot be relied on.
     fn by_design_points(&mut self, seed: u64) -> Result<Option<[End; 2]>, Missing> {
         let dimensions = self.dimensions();
         let search = BoxSearch { design: DesignSearch { seed, ..DesignSearch::default() }, ..BoxSearch::default() };

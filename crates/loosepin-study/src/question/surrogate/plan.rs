@@ -7,7 +7,7 @@ use crate::problem::problem;
 use crate::response::StudyResponse;
 use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
 
-/// The plan of the surrogates of `study`; nothing where it asks for none.
+/// The plan of the surrogates of `study`; `None` if it asks for none.
 ///
 /// # Errors
 /// The numbers of runs are not possible.
