@@ -12,7 +12,7 @@
 //! The first share is that of planning, rows and assembling, the second one that of pictures too. Reports are not written. Linux tells the times.
 
 use loosepin::bounds::Failure;
-use loosepin::study::{AskedRuns, Means, Progress, RunMaker, RunRows, Stage, Study, conduct_elsewhere};
+use loosepin::study::{AskedRuns, Progress, RunMaker, RunOptions, RunRows, Stage, Study, run_study};
 use loosepin::templates::TEMPLATES;
 use loosepin_bench::{case_file, processor_time};
 use std::path::{Path, PathBuf};
@@ -132,8 +132,9 @@ fn main() {
         let rows = RunRows::new(study.clone(), threads).unwrap_or_else(|error| panic!("{name}: {error}"));
         let maker = Watched { rows, made: AtomicUsize::new(0), used_ns: AtomicU64::new(0) };
         let stages = Stages::new();
-        let means = Means { threads, progress: &stages, stop: &AtomicBool::new(false), store: None };
-        let conducted = conduct_elsewhere(&study, "", &means, &maker).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let stop = AtomicBool::new(false);
+        let options = RunOptions { maker: Some(&maker), ..RunOptions::new(threads, &stages, &stop) };
+        let conducted = run_study(&study, "", &options).unwrap_or_else(|error| panic!("{name}: {error}"));
         let runs_ns = maker.used_ns.into_inner();
         let own = stages.0.into_inner().unwrap_or_else(PoisonError::into_inner);
         let rows_ns = own.runs_ns.saturating_sub(runs_ns);

@@ -14,7 +14,7 @@ use std::time::Instant;
 use loosepin::study::result::{
     ResponsePoint, StudyResult, Treatment, TreatmentBand, TreatmentComparison, WitnessValue,
 };
-use loosepin::study::{Ask, Conducted, Deviation, Study, Where};
+use loosepin::study::{Ask, Deviation, Study, StudyRun, Where};
 use loosepin_bench::run;
 use loosepin_bench::worn_pin::{double_loop, inside_the_box, run_at, study, values_at};
 
@@ -90,7 +90,7 @@ fn of_single_numbers(mut study: Study) -> Study {
 
 /// Fresh mechanisms at one value of u.
 fn truth(study: &Study, mechanisms: usize, at: Vec<f64>, seed: u64) -> Truth {
-    let Conducted { runs, result, .. } = run_at(study, mechanisms, &at, seed);
+    let StudyRun { runs, result, .. } = run_at(study, mechanisms, &at, seed);
     let responses = result.treatments.iter().map(|of| double_loop(&runs, &column_name(of))).collect();
     Truth { at, responses }
 }

@@ -19,7 +19,7 @@
 use loosepin::bounds::Statistic;
 use loosepin::math::dense::Cholesky;
 use loosepin::study::result::{BoundRecord, Treatment};
-use loosepin::study::{Conducted, Study};
+use loosepin::study::{Study, StudyRun};
 use loosepin_bench::fresh_runs::{FreshRuns, Mechanisms, Sample};
 use loosepin_bench::worn_pin::{double_loop, inside_the_box, run_at, values_at};
 use loosepin_bench::worn_pin_reference::{
@@ -220,7 +220,7 @@ fn hold(seeds: u64) {
     let mut runs = 0;
     for seed in 1..=seeds {
         study.seed = seed;
-        let Conducted { result, .. } = run(&study);
+        let StudyRun { result, .. } = run(&study);
         runs = result.counts.runs;
         for tally in &mut tallies {
             tally.take(seed, &result.bounds);

@@ -20,7 +20,7 @@ pub mod worn_pin_reference;
 
 use loosepin::mechanism::Mechanism;
 use loosepin::model::{Model, Values};
-use loosepin::study::{Conducted, Means, Progress, Study, conduct};
+use loosepin::study::{Progress, RunOptions, Study, StudyRun, run_study};
 use loosepin::surrogate::{Choice, Kind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -90,9 +90,9 @@ impl Progress for Silent {
 ///
 /// # Panics
 /// Where it has no result.
-pub fn run(study: &Study) -> Conducted {
+pub fn run(study: &Study) -> StudyRun {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    conduct(study, "", &Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+    run_study(study, "", &RunOptions::new(threads, &Silent, &AtomicBool::new(false)))
         .unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -1,8 +1,8 @@
 //! `cases/slider_crank_worn_pin`, for the campaigns that hold its study against runs of their own.
 
 use crate::case_file;
-use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Study};
+use loosepin::study::{RunData, RunsTable};
+use loosepin::study::{Study, StudyRun};
 use loosepin::uncertainty::{EpistemicVariable, Interval, ScrambledSobol};
 
 /// Independent scramblings that the mechanisms at one value of u are drawn in.
@@ -40,7 +40,7 @@ pub fn values_at(study: &Study, fractions: &[f64]) -> Vec<f64> {
 ///
 /// # Panics
 /// Where a value is not finite, or the study has no result.
-pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> Conducted {
+pub fn run_at(study: &Study, mechanisms: usize, at: &[f64], seed: u64) -> StudyRun {
     let mut known = study.clone();
     known.seed = seed;
     known.sampling.inner = mechanisms;

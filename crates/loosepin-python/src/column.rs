@@ -1,6 +1,6 @@
 //! A named column of numbers with its unit.
 
-use loosepin::study::runs::{RunColumn, RunData};
+use loosepin::study::{RunColumn, RunData};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::bounds::{Failure, SampleTable};
-use loosepin::study::{FurtherOutputs, Means, RunMaker, Study, StudyError};
+use loosepin::study::{FurtherOutputs, RunMaker, RunOptions, Study, StudyError};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -52,15 +52,15 @@ pub fn bounds<'py>(
     let random: Vec<String> = study.random.iter().map(|input| input.path.clone()).collect();
     let epistemic: Vec<String> = study.epistemic.iter().map(|input| input.path.clone()).collect();
     let (stop, told) = (AtomicBool::new(false), Told::default());
-    let means = Means { threads: by.threads, progress: &told, stop: &stop, store: None };
+    let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
+    let options = RunOptions { maker, ..RunOptions::new(by.threads, &told, &stop) };
     let mut table = SampleTable::new(columns.len());
     loop {
         let round = unlocked(py, || further.plan().next_round(&table))?.map_err(|error| fail(error.into()))?;
         if round.is_empty() {
             break;
         }
-        let maker = by.maker.as_ref().map(|maker| maker as &dyn RunMaker);
-        let work = || further.run(&round, table.len(), &means, maker);
+        let work = || further.run(&round, table.len(), &options);
         let (runs, raised) = wait_for(py, &stop, |py| told.tell(py, progress), work);
         if let Some(error) = by.maker.as_ref().and_then(MadeInPython::raised).or(raised) {
             return Err(error);

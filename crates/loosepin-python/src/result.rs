@@ -7,7 +7,7 @@ use loosepin::report::{mechanism_picture, study_excerpt, study_page, study_text}
 use loosepin::result::json::Stored;
 use loosepin::results::write_whole;
 use loosepin::study::files::{FilesError, bounds_csv, surrogates_json};
-use loosepin::study::{self, Conducted, SavedSurrogates};
+use loosepin::study::{self, SavedSurrogates, StudyRun};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -24,14 +24,10 @@ pub struct StudyResult {
 
 impl StudyResult {
     /// The result as Python sees it; the runs are handed over, not copied.
-    pub fn new(py: Python<'_>, conducted: Conducted) -> PyResult<Self> {
-        let columns = conducted.runs.columns.into_iter();
+    pub fn new(py: Python<'_>, run: StudyRun) -> PyResult<Self> {
+        let columns = run.runs.columns.into_iter();
         let samples = columns.map(|column| Py::new(py, Column::of_run_column(py, column)?));
-        Ok(Self {
-            result: conducted.result,
-            surrogates: conducted.surrogates,
-            samples: samples.collect::<PyResult<Vec<_>>>()?,
-        })
+        Ok(Self { result: run.result, surrogates: run.surrogates, samples: samples.collect::<PyResult<Vec<_>>>()? })
     }
 }
 

@@ -7,11 +7,11 @@ use loosepin::diagnostics::{Complaints, Problem};
 use loosepin::report::study_page;
 use loosepin::results::{Claim, InputsHash, Place, ResultKind, ResultsFolder};
 use loosepin::store::{Beginning, RunStore};
+use loosepin::study::RunsTable;
 use loosepin::study::files::{RUNS_FILE, SURROGATES_FILE, read_runs_parquet, read_summary};
-use loosepin::study::runs::RunsTable;
 use loosepin::study::{
-    Begun, Concluded, Conducted, Means, RunMaker, SavedSurrogates, Study, StudyError, begin_in_folder, conclude,
-    conduct, conduct_elsewhere, store_identity,
+    Begun, Concluded, RunOptions, SavedSurrogates, Study, StudyError, StudyRun, begin_in_folder, conclude, run_study,
+    store_identity,
 };
 
 /// How a folder that holds something is met.
@@ -26,20 +26,15 @@ pub struct Meeting {
 /// How a study ended.
 pub enum Ended {
     /// It is finished.
-    Finished(Box<Conducted>),
+    Finished(Box<StudyRun>),
     /// It was interrupted; the words say what is kept.
     Interrupted(String),
 }
 
 /// Conducts `study` without leaving anything on disk.
-pub fn conduct_in_memory(
-    study: &Study,
-    inputs: &InputsHash,
-    means: &Means<'_>,
-    maker: Option<&dyn RunMaker>,
-) -> Result<Ended, Complaints> {
-    match conducted(study, inputs, means, maker) {
-        Ok(conducted) => Ok(Ended::Finished(conducted.into())),
+pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Complaints> {
+    match run_study(study, &inputs.to_string(), options) {
+        Ok(run) => Ok(Ended::Finished(run.into())),
         Err(StudyError::Interrupted { finished, most_runs }) => {
             let words = interrupted(&finished, most_runs);
             Ok(Ended::Interrupted(format!("{words}; nothing is kept without a folder")))
@@ -49,13 +44,12 @@ pub fn conduct_in_memory(
 }
 
 /// Conducts `study` in `folder`, or reads the finished result that is there.
-pub fn conduct_in_folder(
+pub fn run_in_folder(
     study: &Study,
     inputs: InputsHash,
     folder: PathBuf,
     meeting: Meeting,
-    means: &Means<'_>,
-    maker: Option<&dyn RunMaker>,
+    options: &RunOptions<'_>,
 ) -> Result<Ended, Complaints> {
     let claim = Claim {
         kind: ResultKind::Study,
@@ -75,9 +69,9 @@ pub fn conduct_in_folder(
         Begun::Finished(folder) => return Ok(Ended::Finished(read(&folder)?.into())),
     };
     let started = SystemTime::now();
-    let outcome = conducted(study, &claim.inputs, &Means { store: Some(&store), ..*means }, maker);
-    match conclude(study, folder, store, outcome, &study_page, (started, means.threads))? {
-        Concluded::Finished { conducted, .. } => Ok(Ended::Finished(conducted)),
+    let outcome = run_study(study, &claim.inputs.to_string(), &RunOptions { store: Some(&store), ..*options });
+    match conclude(study, folder, store, outcome, &study_page, (started, options.threads))? {
+        Concluded::Finished { run, .. } => Ok(Ended::Finished(run)),
         Concluded::Interrupted { finished, most_runs, folder } => {
             let (words, path) = (interrupted(&finished, most_runs), folder.display());
             Ok(Ended::Interrupted(format!("{words}; they are kept in {path}: the same call with resume=True goes on")))
@@ -85,21 +79,8 @@ pub fn conduct_in_folder(
     }
 }
 
-/// Conducts `study` with runs that `maker` makes, or the threads of `means` where there is none.
-fn conducted(
-    study: &Study,
-    inputs: &InputsHash,
-    means: &Means<'_>,
-    maker: Option<&dyn RunMaker>,
-) -> Result<Conducted, StudyError> {
-    match maker {
-        Some(maker) => conduct_elsewhere(study, &inputs.to_string(), means, maker),
-        None => conduct(study, &inputs.to_string(), means),
-    }
-}
-
 /// The finished result that is in `folder`.
-fn read(folder: &ResultsFolder) -> Result<Conducted, Complaints> {
+fn read(folder: &ResultsFolder) -> Result<StudyRun, Complaints> {
     let result = read_summary(folder).map_err(complain)?;
     let runs = read_runs_parquet(folder.read(RUNS_FILE).map_err(complain)?).map_err(complain)?;
     let surrogates = if folder.has(SURROGATES_FILE) {
@@ -108,7 +89,7 @@ fn read(folder: &ResultsFolder) -> Result<Conducted, Complaints> {
     } else {
         None
     };
-    Ok(Conducted { result, runs, surrogates })
+    Ok(StudyRun { result, runs, surrogates })
 }
 
 fn interrupted(finished: &RunsTable, most_runs: usize) -> String {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use loosepin::identify::MotionValues;
-use loosepin::study::{self, FurtherOutputs, InputFile, Means, RunMaker, study_inputs};
+use loosepin::study::{self, FurtherOutputs, InputFile, RunMaker, RunOptions, study_inputs};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -15,7 +15,7 @@ use crate::identification::{self, Identification, identified, planned};
 use crate::made_in_python::MadeInPython;
 use crate::model::Model;
 use crate::result::StudyResult;
-use crate::results_folder::{Ended, Meeting, conduct_in_folder, conduct_in_memory};
+use crate::results_folder::{Ended, Meeting, run_in_folder, run_in_memory};
 use crate::run_rows::{Texts, stated, study_texts};
 use crate::waiting::{Told, wait_for};
 
@@ -102,11 +102,11 @@ impl Study {
         let made = maker.as_ref().map(|maker| maker as &dyn RunMaker);
         let inputs = study_inputs(&study, &accuracy, budget.as_deref());
         let (stop, told) = (AtomicBool::new(false), Told::default());
-        let means = Means { threads, progress: &told, stop: &stop, store: None };
+        let options = RunOptions { maker: made, ..RunOptions::new(threads, &told, &stop) };
         let meeting = Meeting { with_resume: resume, with_force: force };
         let work = || match folder {
-            Some(folder) => conduct_in_folder(&study, inputs, folder, meeting, &means, made),
-            None => conduct_in_memory(&study, &inputs, &means, made),
+            Some(folder) => run_in_folder(&study, inputs, folder, meeting, &options),
+            None => run_in_memory(&study, &inputs, &options),
         };
         let (outcome, raised) = wait_for(py, &stop, |py| told.tell(py, progress.as_ref()), work);
         if let Some(error) = maker.as_ref().and_then(MadeInPython::raised) {
@@ -120,9 +120,9 @@ impl Study {
             (Err(complaints), _) => Err(raise(complaints)),
             (_, Some(error)) => Err(error),
             (Ok(Ended::Interrupted(words)), None) => Err(PyKeyboardInterrupt::new_err(words)),
-            (Ok(Ended::Finished(conducted)), None) => {
+            (Ok(Ended::Finished(run)), None) => {
                 told.tell(py, progress.as_ref())?;
-                StudyResult::new(py, *conducted)
+                StudyResult::new(py, *run)
             }
         }
     }

@@ -14,8 +14,8 @@ use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
-    Begun, Concluded, Means, Progress, Study, begin_in_folder, conclude, conduct, plan_runs, run_inputs, run_into,
-    store_identity, study_inputs, witness_run,
+    Begun, Concluded, Progress, RunOptions, Study, begin_in_folder, conclude, plan_runs, run_inputs, run_into,
+    run_study, store_identity, study_inputs, witness_run,
 };
 
 use crate::folder::Folder;
@@ -163,10 +163,10 @@ fn conducted(
         }
     };
     let started = SystemTime::now();
-    let means = Means { threads, progress, stop, store: Some(&store) };
-    let outcome = conduct(study, &claim.inputs.to_string(), &means);
+    let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, progress, stop) };
+    let outcome = run_study(study, &claim.inputs.to_string(), &options);
     Ok(match conclude(study, results, store, outcome, &study_page, (started, threads))? {
-        Concluded::Finished { conducted, folder: results } => finished(folder, results.path(), &conducted.result),
+        Concluded::Finished { run, folder: results } => finished(folder, results.path(), &run.result),
         Concluded::Interrupted { .. } => Outcome::Stopped,
     })
 }

@@ -4,8 +4,8 @@ use super::assemble::{Material, asked_bounds, requirements};
 use super::columns::{BAND, Spot};
 use super::draft_curves::draft_curves;
 use super::file::{Study, Where};
+use super::progress::{Drafts, PilotRun};
 use super::response::StudyResponse;
-use super::sheet::{Drafts, PilotRun};
 use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable, Statistic};
 use loosepin_result::study::{Draft, ResponsePoint};
 use loosepin_text::units::DisplayUnits;
@@ -64,7 +64,15 @@ impl<'s> Drafting<'s> {
     fn draft(&self, plan: &DoubleLoop, table: &SampleTable) -> Result<Draft, PlanError> {
         let &Self { study, response, .. } = self;
         let bounds = plan.results(table)?;
-        let material = Material { study, response, table, bounds: &bounds, pairs: &bounds.pairs, rare: &[] };
+        let material = Material {
+            study,
+            response,
+            table,
+            sampling: study.sampling,
+            bounds: &bounds,
+            pairs: &bounds.pairs,
+            rare: &[],
+        };
         let is_reduced = |at: &ResponsePoint| matches!(at, ResponsePoint::Reduced { .. });
         Ok(Draft {
             runs: table.len(),

@@ -4,7 +4,7 @@ use super::file::MOST_RUNS;
 use super::memory_at_hand::MemoryKind;
 use super::part::OpenRound;
 use super::response::PrepareError;
-use super::runs::RunsTable;
+use super::runs_table::RunsTable;
 use loosepin_bounds::{PlanError, PromiseError, SurrogatePlanError, TableError};
 use loosepin_result::study::FailureGroup;
 use loosepin_simulate::RunFailure;

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::SystemTime;
 
-use super::conduct::Conducted;
 use super::error::StudyError;
 use super::file::Study;
 use super::files::{RUNS_FILE, SURROGATES_FILE, Timing, runs_parquet, surrogates_json, write_study};
-use super::runs::RunsTable;
+use super::question::StudyRun;
+use super::runs_table::RunsTable;
 use loosepin_files::FolderLock;
 use loosepin_result::study::StudyResult;
 use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
@@ -20,7 +20,7 @@ pub enum Concluded {
     /// Its results stand in the folder.
     Finished {
         /// The results.
-        conducted: Box<Conducted>,
+        run: Box<StudyRun>,
         /// The folder.
         folder: ResultsFolder,
     },
@@ -91,17 +91,17 @@ pub fn conclude(
     study: &Study,
     mut folder: ResultsFolder,
     store: RunStore,
-    outcome: Result<Conducted, StudyError>,
+    outcome: Result<StudyRun, StudyError>,
     page: &dyn Fn(&StudyResult) -> String,
     (started, threads): (SystemTime, usize),
 ) -> Result<Concluded, Complaints> {
     match outcome {
-        Ok(conducted) => {
+        Ok(run) => {
             let made = store.settle().map_err(complain)?.saturating_sub(store.runs_at_start());
             let timing = Timing::since(started, made as usize, threads);
-            write(&mut folder, &conducted, page, &timing)?;
+            write(&mut folder, &run, page, &timing)?;
             store.remove().map_err(complain)?;
-            Ok(Concluded::Finished { conducted: conducted.into(), folder })
+            Ok(Concluded::Finished { run: run.into(), folder })
         }
         Err(StudyError::Interrupted { finished, most_runs }) => {
             keep(&mut folder, &finished)?;
@@ -128,16 +128,16 @@ pub fn conclude(
 
 fn write(
     folder: &mut ResultsFolder,
-    conducted: &Conducted,
+    run: &StudyRun,
     page: &dyn Fn(&StudyResult) -> String,
     timing: &Timing,
 ) -> Result<(), Complaints> {
-    if let Some(surrogates) = &conducted.surrogates {
+    if let Some(surrogates) = &run.surrogates {
         let text = surrogates_json(surrogates).map_err(complain)?;
         folder.write(SURROGATES_FILE, text.as_bytes()).map_err(complain)?;
     }
-    write_study(folder, &conducted.result, &conducted.runs, timing).map_err(complain)?;
-    folder.write(REPORT_FILE, page(&conducted.result).as_bytes()).map_err(complain)?;
+    write_study(folder, &run.result, &run.runs, timing).map_err(complain)?;
+    folder.write(REPORT_FILE, page(&run.result).as_bytes()).map_err(complain)?;
     folder.finish().map_err(complain)
 }
 

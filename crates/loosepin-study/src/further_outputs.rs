@@ -1,18 +1,15 @@
 //! Further outputs of a study: whatever a function makes of what every run records.
 
-use std::sync::atomic::AtomicUsize;
-
 use super::columns::Spot;
-use super::conduct::{Means, all_failed};
-use super::elsewhere::RunMaker;
 use super::error::StudyError;
 use super::file::{Study, Where};
-use super::keep::Keeping;
 use super::part::Part;
 use super::problem::problem;
 use super::response::StudyResponse;
+use super::run_options::RunOptions;
+use super::runs::Runs;
 use super::runs_table::{curve_name, scalar_name};
-use super::sheet::{Runner, Sheet};
+use super::study_run::all_failed;
 use loosepin_bounds::{DoubleLoop, Problem, Request, RunInputs, SampleTable};
 use loosepin_text::units::SiUnit;
 
@@ -91,32 +88,17 @@ impl<'s> FurtherOutputs<'s> {
     }
 
     /// Makes the runs of a round, `before` of which were made in the rounds before it: what they record, in their order. The store
-    /// of `means` is not used; `maker` makes the runs in place of its threads, where there is one.
+    /// and the part of `options` are not used.
     ///
     /// # Errors
-    /// It was interrupted, all runs of the first round failed, or `maker` does not go on.
-    pub fn run(
-        &self,
-        round: &[RunInputs],
-        before: usize,
-        means: &Means<'_>,
-        maker: Option<&dyn RunMaker>,
-    ) -> Result<SampleTable, StudyError> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(means.threads).build()?;
-        let runner = Runner {
-            pool: &pool,
-            progress: means.progress,
-            stop: means.stop,
-            before: AtomicUsize::new(before),
-            keeping: Keeping::new(None),
-            part: Part::Whole,
-            maker,
-        };
+    /// It was interrupted, all runs of the first round failed, or whoever makes them does not go on.
+    pub fn run(&self, round: &[RunInputs], before: usize, options: &RunOptions<'_>) -> Result<SampleTable, StudyError> {
+        let options = RunOptions { store: None, part: Part::Whole, ..*options };
         let most_runs = self.plan.most_runs().max(before + round.len());
         let table = SampleTable::new(self.response.row_length());
-        let mut sheet = Sheet::new(&runner, self.study, &self.response, table, most_runs);
-        sheet.make(round)?;
-        let table = sheet.table;
+        let mut runs = Runs::new(&options, (self.study, &self.response), table, (before, most_runs))?;
+        runs.make(round)?;
+        let table = runs.table;
         if before == 0 && table.failed() == table.len() && !table.is_empty() {
             return Err(all_failed(&self.response, &table));
         }

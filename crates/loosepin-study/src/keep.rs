@@ -1,16 +1,17 @@
 //! Finished runs of a study in a store, to be found again.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
 use super::error::StudyError;
 use super::evaluate::Row;
 use loosepin_bounds::{Failure, RunInputs};
 use loosepin_store::{InputsKey, KeptRun, RunStore, StoreError};
 
-/// The store of a study, and how many lists of runs have been begun.
-pub(super) struct Keeping<'s> {
+/// The lists of runs of a study: where they are kept, how many have been begun, and the runs of those that are finished.
+pub(super) struct RunLists<'s> {
     store: Option<&'s RunStore>,
-    lists: AtomicU32,
+    begun: AtomicU32,
+    finished_runs: AtomicUsize,
 }
 
 /// One list of runs: that of the study itself, or of a direct study of the inverse question. They are begun in the same order
@@ -21,15 +22,25 @@ pub(super) struct KeptList<'s> {
     list: u32,
 }
 
-impl<'s> Keeping<'s> {
-    /// Keeps in `store`, or nowhere.
-    pub fn new(store: Option<&'s RunStore>) -> Self {
-        Self { store, lists: AtomicU32::new(0) }
+impl<'s> RunLists<'s> {
+    /// No list yet, kept in `store`, or nowhere; `before` runs were made before them.
+    pub fn new(store: Option<&'s RunStore>, before: usize) -> Self {
+        Self { store, begun: AtomicU32::new(0), finished_runs: AtomicUsize::new(before) }
     }
 
     /// The next list.
     pub fn begin(&self) -> KeptList<'s> {
-        KeptList { store: self.store, list: self.lists.fetch_add(1, Ordering::Relaxed) }
+        KeptList { store: self.store, list: self.begun.fetch_add(1, Ordering::Relaxed) }
+    }
+
+    /// A list is finished with so many runs.
+    pub fn close(&self, runs: usize) {
+        self.finished_runs.fetch_add(runs, Ordering::Relaxed);
+    }
+
+    /// Runs of the lists that are finished.
+    pub fn finished_runs(&self) -> usize {
+        self.finished_runs.load(Ordering::Relaxed)
     }
 }
 

@@ -9,7 +9,7 @@ use loosepin::result::json::to_json;
 use loosepin::result::repeat::Repeat;
 use loosepin::result::study::StudyResult;
 use loosepin::results::{Claim, InputsHash, InputsHasher, Place, ResultKind};
-use loosepin::study::{Means, Progress, Study, conduct, study_inputs};
+use loosepin::study::{Progress, RunOptions, Study, run_study, study_inputs};
 use loosepin::units::{DisplayUnits, counted_or_no};
 
 use super::inputs::{add_model, add_study, read_study};
@@ -125,8 +125,8 @@ fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
     let stop = stop_on_signals("Ctrl-C ends the study at once");
     let conducted = |study: &Study| -> Result<StudyResult, Failure> {
         let bar = Bar::new();
-        let means = Means { threads, progress: &bar, stop: &stop, store: None };
-        let outcome = conduct(study, &study_inputs(study, &[], None).to_string(), &means);
+        let options = RunOptions::new(threads, &bar, &stop);
+        let outcome = run_study(study, &study_inputs(study, &[], None).to_string(), &options);
         bar.finish();
         Ok(outcome.map_err(|error| error.complaint(study))?.result)
     };

@@ -11,7 +11,7 @@ use loosepin::results::{Claim, Place, ResultKind, ResultsError, ShardFolders, Sh
 use loosepin::store::{Beginning, RunStore, Shard};
 use loosepin::study::result::StudyResult;
 use loosepin::study::{
-    Begun, Means, OpenRound, Part, StudyError, begin_in_folder, conclude, conduct_part, plan_shards, store_identity,
+    Begun, OpenRound, Part, RunOptions, StudyError, begin_in_folder, conclude, plan_shards, run_study, store_identity,
 };
 use loosepin::units;
 
@@ -69,9 +69,9 @@ pub fn run(arguments: &MergeArguments) -> Ending {
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::going_on(store.runs_at_start() as usize);
-    let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
     let part = Part::Joined { of, largest_round: arguments.small_round as usize };
-    let outcome = conduct_part(&study, &claim.inputs.to_string(), &means, part);
+    let options = RunOptions { store: Some(&store), part, ..RunOptions::new(threads, &bar, &stop) };
+    let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
     if let Err(StudyError::RoundOpen(open)) = &outcome {
         store.publish().map_err(|error| Failure::of(&error))?;

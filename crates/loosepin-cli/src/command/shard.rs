@@ -7,7 +7,7 @@ use loosepin::result::json::to_json;
 use loosepin::results::{Claim, Place, SHARD_FILE, ShardRecord};
 use loosepin::store::{Beginning, PUBLISHED_FILE, RunStore, Shard};
 use loosepin::study::{
-    Begun, Means, Part, Study, StudyError, begin_in_folder, conduct_part, plan_shards, store_identity,
+    Begun, Part, RunOptions, Study, StudyError, begin_in_folder, plan_shards, run_study, store_identity,
 };
 
 use loosepin::units::counted;
@@ -57,8 +57,9 @@ pub fn run(arguments: &StudyArguments, shard: Shard, study: &Study, whole: Claim
     tell_going_on(&store);
     let stop = stop_on_signals("Ctrl-C ends the shard at once; saved runs are kept");
     let bar = Bar::new();
-    let means = Means { threads: threads(arguments.threads), progress: &bar, stop: &stop, store: Some(&store) };
-    let outcome = conduct_part(study, &claim.inputs.to_string(), &means, Part::Shard(shard));
+    let (threads, part) = (threads(arguments.threads), Part::Shard(shard));
+    let options = RunOptions { store: Some(&store), part, ..RunOptions::new(threads, &bar, &stop) };
+    let outcome = run_study(study, &claim.inputs.to_string(), &options);
     bar.finish();
     let merge = format!("loosepin merge {}.shard-*-of-{}", results.display(), shard.of());
     match outcome {

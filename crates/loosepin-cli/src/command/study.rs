@@ -9,7 +9,7 @@ use loosepin::store::{Beginning, RunStore, STORE_FILE};
 use loosepin::study::files::read_summary;
 use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
-    Begun, Concluded, Means, Study, begin_in_folder, conclude, conduct, store_identity, study_inputs,
+    Begun, Concluded, RunOptions, Study, begin_in_folder, conclude, run_study, store_identity, study_inputs,
 };
 
 use super::inputs::read_study;
@@ -48,8 +48,8 @@ pub fn run(arguments: &StudyArguments) -> Ending {
     let threads = threads(arguments.threads);
     let started = SystemTime::now();
     let bar = Bar::going_on(store.runs_at_start() as usize);
-    let means = Means { threads, progress: &bar, stop: &stop, store: Some(&store) };
-    let outcome = conduct(&study, &claim.inputs.to_string(), &means);
+    let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, &bar, &stop) };
+    let outcome = run_study(&study, &claim.inputs.to_string(), &options);
     bar.finish();
     let concluded = conclude(&study, folder, store, outcome, &study_page, (started, threads))?;
     tell_concluded(concluded, "continue with the same command and --resume")
@@ -77,7 +77,7 @@ pub fn read_stated(path: &Path, accuracy: &[String], budget: Option<&str>) -> Re
 /// Its page cannot be told of.
 pub fn tell_concluded(concluded: Concluded, hint: &str) -> Ending {
     match concluded {
-        Concluded::Finished { conducted, folder } => tell(&conducted.result, &folder),
+        Concluded::Finished { run, folder } => tell(&run.result, &folder),
         Concluded::Interrupted { finished, most_runs, folder } => {
             let count = finished.columns.first().map_or(0, |column| column.data.len());
             console::message(&format!(

@@ -7,7 +7,7 @@ use super::motion::ideal_model;
 use super::study;
 use loosepin_identify::motion_record::{LengthsRefusal, MechanismRows, SpecimenLengths};
 use loosepin_identify::{Options, SpecimenStudy, UNHEARD, identify, known_bounds, narrowed, record};
-use loosepin_study::{Means, Progress, Study, conduct};
+use loosepin_study::{Progress, RunOptions, Study, run_study};
 use loosepin_uncertainty::{hash, normal, uniform};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -198,8 +198,8 @@ impl Progress for Silent {
 /// Ends of the 95 % band of the largest position, mm: of each end the value and the bound to rely on.
 fn band_of(study: &Study) -> [[f64; 2]; 2] {
     let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    let result = conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
+    let means = RunOptions::new(2, &Silent, &stop);
+    let result = run_study(study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
     let [low, high] = [&result.bounds[0].lower, &result.bounds[1].upper];
     [low, high].map(|end| [1e3 * end.value_si, 1e3 * end.widened_si])
 }

@@ -11,9 +11,8 @@ use loosepin_text::units::SiUnit;
 /// The bounds at every degree of possibility.
 pub fn cuts(material: &Material<'_>) -> Vec<CutBounds> {
     let of_level = |level: &loosepin_bounds::CutBounds| {
-        let &Material { study, response, table, bounds, .. } = material;
         // What was estimated for all that is possible says nothing of a degree: there the runs are counted.
-        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &level.pairs, rare: &[] });
+        let bounds = asked_bounds(&Material { pairs: &level.pairs, rare: &[], ..*material });
         Some(CutBounds { alpha: level.alpha?, bounds })
     };
     let mut cuts: Vec<CutBounds> = material.bounds.levels.iter().filter_map(of_level).collect();
@@ -33,8 +32,7 @@ pub fn percentiles(material: &Material<'_>) -> Vec<PercentileBounds> {
             Some(BoundPair { lower, upper, ..pair.clone() })
         };
         let pairs: Vec<BoundPair> = material.pairs.iter().filter_map(pair).collect();
-        let &Material { study, response, table, bounds, .. } = material;
-        let bounds = asked_bounds(&Material { study, response, table, bounds, pairs: &pairs, rare: &[] });
+        let bounds = asked_bounds(&Material { pairs: &pairs, rare: &[], ..*material });
         PercentileBounds { percentile, bounds }
     };
     let mut percentiles: Vec<PercentileBounds> = probabilities.iter().enumerate().map(of_percentile).collect();
@@ -84,9 +82,8 @@ pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
 /// Every bound: those asked for, bands for whole curves, then those asked for by each of the other readings.
 pub fn all_bounds(material: &Material<'_>, curve_bands: &[CurveBand], beside: &[Bounds]) -> Vec<BoundRecord> {
     let by_other_reading = |bounds: &Bounds| {
-        let &Material { study, response, table, .. } = material;
         // What was estimated otherwise than by counting belongs to the first reading.
-        asked_bounds(&Material { study, response, table, bounds, pairs: &bounds.pairs, rare: &[] })
+        asked_bounds(&Material { bounds, pairs: &bounds.pairs, rare: &[], ..*material })
     };
     let mut by_reading: Vec<Vec<BoundRecord>> =
         [asked_bounds(material)].into_iter().chain(beside.iter().map(by_other_reading)).collect();

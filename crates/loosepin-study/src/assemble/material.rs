@@ -2,11 +2,11 @@
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::columns::{ColumnPlan, Spot, StudyColumn};
-use crate::file::{Deviation, EpistemicInput, Reduction, Study};
+use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
 use crate::outputs::Seen;
 use crate::question::Rare;
 use crate::response::StudyResponse;
-use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable, Sampling};
+use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
 use loosepin_text::units::SiUnit;
 
@@ -16,6 +16,8 @@ pub struct Material<'m> {
     pub study: &'m Study,
     pub response: &'m StudyResponse,
     pub table: &'m SampleTable,
+    /// The samples that the study came to have.
+    pub sampling: Sampling,
     pub bounds: &'m Bounds,
     /// Those that are looked at: what is possible at all, or to some degree.
     pub pairs: &'m [BoundPair],
@@ -84,7 +86,7 @@ impl Material<'_> {
     /// Confidence in the sampling errors of the bounds of `statistic` of `column`: where other bounds have narrowed them all must hold, and
     /// misses add (Bonferroni).
     pub fn confidence(&self, column: usize, statistic: Statistic) -> f64 {
-        let one: f64 = Sampling::default().confidence;
+        let one: f64 = loosepin_bounds::Sampling::default().confidence;
         let narrowings = self.ends_and_narrowings(column, statistic).map_or(0, |(_, narrowings)| narrowings);
         if narrowings == 0 { one } else { (1.0 - (1 + narrowings) as f64 * (1.0 - one)).max(0.0) }
     }

@@ -56,7 +56,7 @@ fn counted(material: &Material<'_>, outside: &BoundPair) -> Option<CountedMechan
     let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
     if is_alone {
         // The mechanisms are drawn from the surrogate, no rows of the table.
-        let mechanisms = material.study.sampling.inner as u64;
+        let mechanisms = material.sampling.inner as u64;
         let outside = (outside.upper.value * mechanisms as f64).round() as u64;
         return Some(CountedMechanisms { mechanisms, outside, sampling_error });
     }
@@ -109,7 +109,7 @@ mod tests {
         (bounds, table): (&Bounds, &SampleTable),
         pairs: &[BoundPair],
     ) -> Vec<RequirementOutcome> {
-        requirements(&Material { study, response, table, bounds, pairs, rare: &[] })
+        requirements(&Material { study, response, table, sampling: study.sampling, bounds, pairs, rare: &[] })
     }
 
     #[test]

@@ -26,8 +26,8 @@ pub fn counts(material: &Material<'_>) -> RunCounts {
         failed: material.table.failed() as u64,
         by_purpose: by_purpose(material),
         outer: material.bounds.outer_points.len() as u64,
-        inner: if material.study.random.is_empty() { 1 } else { material.study.sampling.inner as u64 },
-        replicates: if material.study.random.is_empty() { 1 } else { material.study.sampling.replicates as u64 },
+        inner: if material.study.random.is_empty() { 1 } else { material.sampling.inner as u64 },
+        replicates: if material.study.random.is_empty() { 1 } else { material.sampling.replicates as u64 },
         rounds: u64::from(material.bounds.rounds),
     }
 }

@@ -9,7 +9,7 @@ use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
 use super::words::{DEVIATIONS, METHODS, PLAIN_STATISTICS, REDUCTIONS, WITH_A_NUMBER};
 use crate::outputs::{COMPONENTS, Seen, StudyOutput};
-use crate::runs::named_angle_rad;
+use crate::runs_table::named_angle_rad;
 use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
 use loosepin_mechanics::model::{Recorded, WearMeasure};
 use loosepin_result::study::{Deviation, Reduction};

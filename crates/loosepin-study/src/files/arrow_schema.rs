@@ -2,7 +2,7 @@
 //!
 //! It is the schema message of Arrow's IPC format, a FlatBuffer of the tables of `Message.fbs` and `Schema.fbs`, in Base64.
 
-use crate::runs::{RunColumn, RunData};
+use crate::runs_table::{RunColumn, RunData};
 
 /// Name of the entry among the key-value metadata of the file.
 pub const ARROW_SCHEMA_KEY: &str = "ARROW:schema";

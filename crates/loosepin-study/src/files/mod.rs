@@ -14,7 +14,7 @@ use serde::Deserialize;
 pub use timing::Timing;
 
 use super::question::SavedSurrogates;
-use super::runs::RunsTable;
+use super::runs_table::RunsTable;
 use loosepin_result::json::{Stored, to_json};
 use loosepin_result::study::{FORMAT, StudyResult};
 pub use loosepin_store::results::SUMMARY_FILE;

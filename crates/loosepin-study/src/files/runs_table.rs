@@ -15,7 +15,7 @@ use parquet::schema::types::{ColumnPath, Type};
 
 use super::FilesError;
 use super::arrow_schema::{ARROW_SCHEMA_KEY, arrow_schema};
-use crate::runs::{RunColumn, RunData, RunsTable};
+use crate::runs_table::{RunColumn, RunData, RunsTable};
 use loosepin_text::units::SiUnit;
 
 /// Key of the file metadata that holds the unit of each column, as a JSON object.

@@ -3,14 +3,14 @@
 //! Statistics are those of the recorded turns. Where a motion never repeats itself, later turns may go further: some of the runs are made
 //! once more with more turns recorded, and the largest values of both are compared. Up to the end of the recorded turns both are one motion.
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
-use crate::assemble::SETTLED;
+use crate::assemble::{Material, SETTLED};
 use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
 use crate::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
 use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
@@ -113,37 +113,37 @@ impl Question for FurtherTurnsQuestion {
         self.settings.runs.map_or(0, |runs| runs.min(self.most_of_bounds))
     }
 
-    fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
-        self.answer = further_turns(self.settings, sheet)?;
+    fn run(&mut self, runs: &mut Runs<'_>, _found: &mut Found) -> Result<(), StudyError> {
+        self.answer = further_turns(self.settings, runs)?;
         Ok(())
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        conclusion.result.further_turns.clone_from(&self.answer);
+    fn record(&self, _material: &Material<'_>, _found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
+        run.result.further_turns.clone_from(&self.answer);
         Ok(())
     }
 }
 
-/// What more turns change in the study of `sheet`; `None` if every motion repeats itself, if no largest or smallest value is asked
+/// What more turns change in the study of `runs`; `None` if every motion repeats itself, if no largest or smallest value is asked
 /// for, or if the recorded turns are not a part of many equal ones.
 ///
 /// # Errors
 /// The study was interrupted.
-fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<FurtherTurns>, StudyError> {
-    let (study, table, plan) = (sheet.study, &sheet.table, &sheet.response.shared.plan);
+fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Option<FurtherTurns>, StudyError> {
+    let (study, table, plan) = (runs.study, &runs.table, &runs.response.shared.plan);
     // A life of wear is extrapolated from its cycles.
     if matches!(study.cycle.span, CycleSpan::Duration(_)) || study.model.wear.is_some() {
         return Ok(None);
     }
     let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();
     let is_restless = |run: &usize| {
-        table.failure(*run).is_none() && sheet.response.extras(table.values(*run)).change_over_last_turn >= SETTLED
+        table.failure(*run).is_none() && runs.response.extras(table.values(*run)).change_over_last_turn >= SETTLED
     };
     let restless: Vec<usize> = (0..table.len()).filter(is_restless).collect();
     if columns.is_empty() || restless.is_empty() {
         return Ok(None);
     }
-    let runs = spread(&restless, number_of_runs(settings, study, table.len()));
+    let continuing = spread(&restless, number_of_runs(settings, study, table.len()));
     let mut longer = study.clone();
     longer.cycle.recorded_turns += f64::from(settings.turns);
     let ask = |&(column, reduction): &(usize, Reduction)| {
@@ -155,8 +155,8 @@ fn further_turns(settings: Settings, sheet: &Sheet<'_>) -> Result<Option<Further
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
     let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
-    let rows = sheet.make_again(&response, &runs)?;
-    let continued: Vec<(&[f64], Vec<f64>)> = runs
+    let rows = runs.make_again(&response, &continuing)?;
+    let continued: Vec<(&[f64], Vec<f64>)> = continuing
         .iter()
         .zip(rows)
         .filter_map(|(&run, later)| {

@@ -1,11 +1,12 @@
 //! What every question is asked, and how a study file asks it.
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
+use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::{QuestionSettings, Study};
 use crate::foreseen::Foreseen;
 use crate::response::StudyResponse;
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
 use loosepin_text::document::{Key, Kind, Reader, Table};
 
@@ -28,13 +29,13 @@ pub trait Question: Send + Sync {
     ///
     /// # Errors
     /// Those of the runs; the question cannot be answered.
-    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError>;
+    fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError>;
 
-    /// Writes its answer into the result.
+    /// Writes its answer into the result. `material`: what the bounds say; `found`: the answers of all questions.
     ///
     /// # Errors
     /// The question cannot be answered.
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError>;
+    fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError>;
 }
 
 /// What a question is planned from.

@@ -17,7 +17,8 @@ mod surrogate;
 
 pub(super) use curve_bands::CurveBand;
 pub(super) use direct::DirectSteps;
-pub(super) use found::{Conclusion, Found};
+pub(super) use found::Found;
+pub use found::StudyRun;
 pub(super) use kind::{Basis, Question};
 pub use loosest::with_loosened;
 pub(super) use rare::Rare;

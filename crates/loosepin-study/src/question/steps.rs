@@ -2,7 +2,8 @@
 
 use crate::budget::Limits;
 use crate::error::StudyError;
-use crate::sheet::{Sheet, Stage};
+use crate::progress::Stage;
+use crate::runs::Runs;
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
 /// Says which runs are wanted next, given all runs so far, and in the end what the answer is.
@@ -42,28 +43,28 @@ pub(crate) enum Next<A> {
     Answer(A),
 }
 
-/// Makes the runs that `steps` want on `sheet` until they have their answer. With `limits` the budget may end them, and too many failed
+/// Makes the runs that `steps` want until they have their answer. With `limits` the budget may end them, and too many failed
 /// runs give the study up: of that answer the study states its bounds.
 ///
 /// # Errors
 /// Those of the steps and of the runs; the budget does not suffice for the first step.
 pub(crate) fn take_steps<S: Steps>(
     mut steps: S,
-    sheet: &mut Sheet<'_>,
+    runs: &mut Runs<'_>,
     limits: Option<&Limits>,
 ) -> Result<S::Answer, StudyError> {
     let watch = limits.map(Limits::watch);
     let mut begun = 0;
     loop {
-        let pool = sheet.runner.pool;
-        sheet.runner.progress.stage(Stage::Planning);
-        let (runs, may_fail) = match pool.install(|| steps.next(&sheet.table))? {
+        let pool = runs.pool.clone();
+        runs.options.progress.stage(Stage::Planning);
+        let (wanted, may_fail) = match pool.install(|| steps.next(&runs.table))? {
             Next::Answer(answer) => return Ok(answer),
-            Next::Beside(runs) => (runs, true),
-            Next::Further(runs) => (runs, false),
-            Next::Step(runs, most) => {
+            Next::Beside(wanted) => (wanted, true),
+            Next::Further(wanted) => (wanted, false),
+            Next::Step(wanted, most) => {
                 if let (Some(limits), Some(watch)) = (limits, &watch) {
-                    let made = sheet.table.len();
+                    let made = runs.table.len();
                     if !watch.allows(most, made, begun) {
                         if made == 0 {
                             return Err(limits.too_small(most));
@@ -71,20 +72,20 @@ pub(crate) fn take_steps<S: Steps>(
                         steps.refuse(most);
                         continue;
                     }
-                    sheet.most_runs = limits.most_runs_with(made + most);
+                    runs.most_runs = limits.most_runs_with(made + most);
                 }
                 begun += 1;
-                (runs, false)
+                (wanted, false)
             }
         };
-        sheet.make(&runs)?;
+        runs.make(&wanted)?;
         if limits.is_some() && !may_fail {
-            sheet.refuse_failures()?;
+            runs.refuse_failures()?;
         }
-        if sheet.drafts.is_some()
-            && let Some(plan) = steps.plan_so_far(&sheet.table)
+        if runs.drafts.is_some()
+            && let Some(plan) = steps.plan_so_far(&runs.table)
         {
-            sheet.tell_draft(&plan);
+            runs.tell_draft(&plan);
         }
     }
 }

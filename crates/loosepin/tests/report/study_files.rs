@@ -13,7 +13,7 @@ use loosepin::study::files::{
     read_runs_parquet, read_summary, runs_parquet, write_study,
 };
 use loosepin::study::result::{StudyResult, Witness, WitnessValue};
-use loosepin::study::runs::{RunColumn, RunData, RunsTable};
+use loosepin::study::{RunColumn, RunData, RunsTable};
 use loosepin::units::SiUnit;
 
 use super::report_fixture::{

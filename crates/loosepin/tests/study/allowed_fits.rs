@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use loosepin::model::Model;
 use loosepin::report::study_text;
 use loosepin::study::result::{Loosened, StudyResult, Verdict};
-use loosepin::study::{Means, Progress, Study, conduct};
+use loosepin::study::{Progress, RunOptions, Study, run_study};
 use loosepin::templates::find_template;
 
 /// Holds that the runs of all studies are counted on. Of two threads one may report its 64 runs behind those of the other.
@@ -52,8 +52,8 @@ pub fn conducted_with(keys: &str, inputs: &str) -> StudyResult {
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Rising(AtomicUsize::new(0)), stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    let options = RunOptions::new(2, &Rising(AtomicUsize::new(0)), &stop);
+    run_study(&study, "", &options).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 pub const CLEARANCE: &str = "\"joint.gudgeon.radial_clearance\"";

@@ -1,12 +1,10 @@
 //! A statistic that has no estimator of its own, from the study file to its sentence: the mean absolute deviation.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
 use loosepin::report::study_text;
+use loosepin::study::Study;
 use loosepin::study::result::{BoundRecord, ResponsePoint, Statistic, StudyResult};
-use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::find_template;
 
 /// A fiftieth of a turn, so that thousands of runs take seconds.
@@ -35,9 +33,7 @@ fn conducted(keys: &str, ask: &str) -> StudyResult {
     let model = find_template("slider-crank").expect("template").model;
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    run(&study).result
 }
 
 fn of(result: &StudyResult, statistic: Statistic) -> Vec<&BoundRecord> {

@@ -1,14 +1,12 @@
 //! Contact laws as a discrete epistemic input: one study over three laws against the studies of each law by itself.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run_on;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundEnd, BoundRecord, InputKind, StudyResult, WitnessValue};
-use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Means, Study, conduct};
+use loosepin::study::{RunData, RunsTable};
+use loosepin::study::{Study, StudyRun};
 use loosepin::templates::find_template;
 
 const LAWS: [&str; 3] = ["lankarani-nikravesh", "flores", "johnson"];
@@ -47,10 +45,8 @@ fn study(law: &str, turns: f64, outer: usize, epistemic: &str) -> Study {
     Study::from_text("study.toml", &text, model(law)).unwrap_or_else(|complaints| panic!("{complaints}"))
 }
 
-fn bounds(study: &Study, threads: usize) -> Conducted {
-    let stop = AtomicBool::new(false);
-    conduct(study, "", &Means { threads, progress: &Silent, stop: &stop, store: None })
-        .unwrap_or_else(|error| panic!("{error}"))
+fn bounds(study: &Study, threads: usize) -> StudyRun {
+    run_on(threads, study).unwrap_or_else(|error| panic!("{error}"))
 }
 
 const LIST: &str = "\"contact.steel_pin.law\" = { any_of = [\"lankarani-nikravesh\", \"flores\", \"johnson\"] }";
@@ -82,7 +78,7 @@ fn furthest(singles: &[Vec<BoundRecord>], index: usize, sign: f64) -> (&'static 
 #[test]
 fn identity_bounds_over_laws_are_the_envelope_of_the_laws() {
     let singles = single_laws(0.125, 1, "");
-    let Conducted { result, runs, .. } = bounds(&study(LAWS[0], 0.125, 3, &format!("[epistemic]\n{LIST}")), 2);
+    let StudyRun { result, runs, .. } = bounds(&study(LAWS[0], 0.125, 3, &format!("[epistemic]\n{LIST}")), 2);
     assert_eq!((result.counts.failed, result.bounds.len()), (0, 3));
     for (index, bound) in result.bounds.iter().enumerate() {
         // The same random numbers and nothing between the laws: the same bits, and the law that has them.

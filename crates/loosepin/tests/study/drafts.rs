@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use loosepin::report::{draft_bands, draft_text};
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{BoundRecord, Draft, ResponsePoint};
-use loosepin::study::{Conducted, Means, Progress, Stage, Study, conduct, plan_runs};
+use loosepin::study::{Progress, RunOptions, Stage, Study, StudyRun, plan_runs, run_study};
 
 /// Hears drafts, or nothing.
 struct Listener {
@@ -51,11 +51,11 @@ fn study() -> Study {
     Study::from_text_at(folder, text).unwrap_or_else(|complaints| panic!("{complaints}"))
 }
 
-fn run(study: &Study, wants_drafts: bool, threads: usize) -> (Conducted, Vec<Draft>) {
+fn run(study: &Study, wants_drafts: bool, threads: usize) -> (StudyRun, Vec<Draft>) {
     let (drafts, finished, stages) = Default::default();
     let listener = Listener { wants_drafts, drafts, finished, stages };
-    let means = Means { threads, progress: &listener, stop: &AtomicBool::new(false), store: None };
-    let conducted = conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}"));
+    let options = RunOptions::new(threads, &listener, &AtomicBool::new(false));
+    let conducted = run_study(study, "", &options).unwrap_or_else(|error| panic!("{error}"));
     // Threads tell of their runs in any order, each of 64.
     let finished = listener.finished.into_inner().expect("no panic");
     assert!(finished.windows(2).all(|pair| pair[1] + 64 * threads >= pair[0]), "{finished:?}");
@@ -71,7 +71,7 @@ fn run(study: &Study, wants_drafts: bool, threads: usize) -> (Conducted, Vec<Dra
 }
 
 /// Bounds and runs as they are written.
-fn bytes(conducted: &Conducted) -> (Vec<u8>, Vec<u8>) {
+fn bytes(conducted: &StudyRun) -> (Vec<u8>, Vec<u8>) {
     let bounds = bounds_csv(&conducted.result).unwrap_or_else(|error| panic!("{error}"));
     (bounds, runs_parquet(&conducted.runs).unwrap_or_else(|error| panic!("{error}")))
 }

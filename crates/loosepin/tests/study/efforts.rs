@@ -1,12 +1,10 @@
 //! Torque and power of a drive in a study, against the closed form of a crank that lifts a weight: T = m g r cos φ.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
+use loosepin::study::Study;
 use loosepin::study::result::{BoundRecord, StudyResult, Verdict};
-use loosepin::study::{Means, Study, conduct};
 
 /// Of the widest bound below: what a search leaves open of a response that is linear in the mass, and Gauss's rule of a sine.
 const SHARE: f64 = 1e-6;
@@ -92,9 +90,7 @@ probability_at_least = 0.9
 pub(super) fn conducted(model: &str, study: &str) -> StudyResult {
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", study, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    run(&study).result
 }
 
 fn near(bound: &BoundRecord, exact: impl Fn(f64) -> f64) {

@@ -1,14 +1,12 @@
 //! Probability boxes, evidence and fuzzy numbers from the study file to bounds, files and page, against the closed form of a
 //! slider-crank without play.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
+use loosepin::study::Study;
 use loosepin::study::files::bounds_csv;
 use loosepin::study::result::{BoundRecord, InputKind, Reading, StudyResult, WitnessValue};
-use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::find_template;
 
 const MM: f64 = 1e-3;
@@ -41,9 +39,7 @@ fn conducted_at(top: &str, inner: usize, inputs: &str, question: &str) -> StudyR
     let model = find_template("slider-crank").expect("template").model;
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    run(&study).result
 }
 
 /// Deviation of the slider at 60° for these lengths of crank and rod, m; the ideal motion has unknown inputs in the middle of

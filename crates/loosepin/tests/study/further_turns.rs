@@ -1,12 +1,10 @@
 //! Turns after the recorded ones: what a study says of them, against the same runs with more turns recorded.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run_on;
 use loosepin::model::Model;
 use loosepin::study::result::Reduction;
-use loosepin::study::runs::{RunData, RunsTable};
-use loosepin::study::{Conducted, Means, RunRows, Study, conduct, plan_runs};
+use loosepin::study::{RunData, RunsTable};
+use loosepin::study::{RunRows, Study, StudyRun, plan_runs};
 use loosepin::templates::find_template;
 
 /// Largest magnitude that is allowed, m: some of the runs reach it in six turns and not in one.
@@ -37,9 +35,8 @@ fn with_table(table: &str) -> Result<Study, String> {
     Study::from_text("study.toml", &text, one.model).map_err(|complaints| complaints.to_string())
 }
 
-fn conducted(study: &Study) -> Conducted {
-    let stop = AtomicBool::new(false);
-    conduct(study, "", &Means { threads: 2, progress: &Silent, stop: &stop, store: None }).expect("a result")
+fn conducted(study: &Study) -> StudyRun {
+    run_on(2, study).expect("a result")
 }
 
 /// The first column of `runs` whose name ends so.

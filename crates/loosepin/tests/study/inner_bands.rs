@@ -3,12 +3,11 @@
 //! takes half an hour.
 
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
+use loosepin::study::Study;
 use loosepin::study::result::{CurveRange, DeviationCurve, ProbabilityBox, StudyResult};
-use loosepin::study::{Means, Study, conduct};
 use loosepin::templates::TEMPLATES;
 
 /// Templates whose studies take a second.
@@ -40,9 +39,7 @@ fn conducted(name: &str, model: &str, text: &str, is_short: bool) -> StudyResult
         study.cycle.transient_turns = 0.0;
         study.cycle.samples_per_turn = 12;
     }
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(&study, "", &means).unwrap_or_else(|error| panic!("{name}: {error}")).result
+    run(&study).result
 }
 
 /// How many places of `inner` are not within `outer`, and how many there are.

@@ -1,11 +1,9 @@
 //! Errors of paths against a closed form: a crank-rocker whose pins sit eccentrically, nobody knows in which direction.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::{run, run_on};
 use loosepin::model::Model;
+use loosepin::study::Study;
 use loosepin::study::result::{PathError, StudyResult};
-use loosepin::study::{Means, Study, conduct};
 
 const MODEL: &str = r#"
 name = "crank-rocker with eccentric pins"
@@ -191,9 +189,7 @@ fn conducted(asks: &str) -> StudyResult {
 }
 
 fn conduct_study(study: &Study) -> StudyResult {
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    conduct(study, "", &means).unwrap_or_else(|error| panic!("{error}")).result
+    run(study).result
 }
 
 #[test]
@@ -297,9 +293,7 @@ fn a_path_whose_point_stands_still_has_no_direction() {
     let model = MODEL.replace("path_of = \"coupler.tool\"", "path_of = \"rocker.pin\"");
     let refused = |model: &str, ask: &str| {
         let study = read(model, ask).unwrap_or_else(|complaints| panic!("{complaints}"));
-        let stop = AtomicBool::new(false);
-        let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-        conduct(&study, "", &means).map(|_| ()).map_err(|error| error.to_string())
+        run_on(2, &study).map(|_| ()).map_err(|error| error.to_string())
     };
     // Wherever between two looks the stop lies.
     for start_deg in ["0", "0.23", "0.47", "0.7"] {

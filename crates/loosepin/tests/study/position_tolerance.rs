@@ -1,9 +1,8 @@
 //! A hole within its position tolerance, nobody knows where, against a closed form.
 
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
-use loosepin::study::{Means, Study, conduct};
-use std::sync::atomic::AtomicBool;
+use loosepin::study::Study;
 
 /// Radius of the circle that holds the axis, m.
 const RADIUS_M: f64 = 5e-5;
@@ -15,9 +14,7 @@ fn analytic_a_hole_somewhere_in_its_zone() {
     let model = Model::from_text("model.toml", text).unwrap_or_else(|complaints| panic!("{complaints}"));
     let text = include_str!("../files/position_tolerance_study.toml");
     let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    let bounds = conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result.bounds;
+    let bounds = run(&study).result.bounds;
     let [bound] = &bounds[..] else { panic!("one bound was asked for") };
     for (end, exact_m) in [(&bound.lower, -RADIUS_M), (&bound.upper, RADIUS_M)] {
         assert!((end.value_si - exact_m).abs() < 1e-3 * RADIUS_M, "{exact_m} {bound:?}");

@@ -1,17 +1,9 @@
 //! Whole studies with a promise for a share of the box.
 
-use std::sync::atomic::AtomicBool;
-
+use crate::silent::run_on;
 use loosepin::result::json::to_json;
 use loosepin::study::result::{PromiseRecord, Purpose, Side, Statistic, StudyResult, Verdict};
-use loosepin::study::{Means, Progress, Study, conduct, foresee};
-
-struct Silent;
-
-impl Progress for Silent {
-    fn runs(&self, _finished: usize, _most: usize) {}
-}
-
+use loosepin::study::{Study, foresee};
 /// The worn pin in few and short runs, with `rest` of the study.
 fn study(rest: &str) -> Study {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin");
@@ -27,8 +19,7 @@ fn study(rest: &str) -> Study {
 }
 
 fn conducted(study: &Study, threads: usize) -> StudyResult {
-    let means = Means { threads, progress: &Silent, stop: &AtomicBool::new(false), store: None };
-    conduct(study, "0123", &means).unwrap_or_else(|error| panic!("{error}")).result
+    run_on(threads, study).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 const CLEARANCE: &str = "[epistemic]\n\"joint.gudgeon.radial_clearance\" = { interval = [\"0.1 mm\", \"0.5 mm\"] }\n";

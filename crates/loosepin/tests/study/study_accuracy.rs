@@ -1,12 +1,10 @@
 //! Studies whose samples grow until their bounds are as near as asked, and that end where a budget does.
 
-use std::sync::atomic::AtomicBool;
-
-use crate::silent::Silent;
+use crate::silent::run_on;
 use loosepin::model::Model;
 use loosepin::study::files::{bounds_csv, runs_parquet};
 use loosepin::study::result::{AccuracyRecord, AccuracyStop, StudyResult};
-use loosepin::study::{Conducted, Means, Study, StudyError, conduct, plan_runs};
+use loosepin::study::{Study, StudyError, StudyRun, plan_runs};
 use loosepin::templates::find_template;
 
 /// Nobody watches.
@@ -28,9 +26,8 @@ fn study(lines: &str) -> Study {
     Study::from_text("study.toml", &format!("{text}{asks}"), model).unwrap_or_else(|complaints| panic!("{complaints}"))
 }
 
-fn run(study: &Study) -> Conducted {
-    conduct(study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-        .unwrap_or_else(|error| panic!("{error}"))
+fn run(study: &Study) -> StudyRun {
+    run_on(2, study).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn accuracy(result: &StudyResult) -> &AccuracyRecord {
@@ -38,7 +35,7 @@ fn accuracy(result: &StudyResult) -> &AccuracyRecord {
 }
 
 /// Bounds and runs as they are written.
-fn bytes(conducted: &Conducted) -> (Vec<u8>, Vec<u8>) {
+fn bytes(conducted: &StudyRun) -> (Vec<u8>, Vec<u8>) {
     let bounds = bounds_csv(&conducted.result).unwrap_or_else(|error| panic!("{error}"));
     (bounds, runs_parquet(&conducted.runs).unwrap_or_else(|error| panic!("{error}")))
 }
@@ -97,10 +94,7 @@ fn a_budget_below_the_first_round_is_refused_before_it_begins() {
     let said = plan_runs(&study).expect_err("the budget is too small").complaint(&study).to_string();
     let due = "--budget:1:1: error[E0611]: a budget of 500 runs; the first round and what follows it take at most ";
     assert!(said.starts_with(due), "{said}");
-    assert!(matches!(
-        conduct(&study, "", &Means { threads: 1, progress: &Silent, stop: &AtomicBool::new(false), store: None }),
-        Err(StudyError::BudgetTooSmall { budget: 500, .. })
-    ));
+    assert!(matches!(run_on(1, &study), Err(StudyError::BudgetTooSmall { budget: 500, .. })));
 }
 
 #[test]

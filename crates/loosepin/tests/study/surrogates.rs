@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
-use crate::silent::Silent;
+use crate::silent::{Silent, run_on};
 use loosepin::model::Model;
 use loosepin::report::{study_page, study_text};
 use loosepin::result::json::Stored;
@@ -12,7 +12,7 @@ use loosepin::study::result::{
     AccuracyStop, BoundRecord, Guarantee, ResponsePoint, Statistic, StudyResult, SurrogateVerdict, TreatmentComparison,
     Verdict,
 };
-use loosepin::study::{Means, SavedSurrogates, Study, StudyError, conduct, export_networks};
+use loosepin::study::{RunOptions, SavedSurrogates, Study, StudyError, export_networks, run_study};
 use loosepin::templates::find_template;
 
 const OUTER: usize = 24;
@@ -57,9 +57,7 @@ fn text(surrogate: &str) -> String {
 
 fn conducted(surrogate: &str) -> StudyResult {
     let study = study(surrogate).unwrap_or_else(|complaints| panic!("{complaints}"));
-    conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-        .unwrap_or_else(|error| panic!("{error}"))
-        .result
+    run_on(2, &study).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 /// The direct and the learned bound of a statistic at the pose.
@@ -168,7 +166,7 @@ fn a_surrogate_alone_says_nothing_of_what_fails_and_ends_where_too_much_does() {
         let model = model.replace("crank_length = \"50 mm\"", "crank_length = \"125.5 mm\"");
         let model = Model::from_text("model.toml", &model).unwrap_or_else(|complaints| panic!("{complaints}"));
         let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-        conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
+        run_on(2, &study)
     };
     assert!(matches!(conducted(""), Err(StudyError::TooManyFailed(_))));
     let result = conducted("most_failed = 1").unwrap_or_else(|error| panic!("{error}")).result;
@@ -223,9 +221,8 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
     let study =
         study("[surrogate]\nkind = \"chaos\"\ntraining_runs = 30\nconfirming_runs = 8\ndirect = \"confirming\"")
             .unwrap_or_else(|complaints| panic!("{complaints}"));
-    let conducted =
-        conduct(&study, "a1", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-            .unwrap_or_else(|error| panic!("{error}"));
+    let conducted = run_study(&study, "a1", &RunOptions::new(2, &Silent, &AtomicBool::new(false)))
+        .unwrap_or_else(|error| panic!("{error}"));
     let saved = conducted.surrogates.expect("a surrogate was asked for");
     let text = surrogates_json(&saved).expect("json");
     let loaded = SavedSurrogates::from_json(&text).expect("what was written");
@@ -265,10 +262,7 @@ fn identity_saved_surrogates_give_the_same_again_and_nothing_outside() {
 #[test]
 fn runs_that_cannot_be_spread_over_the_replicates_are_refused_at_their_place() {
     let study = study("[surrogate]\nconfirming_runs = 7").unwrap_or_else(|complaints| panic!("{complaints}"));
-    let error =
-        conduct(&study, "", &Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None })
-            .err()
-            .expect("7 runs in 4 replicates");
+    let error = run_on(2, &study).err().expect("7 runs in 4 replicates");
     assert_eq!(
         error.complaint(&study).to_string().lines().next().unwrap_or_default(),
         "study.toml:5:19: error[E0611]: surrogate: 7 confirming runs; must be a multiple of the 4 replicates, at least 2 in each, \
@@ -296,8 +290,7 @@ fn approached(budget: &str) -> Result<StudyResult, StudyError> {
     if !budget.is_empty() {
         study.set_budget(budget).unwrap_or_else(|complaint| panic!("{complaint:?}"));
     }
-    let means = Means { threads: 2, progress: &Silent, stop: &AtomicBool::new(false), store: None };
-    conduct(&study, "", &means).map(|conducted| conducted.result)
+    run_on(2, &study).map(|conducted| conducted.result)
 }
 
 #[test]

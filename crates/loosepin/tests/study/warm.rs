@@ -1,9 +1,8 @@
 //! A study of a mechanism whose temperature is known roughly, against a closed form.
 
-use crate::silent::Silent;
+use crate::silent::run;
 use loosepin::model::Model;
-use loosepin::study::{Means, Study, conduct};
-use std::sync::atomic::AtomicBool;
+use loosepin::study::Study;
 
 /// A crank of 80 mm; the file says that it is used at 30 K above its drawing.
 const MODEL: &str = r#"
@@ -43,9 +42,7 @@ fn analytic_bounds_of_a_roughly_known_temperature_count_from_the_drawing() {
                 [[ask]]\noutput = \"pin\"\nof = \"total\"\nposes = { crank = [\"60 deg\"] }\nstatistics = [\"mean\"]\n";
     let model = Model::from_text("model.toml", MODEL).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
-    let stop = AtomicBool::new(false);
-    let means = Means { threads: 2, progress: &Silent, stop: &stop, store: None };
-    let result = conduct(&study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
+    let result = run(&study).result;
     let [bound] = &result.bounds[..] else { panic!("one bound was asked for") };
     // The drawing is that of 0 K, neither that of the file's 30 K nor that of the middle of the interval, 20 K.
     let exact_m = [-20.0, 60.0].map(|rise_k| 0.08 * 23e-6 * rise_k * 60_f64.to_radians().cos());

@@ -3,11 +3,12 @@
 mod plan;
 mod record;
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
+use crate::assemble::Material;
 use crate::error::StudyError;
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::{RunInputs, SampleTable};
 use plan::ContributorPlan;
 
@@ -30,15 +31,14 @@ impl Question for ContributorQuestion {
         self.plan.as_ref().map_or(0, ContributorPlan::runs)
     }
 
-    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+    fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError> {
         let (Some(plan), Some(double_loop)) = (&self.plan, &found.double_loop) else { return Ok(()) };
-        take_steps(AllAtOnce { runs: Some(plan.round(double_loop, found.bounds.rounds)) }, sheet, None)
+        take_steps(AllAtOnce { runs: Some(plan.round(double_loop, found.bounds.rounds)) }, runs, None)
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        if let Some(double_loop) = &conclusion.found.double_loop {
-            conclusion.result.contributors =
-                record::contributors(&conclusion.material, double_loop, self.plan.as_ref());
+    fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
+        if let Some(double_loop) = &found.double_loop {
+            run.result.contributors = record::contributors(material, double_loop, self.plan.as_ref());
         }
         Ok(())
     }

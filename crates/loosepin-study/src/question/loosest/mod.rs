@@ -6,10 +6,11 @@ mod together;
 
 pub use loosened::with_loosened;
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
+use crate::assemble::Material;
 use crate::error::StudyError;
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, TogetherRecord};
 use one::{allocation, allowances, most_studies, runs_of_a_study};
 use together::{most_tried_together, together};
@@ -39,19 +40,19 @@ impl Question for LoosestQuestion {
         self.most_runs
     }
 
-    /// Its studies have sheets of their own; what is in `sheet` is kept whatever happens to them.
-    fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
-        sheet.close();
-        self.search(sheet).map_err(|error| match error {
+    /// Its studies have lists of their own; what is in `runs` is kept whatever happens to them.
+    fn run(&mut self, runs: &mut Runs<'_>, _found: &mut Found) -> Result<(), StudyError> {
+        runs.close();
+        self.search(runs).map_err(|error| match error {
             StudyError::Interrupted { most_runs, .. } => {
-                StudyError::Interrupted { finished: Box::new(sheet.runs_table()), most_runs }
+                StudyError::Interrupted { finished: Box::new(runs.runs_table()), most_runs }
             }
             error => error,
         })
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        let result = &mut conclusion.result;
+    fn record(&self, _material: &Material<'_>, _found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
+        let result = &mut run.result;
         result.allowances.clone_from(&self.one_at_a_time);
         result.together.clone_from(&self.together);
         result.allocation.clone_from(&self.cheapest);
@@ -60,12 +61,12 @@ impl Question for LoosestQuestion {
 }
 
 impl LoosestQuestion {
-    fn search(&mut self, sheet: &Sheet<'_>) -> Result<(), StudyError> {
-        self.together = together(sheet)?;
+    fn search(&mut self, runs: &Runs<'_>) -> Result<(), StudyError> {
+        self.together = together(runs)?;
         if self.together.is_none() {
-            self.one_at_a_time = allowances(sheet)?;
+            self.one_at_a_time = allowances(runs)?;
         }
-        self.cheapest = allocation(sheet)?;
+        self.cheapest = allocation(runs)?;
         Ok(())
     }
 }

@@ -8,7 +8,7 @@ use crate::error::StudyError;
 use crate::file::{Allowance, AllowedFit, AllowedInput, Study};
 use crate::problem::problem;
 use crate::response::StudyResponse;
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
@@ -73,19 +73,19 @@ impl Answer {
 ///
 /// # Errors
 /// Those of the studies.
-pub fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
+pub fn allowances(runs: &Runs<'_>) -> Result<Vec<AllowanceRecord>, StudyError> {
     let of = |allowance: &Allowance| {
-        let (mut checks, mut runs) = (Vec::new(), 0);
+        let (mut checks, mut made) = (Vec::new(), 0);
         let is_met = |(value_si, fit): Tried<'_>| {
-            is_met_twice(sheet, &[(allowance, value_si)], |answer, is_confirmation| {
-                runs += answer.runs as u64;
+            is_met_twice(runs, &[(allowance, value_si)], |answer, is_confirmation| {
+                made += answer.runs as u64;
                 let fit = fit.map(|fit| fit.name.clone());
                 checks.push(AllowanceCheck { fit, value_si, answer: answer.check(is_confirmation) });
             })
         };
         let [allowed, beyond] =
             if allowance.fits.is_empty() { loosest(allowance, is_met)? } else { loosest_fit(allowance, is_met)? };
-        let (what, unit) = described(sheet.study, allowance);
+        let (what, unit) = described(runs.study, allowance);
         let fit = |(_, fit): Tried<'_>| fit.map(|fit| fit.name.clone());
         Ok(AllowanceRecord {
             path: allowance.path.clone(),
@@ -97,20 +97,20 @@ pub fn allowances(sheet: &Sheet<'_>) -> Result<Vec<AllowanceRecord>, StudyError>
             allowed_fit: allowed.and_then(fit),
             beyond_fit: beyond.and_then(fit),
             checks,
-            runs,
+            runs: made,
         })
     };
-    sheet.study.allowances.iter().map(of).collect()
+    runs.study.allowances.iter().map(of).collect()
 }
 
 /// Whether the requirements are met twice, with two sets of random numbers; `heard` gets each answer, and whether it confirms one.
 pub fn is_met_twice(
-    sheet: &Sheet<'_>,
+    runs: &Runs<'_>,
     set: &[(&Allowance, f64)],
     mut heard: impl FnMut(&Answer, bool),
 ) -> Result<bool, StudyError> {
     for is_confirmation in [false, true] {
-        let answer = run(sheet, set, seed(sheet.study, is_confirmation))?;
+        let answer = run(runs, set, seed(runs.study, is_confirmation))?;
         heard(&answer, is_confirmation);
         if answer.verdict() != Verdict::Met {
             return Ok(false);
@@ -178,23 +178,23 @@ fn loosest<'a>(
 ///
 /// # Errors
 /// Those of the studies.
-pub fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, StudyError> {
-    let offered: Vec<&Allowance> = sheet.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
+pub fn allocation(runs: &Runs<'_>) -> Result<Option<AllocationRecord>, StudyError> {
+    let offered: Vec<&Allowance> = runs.study.allowances.iter().filter(|a| !a.costs.is_empty()).collect();
     if offered.is_empty() {
         return Ok(None);
     }
-    let (mut runs, mut studies) = (0, 0);
+    let (mut made, mut studies) = (0, 0);
     let costs: Vec<&[[f64; 2]]> = offered.iter().map(|allowance| &allowance.costs[..]).collect();
     let search = cheapest(&costs, MOST_TRIED, |values| {
         let set: Vec<(&Allowance, f64)> = offered.iter().copied().zip(values.iter().copied()).collect();
-        is_met_twice(sheet, &set, |answer, _| {
-            runs += answer.runs as u64;
+        is_met_twice(runs, &set, |answer, _| {
+            made += answer.runs as u64;
             studies += 1;
         })
     })?;
     let choices = search.chosen.as_ref().map_or_else(Vec::new, |chosen| {
         let choice = |(allowance, &place): (&&Allowance, &usize)| {
-            let (what, unit) = described(sheet.study, allowance);
+            let (what, unit) = described(runs.study, allowance);
             let [value_si, cost] = allowance.costs[place];
             AllocatedInput { path: allowance.path.clone(), what, unit, value_si, cost }
         };
@@ -207,7 +207,7 @@ pub fn allocation(sheet: &Sheet<'_>) -> Result<Option<AllocationRecord>, StudyEr
         combinations: search.combinations as u64,
         studies,
         excluded: search.excluded as u64,
-        runs,
+        runs: made,
     }))
 }
 
@@ -289,23 +289,24 @@ fn seed(study: &Study, is_confirmation: bool) -> u64 {
 }
 
 /// The requirements of the study with other values of some inputs.
-fn run(sheet: &Sheet<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
+fn run(runs: &Runs<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, StudyError> {
     let place = |allowance: &Allowance| {
-        sheet.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
+        runs.study.allowances.iter().position(|known| std::ptr::eq(known, allowance)).unwrap_or(usize::MAX)
     };
     let loosened: Vec<(usize, f64)> = set.iter().map(|(allowance, value)| (place(allowance), *value)).collect();
-    let mut study = with_loosened(sheet.study, &loosened)?;
+    let mut study = with_loosened(runs.study, &loosened)?;
     study.seed = seed;
     let response = StudyResponse::new(&study)?;
     let rounds = Refinement::try_new(problem(&study, &response), Vec::new())?;
     let table = SampleTable::new(response.row_length());
-    let mut own = Sheet::new(sheet.runner, &study, &response, table, sheet.most_runs);
+    let mut own = runs.of_another(&study, &response, table);
     own.loosened = &loosened;
     let bounds = take_steps(DirectSteps::new(rounds, None), &mut own, None)?.bounds;
     let material = Material {
         study: &study,
         response: &response,
         table: &own.table,
+        sampling: study.sampling,
         bounds: &bounds,
         pairs: &bounds.pairs,
         rare: &[],

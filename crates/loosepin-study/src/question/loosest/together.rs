@@ -3,7 +3,7 @@
 use super::one::{HALVINGS, described, is_met_twice, least_tried_si};
 use crate::error::StudyError;
 use crate::file::{Allowance, Study};
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_result::study::{LoosenedInput, Together, TogetherCheck, TogetherRecord};
 
 /// Values of the first input for which a frontier has the loosest value of the second.
@@ -27,26 +27,26 @@ pub fn most_tried_together(how: Together) -> usize {
 ///
 /// # Errors
 /// Those of the studies.
-pub fn together(sheet: &Sheet<'_>) -> Result<Option<TogetherRecord>, StudyError> {
-    let Some(how) = sheet.study.together else { return Ok(None) };
-    let allowances = &sheet.study.allowances;
-    let (mut checks, mut runs) = (Vec::new(), 0);
+pub fn together(runs: &Runs<'_>) -> Result<Option<TogetherRecord>, StudyError> {
+    let Some(how) = runs.study.together else { return Ok(None) };
+    let allowances = &runs.study.allowances;
+    let (mut checks, mut made) = (Vec::new(), 0);
     let ranges: Vec<[f64; 2]> =
         allowances.iter().map(|allowance| [least_tried_si(allowance), allowance.up_to_si]).collect();
     let found = search(how, &ranges, |values_si| {
         let set: Vec<(&Allowance, f64)> = allowances.iter().zip(values_si.iter().copied()).collect();
-        is_met_twice(sheet, &set, |answer, is_confirmation| {
-            runs += answer.runs as u64;
+        is_met_twice(runs, &set, |answer, is_confirmation| {
+            made += answer.runs as u64;
             checks.push(TogetherCheck { values_si: values_si.to_vec(), answer: answer.check(is_confirmation) });
         })
     })?;
     Ok(Some(TogetherRecord {
         how,
-        inputs: loosened_inputs(sheet.study, &ranges),
+        inputs: loosened_inputs(runs.study, &ranges),
         allowed_si: found.allowed,
         beyond_si: found.beyond,
         checks,
-        runs,
+        runs: made,
     }))
 }
 

@@ -4,12 +4,13 @@ mod plan;
 mod promised;
 mod record;
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
+use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::foreseen::{Foreseen, ForeseenPromise};
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::{PromisePlan, PromisedBound, RunInputs, SampleTable};
 use plan::promise_plan;
 use promised::Promised;
@@ -36,17 +37,16 @@ impl Question for PromiseQuestion {
         cost.promise = Some(ForeseenPromise::new(&self.plan));
     }
 
-    fn run(&mut self, sheet: &mut Sheet<'_>, _found: &mut Found) -> Result<(), StudyError> {
-        let steps = PromiseSteps { plan: &self.plan, runs: Some(self.plan.round(sheet.table.rounds())) };
-        self.ends = take_steps(steps, sheet, None)?;
+    fn run(&mut self, runs: &mut Runs<'_>, _found: &mut Found) -> Result<(), StudyError> {
+        let steps = PromiseSteps { plan: &self.plan, runs: Some(self.plan.round(runs.table.rounds())) };
+        self.ends = take_steps(steps, runs, None)?;
         Ok(())
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        let Conclusion { material, found, result, .. } = conclusion;
+    fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
         let promised = Promised::new(&self.plan, &self.ends, &found.curve_bands, material.table)?;
-        record::decide(material, promised.ends, &mut result.requirements);
-        result.promise = Some(record::promise_record(material, &promised));
+        record::decide(material, promised.ends, &mut run.result.requirements);
+        run.result.promise = Some(record::promise_record(material, &promised));
         Ok(())
     }
 }

@@ -6,13 +6,14 @@ mod record;
 
 pub use bounds::{Rare, RareEnd};
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
+use crate::assemble::Material;
 use crate::columns::PlannedAsk;
 use crate::error::StudyError;
 use crate::file::{RareMethod, Study, Where};
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
 };
@@ -77,15 +78,20 @@ impl Question for RareQuestion {
         self.most_runs
     }
 
-    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+    fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError> {
         let Some(double_loop) = &found.double_loop else { return Ok(()) };
-        let steps = RareSteps::new(&found.study, &sheet.response.shared.plan.asks, double_loop, &found.bounds);
-        found.rare = take_steps(steps, sheet, None)?;
+        let steps = RareSteps::new(
+            (runs.study, found.sampling.inner),
+            &runs.response.shared.plan.asks,
+            double_loop,
+            &found.bounds,
+        );
+        found.rare = take_steps(steps, runs, None)?;
         Ok(())
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        conclusion.result.rare = record::rare_records(&conclusion.material);
+    fn record(&self, material: &Material<'_>, _found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
+        run.result.rare = record::rare_records(material);
         Ok(())
     }
 }
@@ -115,11 +121,11 @@ struct RareSteps<'s> {
 }
 
 impl<'s> RareSteps<'s> {
-    /// The small probabilities of `study`, whose double loop `plan` has given `bounds`.
-    fn new(study: &'s Study, asks: &[PlannedAsk], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
+    /// The small probabilities of `study`, whose double loop `plan` has given `bounds` from `inner` samples at each point.
+    fn new((study, inner): (&'s Study, usize), asks: &[PlannedAsk], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
         let hits = |column: usize, statistic: Statistic| {
             let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
-            pair.map_or(0.0, |pair| pair.upper.value * study.sampling.inner as f64)
+            pair.map_or(0.0, |pair| pair.upper.value * inner as f64)
         };
         let is_counted = |&(column, statistic, method): &(usize, Statistic, RareMethod)| {
             method == RareMethod::Automatic && hits(column, statistic) >= LEAST_HITS

@@ -10,12 +10,12 @@ pub use saved::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates};
 pub use steps::LearnedBounds;
 pub(crate) use steps::SurrogateSteps;
 
-use super::found::{Conclusion, Found};
+use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use super::steps::take_steps;
-use crate::assemble::learned_treatments;
+use crate::assemble::{Material, learned_treatments};
 use crate::error::StudyError;
-use crate::sheet::Sheet;
+use crate::runs::Runs;
 use loosepin_bounds::SurrogatePlan;
 
 /// What surrogates say, beside direct bounds or alone.
@@ -40,21 +40,20 @@ impl Question for SurrogateQuestion {
         if self.is_alone { 0 } else { self.most_runs }
     }
 
-    fn run(&mut self, sheet: &mut Sheet<'_>, found: &mut Found) -> Result<(), StudyError> {
+    fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError> {
         if found.surrogate.is_none() {
-            let (learned, _) = take_steps(SurrogateSteps::new(&self.plan, Vec::new(), None)?, sheet, None)?;
+            let (learned, _) = take_steps(SurrogateSteps::new(&self.plan, Vec::new(), None)?, runs, None)?;
             found.surrogate = Some(learned);
         }
         Ok(())
     }
 
-    fn record(&self, conclusion: &mut Conclusion<'_>) -> Result<(), StudyError> {
-        let Conclusion { material, found, input_hash, result, surrogates } = conclusion;
+    fn record(&self, material: &Material<'_>, found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
         let Some(LearnedBounds { plan, bounds }) = &found.surrogate else { return Ok(()) };
-        *surrogates = Some(record::saved_surrogates(material, input_hash, plan, bounds));
-        result.surrogate = Some(record::surrogate_record(material, plan, bounds));
+        run.surrogates = Some(record::saved_surrogates(material, &run.result.input_hash, plan, bounds));
+        run.result.surrogate = Some(record::surrogate_record(material, plan, bounds));
         if self.is_alone {
-            result.treatments = learned_treatments(material, plan, bounds);
+            run.result.treatments = learned_treatments(material, plan, bounds);
         }
         Ok(())
     }

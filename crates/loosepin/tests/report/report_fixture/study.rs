@@ -6,7 +6,7 @@ use loosepin::result::repeat::{InputRole, InputText, Repeat};
 use loosepin::result::{ContactBasis, ContactShape};
 use loosepin::simulate::record::Trust;
 use loosepin::study::result::*;
-use loosepin::study::runs::{RunColumn, RunData, RunsTable};
+use loosepin::study::{RunColumn, RunData, RunsTable};
 use loosepin::units::{DisplayUnits, SiUnit};
 
 use super::kinematics::{CRANK_M, Numbers, ROD_M, SPEED_RAD_S, Sample, angles_rad, drawing, orbit};

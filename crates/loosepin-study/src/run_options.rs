@@ -1,0 +1,31 @@
+//! With what a study is run.
+
+use super::elsewhere::RunMaker;
+use super::part::Part;
+use super::progress::Progress;
+use loosepin_store::RunStore;
+use std::sync::atomic::AtomicBool;
+
+/// With what a study is run. The result is the same for any of them.
+#[derive(Clone, Copy)]
+pub struct RunOptions<'a> {
+    /// Number of threads.
+    pub threads: usize,
+    /// Is told how far it is.
+    pub progress: &'a dyn Progress,
+    /// Stops it when set.
+    pub stop: &'a AtomicBool,
+    /// Where finished runs are kept and found again; nowhere if left out.
+    pub store: Option<&'a RunStore>,
+    /// Which of the runs are made here. A part that is not the whole needs a store.
+    pub part: Part,
+    /// Makes the runs in place of the threads.
+    pub maker: Option<&'a dyn RunMaker>,
+}
+
+impl<'a> RunOptions<'a> {
+    /// All runs made here, on so many threads, and kept nowhere.
+    pub fn new(threads: usize, progress: &'a dyn Progress, stop: &'a AtomicBool) -> Self {
+        Self { threads, progress, stop, store: None, part: Part::Whole, maker: None }
+    }
+}
