@@ -52,8 +52,8 @@ pub fn conducted_with(keys: &str, inputs: &str) -> StudyResult {
     let model = Model::from_text("model.toml", model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let study = Study::from_text("study.toml", &text, model).unwrap_or_else(|complaints| panic!("{complaints}"));
     let stop = AtomicBool::new(false);
-    let options = RunOptions::new(2, &Rising(AtomicUsize::new(0)), &stop);
-    run_study(&study, "", &options).unwrap_or_else(|error| panic!("{error}")).result
+    let rising = Rising(AtomicUsize::new(0));
+    run_study(&study, "", &RunOptions::new(2, &rising, &stop)).unwrap_or_else(|error| panic!("{error}")).result
 }
 
 pub const CLEARANCE: &str = "\"joint.gudgeon.radial_clearance\"";

@@ -54,8 +54,9 @@ fn study() -> Study {
 fn run(study: &Study, wants_drafts: bool, threads: usize) -> (StudyRun, Vec<Draft>) {
     let (drafts, finished, stages) = Default::default();
     let listener = Listener { wants_drafts, drafts, finished, stages };
-    let options = RunOptions::new(threads, &listener, &AtomicBool::new(false));
-    let conducted = run_study(study, "", &options).unwrap_or_else(|error| panic!("{error}"));
+    let stop = AtomicBool::new(false);
+    let conducted =
+        run_study(study, "", &RunOptions::new(threads, &listener, &stop)).unwrap_or_else(|error| panic!("{error}"));
     // Threads tell of their runs in any order, each of 64.
     let finished = listener.finished.into_inner().expect("no panic");
     assert!(finished.windows(2).all(|pair| pair[1] + 64 * threads >= pair[0]), "{finished:?}");
