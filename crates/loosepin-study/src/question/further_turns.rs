@@ -12,7 +12,7 @@ use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
 use crate::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
 use crate::runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
-use loosepin_result::study::{FurtherOutput, FurtherTurns, Reduction};
+use loosepin_result::study::{AnswerPart, FurtherOutput, FurtherTurns, QuestionAnswer, Reduction};
 use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
 
 /// Without `runs` they take this share of the turns that the study has taken, within these limits.
@@ -77,10 +77,23 @@ fn read(table: &Table<'_>, reader: &mut Reader, stated: &mut QuestionSettings) {
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
     settings: Settings,
+    /// Whether the study states them.
+    is_stated: bool,
     /// Runs of the bounds at most, among which those are that go on.
     most_of_bounds: usize,
-    answer: Option<FurtherTurns>,
+    /// What they change, or why there is nothing to look at.
+    answer: Answer,
 }
+
+type Answer = Result<FurtherTurns, &'static str>;
+
+const NOT_RUN: &str = "No run has been continued.";
+const IS_TIME: &str = "The study covers a duration, not turns: no turns follow those that are recorded.";
+const IS_LIFE: &str = "Joints wear: the life is extrapolated from its cycles, not from further turns.";
+const NO_EXTREME: &str =
+    "No largest or smallest value of the recorded turns is asked for: further turns change nothing.";
+const REPEATS: &str = "Every motion repeats itself: further turns change nothing.";
+const CANNOT_GO_ON: &str = "No run could be continued for so many turns.";
 
 /// Planned always: whether a motion repeats itself is known once it has run.
 ///
@@ -94,7 +107,8 @@ fn planned(basis: &Basis<'_>) -> Planned {
         check_turns(cycle.transient_turns, cycle.recorded_turns + f64::from(settings.turns)).map_err(by_own_table)?;
     }
     let most_of_bounds = basis.double_loop.most_runs();
-    Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
+    let answer = Err(NOT_RUN);
+    Ok(Some(Box::new(FurtherTurnsQuestion { settings, is_stated: stated.is_some(), most_of_bounds, answer })))
 }
 
 /// It is the number of further turns that is too large.
@@ -119,29 +133,42 @@ impl Question for FurtherTurnsQuestion {
     }
 
     fn record(&self, _material: &Material<'_>, _found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
-        run.result.further_turns.clone_from(&self.answer);
+        match &self.answer {
+            Ok(answer) => run.result.further_turns = Some(answer.clone()),
+            // Whoever states further turns is told why they are not among the results.
+            Err(reason) if self.is_stated => {
+                let mut told = QuestionAnswer::new("further_turns", "Further turns");
+                told.say([AnswerPart::from(*reason)]);
+                run.result.answers.push(told);
+            }
+            Err(_) => {}
+        }
         Ok(())
     }
 }
 
-/// What more turns change in the study of `runs`; `None` if every motion repeats itself, if no largest or smallest value is asked
-/// for, or if the recorded turns are not a part of many equal ones.
+/// What more turns change in the study of `runs`, or why there is nothing to look at.
 ///
 /// # Errors
 /// The study was interrupted.
-fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Option<FurtherTurns>, StudyError> {
+fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyError> {
     let (study, table, plan) = (runs.study, &runs.table, &runs.response.shared.plan);
-    // A life of wear is extrapolated from its cycles.
-    if matches!(study.cycle.span, CycleSpan::Duration(_)) || study.model.wear.is_some() {
-        return Ok(None);
+    if matches!(study.cycle.span, CycleSpan::Duration(_)) {
+        return Ok(Err(IS_TIME));
+    }
+    if study.model.wear.is_some() {
+        return Ok(Err(IS_LIFE));
     }
     let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();
     let is_restless = |run: &usize| {
         table.failure(*run).is_none() && runs.response.extras(table.values(*run)).change_over_last_turn >= SETTLED
     };
     let restless: Vec<usize> = (0..table.len()).filter(is_restless).collect();
-    if columns.is_empty() || restless.is_empty() {
-        return Ok(None);
+    if columns.is_empty() {
+        return Ok(Err(NO_EXTREME));
+    }
+    if restless.is_empty() {
+        return Ok(Err(REPEATS));
     }
     let continuing = spread(&restless, number_of_runs(settings, study, table.len()));
     let mut longer = study.clone();
@@ -153,7 +180,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Option<FurtherTu
     longer.asks = columns.iter().map(ask).collect();
     longer.requirements.clear();
     // More turns than a run may have.
-    let Ok(response) = StudyResponse::new(&longer) else { return Ok(None) };
+    let Ok(response) = StudyResponse::new(&longer) else { return Ok(Err(CANNOT_GO_ON)) };
     let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
     let rows = runs.make_again(&response, &continuing)?;
     let continued: Vec<(&[f64], Vec<f64>)> = continuing
@@ -165,7 +192,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Option<FurtherTu
         })
         .collect();
     if continued.is_empty() {
-        return Ok(None);
+        return Ok(Err(CANNOT_GO_ON));
     }
     let outputs = columns.iter().enumerate().map(|(place, &(column, reduction))| {
         let excesses: Vec<f64> =
@@ -188,7 +215,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Option<FurtherTu
         let breaks = continued.iter().filter(|(recorded, later)| is_kept(recorded[own]) && !is_kept(later[place]));
         Some(breaks.count() as u64)
     });
-    Ok(Some(FurtherTurns {
+    Ok(Ok(FurtherTurns {
         turns: settings.turns,
         runs: continued.len() as u64,
         broken_later: broken_later.collect(),

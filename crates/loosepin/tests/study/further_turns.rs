@@ -2,7 +2,7 @@
 
 use crate::silent::run_on;
 use loosepin::model::Model;
-use loosepin::study::result::Reduction;
+use loosepin::study::result::{AnswerPart, Reduction};
 use loosepin::study::{RunData, RunsTable};
 use loosepin::study::{RunRows, Study, StudyRun, plan_runs};
 use loosepin::templates::find_template;
@@ -30,7 +30,11 @@ fn study(turns: u32, play: &str) -> Study {
 
 /// [`study`] with one turn and this table after it.
 fn with_table(table: &str) -> Result<Study, String> {
-    let one = study(1, "0.5 mm");
+    with_table_and_play(table, "0.5 mm")
+}
+
+fn with_table_and_play(table: &str, play: &str) -> Result<Study, String> {
+    let one = study(1, play);
     let text = format!("{}[further_turns]\n{table}\n", one.source().text());
     Study::from_text("study.toml", &text, one.model).map_err(|complaints| complaints.to_string())
 }
@@ -88,7 +92,18 @@ fn identity_later_turns_are_those_of_the_same_runs_with_more_of_them_recorded() 
 
 #[test]
 fn nothing_is_told_where_every_motion_repeats_itself() {
-    assert_eq!(conducted(&study(1, "0 mm")).result.further_turns, None);
+    let result = conducted(&study(1, "0 mm")).result;
+    assert_eq!((result.further_turns, result.answers), (None, Vec::new()));
+}
+
+#[test]
+fn whoever_states_further_turns_is_told_why_there_are_none() {
+    let result = conducted(&with_table_and_play("count = 3", "0 mm").expect("a study")).result;
+    assert_eq!(result.further_turns, None);
+    let [answer] = &result.answers[..] else { panic!("{:?}", result.answers) };
+    assert_eq!(answer.question, "further_turns");
+    let reason = AnswerPart::from("Every motion repeats itself: further turns change nothing.");
+    assert_eq!(answer.sentences, [[reason]]);
 }
 
 #[test]
