@@ -37,5 +37,5 @@ def test_stub_is_what_was_compiled():
 def test_users_get_types(tmp_path):
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     ended = check("mypy", "--strict", str(tmp_path / "user.py"))
-    assert 'Revealed type is "tuple[loosepin._result.Bound, ...]"' in ended.stdout.replace("builtins.tuple", "tuple"), ended.stdout
+    assert 'Revealed type is "tuple[loosepin._records.Bound, ...]"' in ended.stdout.replace("builtins.tuple", "tuple"), ended.stdout
     assert ended.returncode == 0, ended.stdout

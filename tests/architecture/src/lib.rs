@@ -5,4 +5,5 @@
 
 pub mod imports;
 pub mod mentions;
+pub mod scripts;
 pub mod sources;

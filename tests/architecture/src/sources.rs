@@ -1,4 +1,4 @@
-//! The Rust files of a folder.
+//! The source files of a folder.
 
 use std::path::Path;
 
@@ -37,6 +37,11 @@ pub fn read(path: &Path) -> String {
 
 /// All Rust files below `folder`, with paths relative to it.
 pub fn sources_below(folder: &Path) -> Vec<Source> {
+    files_below(folder, &["rs"])
+}
+
+/// All files below `folder` with these extensions, with paths relative to it.
+pub fn files_below(folder: &Path, extensions: &[&str]) -> Vec<Source> {
     let mut sources = Vec::new();
     let mut open = vec![folder.to_owned()];
     while let Some(next) = open.pop() {
@@ -44,7 +49,7 @@ pub fn sources_below(folder: &Path) -> Vec<Source> {
             let path = entry.expect("a folder entry can be read").path();
             if path.is_dir() {
                 open.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
+            } else if path.extension().is_some_and(|own| extensions.iter().any(|extension| own == *extension)) {
                 let relative = path.strip_prefix(folder).expect("the file lies below the folder");
                 let parts: Vec<_> = relative.iter().map(|part| part.to_string_lossy()).collect();
                 sources.push(Source { path: parts.join("/"), text: read(&path) });

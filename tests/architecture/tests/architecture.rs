@@ -6,7 +6,8 @@
 
 use architecture::imports;
 use architecture::mentions::mentions;
-use architecture::sources::{Source, read, sources_below};
+use architecture::scripts;
+use architecture::sources::{Source, files_below, read, sources_below};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -105,8 +106,22 @@ fn no_files_of_a_crate_import_each_other_in_a_circle() {
             }
         }
     }
+    for (folder, extensions) in SCRIPTS {
+        let edges = scripts::imports(&files_below(&repository().join(folder), extensions));
+        assert!(edges.values().any(|to| !to.is_empty()) || edges.len() < 10, "no import is found in {folder}");
+        for circle in imports::circles(&edges) {
+            found += &format!("{folder}: {circle:?}\n");
+        }
+    }
     assert!(found.is_empty(), "{found}");
 }
+
+/// Folders of other languages.
+const SCRIPTS: [(&str, &[&str]); 3] = [
+    ("crates/loosepin-python/python/loosepin", &["py"]),
+    ("crates/loosepin-report/scripts", &["ts"]),
+    ("crates/loosepin-studio/front/src", &["ts", "svelte"]),
+];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
 const ONE_PLACE: [(&str, &str); 12] = [
@@ -310,6 +325,28 @@ fn a_circle_is_found_and_re_exports_make_none() {
     // A folder whose `mod.rs` defines what its files use, and calls them, is one too.
     let folder = edges(&[("m/mod.rs", "mod x; pub struct S; fn f() { x::f() }"), ("m/x.rs", "use super::S;")]);
     assert_eq!(imports::circles(&folder).len(), 1);
+}
+
+#[test]
+fn imports_of_other_languages_are_followed() {
+    let source = |path: &str, text: &str| Source { path: path.to_owned(), text: text.to_owned() };
+    let edges = scripts::imports(&[
+        source("_a.py", "from . import _b, _native\nif TYPE_CHECKING:\n    from ._c import C\n"),
+        source("_b.py", "import os\nfrom collections import abc\n"),
+        source("_c.py", "def f():\n    from ._a import A\n"),
+        source(
+            "App.svelte",
+            "<script>import Part from './parts/Part.svelte';\nimport type { Word } from \"./words\";</script>",
+        ),
+        source("parts/Part.svelte", "const lazy = import('../words.ts'); import { x } from 'svelte';"),
+        source("words.ts", ""),
+    ]);
+    let to = |path: &str| edges[path].iter().map(String::as_str).collect::<Vec<_>>();
+    assert_eq!(to("_a.py"), ["_b.py", "_c.py"]);
+    assert!(to("_b.py").is_empty() && to("words.ts").is_empty());
+    assert_eq!(to("App.svelte"), ["parts/Part.svelte", "words.ts"]);
+    assert_eq!(to("parts/Part.svelte"), ["words.ts"]);
+    assert_eq!(imports::circles(&edges), [BTreeSet::from(["_a.py", "_c.py"].map(str::to_owned))]);
 }
 
 #[test]

@@ -32,7 +32,8 @@ from ._inputs import (
 )
 from ._loosepin import Complaint, LoosepinError, __version__
 from ._model import Model, Output, Simulation
-from ._result import Bound, BoundEnd, Curve, Samples, StudyResult
+from ._records import Bound, BoundEnd, Curve
+from ._result import Samples, StudyResult
 from ._study import Study
 from ._surrogates import SurrogateOutput, Surrogates
 from ._warning import LoosepinWarning

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._extras import need
+from ._records import Array, Curve
 
 if TYPE_CHECKING:
     import matplotlib.figure
-
-    from ._model import Simulation
-    from ._result import Curve, StudyResult
 
 RANDOM = "#1f6f8b"
 """Colour of what scatters."""
@@ -28,31 +27,47 @@ def shown(unit: str, display_units: dict[str, Any]) -> tuple[str, float]:
     return (unit, 1.0) if display is None else (display["symbol"], float(display["per_si"]))
 
 
-def simulation_figure(simulation: Simulation, names: Sequence[str], deviation: bool) -> matplotlib.figure.Figure:
+@dataclass(frozen=True, eq=False)
+class Line:
+    """An output of a run, or its deviation, over the angle of the drive."""
+
+    name: str
+    """Name of the output."""
+    label: str
+    """Words beside the axis."""
+    unit: str
+    """SI unit of the values."""
+    values: Array
+    ideal: Array | None
+    """What it would be without play, where that is drawn too."""
+    has_legend: bool
+
+
+def simulation_figure(drive_angle_rad: Array, lines: Sequence[Line], display_units: dict[str, Any]) -> matplotlib.figure.Figure:
     """Outputs, or their deviations, over the angle of the drive."""
-    units = simulation.summary["display_units"]
-    columns = simulation.deviation if deviation else simulation
-    names = [name for name in names if name in columns] if deviation else list(names)
-    figure, axes = _panels(len(names))
-    for axis, name in zip(axes, names):
-        unit, factor = shown(simulation.units[name], units)
-        if not deviation and name in simulation.ideal:
-            axis.plot(np.degrees(simulation.drive_angle_rad), simulation.ideal[name] * factor, color=INK, lw=0.8, ls="--", label="ideal")
-        axis.plot(np.degrees(simulation.drive_angle_rad), columns[name] * factor, color=RANDOM, lw=1.2, label=name)
-        axis.set_ylabel(f"{name}{', deviation' if deviation else ''}{_in(unit)}")
-        if not deviation:
+    figure, axes = _panels(len(lines))
+    angle = np.degrees(drive_angle_rad)
+    for axis, line in zip(axes, lines):
+        unit, factor = shown(line.unit, display_units)
+        if line.ideal is not None:
+            axis.plot(angle, line.ideal * factor, color=INK, lw=0.8, ls="--", label="ideal")
+        axis.plot(angle, line.values * factor, color=RANDOM, lw=1.2, label=line.name)
+        axis.set_ylabel(f"{line.label}{_in(unit)}")
+        if line.has_legend:
             axis.legend(frameon=False)
-    if names:
+    if lines:
         axes[-1].set_xlabel("angle of the drive [deg]")
     return figure
 
 
-def study_figure(result: StudyResult, kind: str | None, output: str | None, of: str | None) -> matplotlib.figure.Figure:
+def study_figure(
+    name: str, curves: Sequence[Curve], summary: Mapping[str, Any], kind: str | None, output: str | None, of: str | None
+) -> matplotlib.figure.Figure:
     """One of the standard figures of a study; the first kind that there is, where none is named."""
     drawn: dict[str, Callable[[Any, Any, dict[str, Any]], None]] = {"curves": _curves, "box": _boxes, "contributors": _contributors}
     holds = {"curves": "curves", "box": "boxes", "contributors": "contributors"}
     if kind is None:
-        kind = next((kind for kind in drawn if result.summary[holds[kind]]), "curves")
+        kind = next((kind for kind in drawn if summary[holds[kind]]), "curves")
     if kind not in drawn:
         raise ValueError(f"kind {kind!r}; must be 'curves', 'box' or 'contributors'")
 
@@ -60,12 +75,12 @@ def study_figure(result: StudyResult, kind: str | None, output: str | None, of: 
         own = (item["output"], item["of"]) if isinstance(item, dict) else (item.output, item.of)
         return all(wanted is None or wanted == found for wanted, found in zip((output, of), own))
 
-    items = [item for item in (result.curves if kind == "curves" else result.summary[holds[kind]]) if is_wanted(item)]
+    items = [item for item in (curves if kind == "curves" else summary[holds[kind]]) if is_wanted(item)]
     if not items:
-        raise ValueError(f"the study {result.name!r} has no {kind} of output={output!r}, of={of!r}\nhint: an [[ask]] of the study makes them")
+        raise ValueError(f"the study {name!r} has no {kind} of output={output!r}, of={of!r}\nhint: an [[ask]] of the study makes them")
     figure, axes = _panels(len(items))
     for axis, item in zip(axes, items):
-        drawn[kind](axis, item, result.summary["display_units"])
+        drawn[kind](axis, item, summary["display_units"])
     return figure
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _loosepin
 from ._extras import need
 from ._inputs import Input
-from ._result import Array, Bound, BoundEnd
+from ._records import Array, Bound, BoundEnd
 
 if TYPE_CHECKING:
     import pandas

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from ._figures import INK, RANDOM, UNKNOWN, shown
-from ._result import Array, Curve
-
-if TYPE_CHECKING:
-    from ._model import Simulation
-    from ._result import StudyResult
+from ._records import Array, Curve
 
 _STYLE = """<style>
 .loosepin { max-width: 60em; } .loosepin table { border-collapse: collapse; margin: 0.6em 0; }
@@ -23,28 +19,25 @@ _STYLE = """<style>
 </style>"""
 
 
-def study_html(result: StudyResult) -> str:
+def study_html(name: str, excerpt: str, curves: Sequence[Curve], display_units: dict[str, Any]) -> str:
     """The answer, the key table, and the curves of a study."""
-    units = result.summary["display_units"]
-    figures = "".join(_curve_figure(curve, *shown(curve.unit, units)) for curve in result.curves)
-    return f'<div class="loosepin">{_STYLE}<h3>{escape(result.name)}</h3>{result._native.excerpt()}{figures}</div>'
+    figures = "".join(_curve_figure(curve, *shown(curve.unit, display_units)) for curve in curves)
+    return f'<div class="loosepin">{_STYLE}<h3>{escape(name)}</h3>{excerpt}{figures}</div>'
 
 
-def simulation_html(simulation: Simulation) -> str:
-    """The mechanism, and the least and largest value of each output of a run."""
-    units = simulation.summary["display_units"]
+def simulation_html(title: str, counts: str, outputs: Iterable[tuple[str, str, Array, Array | None]], picture: str, display_units: dict[str, Any]) -> str:
+    """The mechanism, and the least and largest value of each output of a run: its name, SI unit, values and deviations."""
     rows = []
-    for name, values in simulation.items():
-        unit, factor = shown(simulation.units[name], units)
+    for name, si_unit, values, deviation in outputs:
+        unit, factor = shown(si_unit, display_units)
         cells = [float(np.min(values)) * factor, float(np.max(values)) * factor]
-        if name in simulation.deviation:
-            cells.append(float(np.max(np.abs(simulation.deviation[name]))) * factor)
+        if deviation is not None:
+            cells.append(float(np.max(np.abs(deviation))) * factor)
         numbers = "".join(f'<td class="number">{cell:.6g} {escape(unit if unit != "1" else "")}</td>' for cell in cells)
         rows.append(f"<tr><td>{escape(name)}</td>{numbers}</tr>")
     head = "<tr><th>output, at the rows</th><th>least</th><th>largest</th><th>furthest from the ideal motion</th></tr>"
-    counts = f"{len(simulation.time_s)} rows, {len(simulation.impacts)} impacts"
-    title = f"<h3>{escape(simulation._native.model)}</h3><p>{counts}</p>"
-    return f'<div class="loosepin">{_STYLE}{title}<table>{head}{"".join(rows)}</table>{simulation._native.picture()}</div>'
+    heading = f"<h3>{escape(title)}</h3><p>{counts}</p>"
+    return f'<div class="loosepin">{_STYLE}{heading}<table>{head}{"".join(rows)}</table>{picture}</div>'
 
 
 _WIDTH, _HEIGHT, _LEFT, _BOTTOM = 640, 220, 64, 34

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Generic, TypeVar
 
 from . import _loosepin
 
-if TYPE_CHECKING:
-    from ._study import Study
+StudyT = TypeVar("StudyT")
 
 
 @dataclass(frozen=True)
@@ -57,12 +57,13 @@ class Posterior:
     """The mechanism that was measured, where the file says."""
 
 
-class Identification:
+class Identification(Generic[StudyT]):
     """The answer of `Study.identify`: that of the command `loosepin identify`."""
 
-    def __init__(self, native: _loosepin.Identification) -> None:
+    def __init__(self, native: _loosepin.Identification, study: Callable[[_loosepin.Study], StudyT]) -> None:
         """Use `Study.identify`."""
         self._native = native
+        self._study = study
 
     @cached_property
     def record(self) -> dict[str, Any]:
@@ -99,13 +100,11 @@ class Identification:
         of_motion = (specimen["misfit"] is not None for specimen in self.record.get("motion", []))
         return any(of_readings) or any(of_motion)
 
-    def narrowed(self) -> Study:
+    def narrowed(self) -> StudyT:
         """The study with the narrower intervals: `narrowed().text` is what `--write` writes. Raises LoosepinError for a misfit.
 
         With `lengths=True` the text names a file of mechanisms, which `--write` of the command writes too; the study has it in memory."""
-        from ._study import Study
-
-        return Study(_loosepin.Study.from_texts(self._native.narrowed()))
+        return self._study(_loosepin.Study.from_texts(self._native.narrowed()))
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the page."""

@@ -11,11 +11,11 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from . import _loosepin
 from ._extras import need
+from ._figures import Line, simulation_figure
+from ._html import simulation_html
+from ._records import Array
 from ._toml import to_toml
 from ._warning import warn
 
@@ -120,7 +120,7 @@ class Model:
         return f"<p><b>{escape(self.name)}</b>, a mechanism</p><table>{head}{rows}</table>"
 
 
-class Simulation(Mapping[str, NDArray[np.float64]]):
+class Simulation(Mapping[str, Array]):
     """One run: `simulation["slider"]` holds the values of an output at `simulation.time_s`, SI.
 
     All arrays have one entry for each row of `history.csv`.
@@ -130,25 +130,25 @@ class Simulation(Mapping[str, NDArray[np.float64]]):
         """Use `Model.simulate`."""
         self._native = native
         history = native.history()
-        self.history: dict[str, NDArray[np.float64]] = {column.name: column.values for column in history}
+        self.history: dict[str, Array] = {column.name: column.values for column in history}
         """The columns of `history.csv` by name, units in the names: `time_s`, the angle of the drive, outputs, states."""
-        self.time_s: NDArray[np.float64] = history[0].values
+        self.time_s: Array = history[0].values
         """Times of the rows since the start of the run, s."""
-        self.drive_angle_rad: NDArray[np.float64] = history[1].values
+        self.drive_angle_rad: Array = history[1].values
         """Angle of the drive, continuous over turns, rad."""
         outputs = native.outputs()
-        self._values: dict[str, NDArray[np.float64]] = {
+        self._values: dict[str, Array] = {
             name: column.values for (name, _), column in zip(outputs, history[2:])
         }
         ideal, deviation = native.ideal_and_deviation()
-        self.ideal: dict[str, NDArray[np.float64]] = {column.name: column.values for column in ideal}
+        self.ideal: dict[str, Array] = {column.name: column.values for column in ideal}
         """Each output without play, in its SI unit."""
-        self.deviation: dict[str, NDArray[np.float64]] = {column.name: column.values for column in deviation}
+        self.deviation: dict[str, Array] = {column.name: column.values for column in deviation}
         """Each output minus what it would be without play, in its SI unit."""
         self.units: dict[str, str] = dict(outputs)
         """SI unit of each output."""
 
-    def __getitem__(self, name: str) -> NDArray[np.float64]:
+    def __getitem__(self, name: str) -> Array:
         return self._values[name]
 
     def __iter__(self) -> Any:
@@ -191,9 +191,13 @@ class Simulation(Mapping[str, NDArray[np.float64]]):
 
     def plot(self, *outputs: str, deviation: bool = False) -> matplotlib.figure.Figure:
         """Draws outputs over the angle of the drive (all of them where none is named), or their deviations from the ideal motion."""
-        from ._figures import simulation_figure
+        lines = [self._line(name, deviation) for name in outputs or self if not deviation or name in self.deviation]
+        return simulation_figure(self.drive_angle_rad, lines, self.summary["display_units"])
 
-        return simulation_figure(self, outputs or tuple(self), deviation)
+    def _line(self, name: str, is_deviation: bool) -> Line:
+        if is_deviation:
+            return Line(name, f"{name}, deviation", self.units[name], self.deviation[name], None, has_legend=False)
+        return Line(name, name, self.units[name], self[name], self.ideal.get(name), has_legend=True)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page that the command `loosepin simulate` writes: one file, readable without a network."""
@@ -208,6 +212,6 @@ class Simulation(Mapping[str, NDArray[np.float64]]):
         return f"<loosepin.Simulation of {self._native.model!r}, {len(self.time_s)} rows, outputs {', '.join(self)}>"
 
     def _repr_html_(self) -> str:
-        from ._html import simulation_html
-
-        return simulation_html(self)
+        counts = f"{len(self.time_s)} rows, {len(self.impacts)} impacts"
+        outputs = ((name, self.units[name], values, self.deviation.get(name)) for name, values in self.items())
+        return simulation_html(self._native.model, counts, outputs, self._native.picture(), self.summary["display_units"])

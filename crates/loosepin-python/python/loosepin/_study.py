@@ -13,7 +13,8 @@ from ._function_bounds import FunctionBounds, Statistic, requests, table
 from ._identification import Identification, MotionPlan
 from ._model import Model
 from ._progress import Listener, listener
-from ._result import Array, StudyResult
+from ._records import Array
+from ._result import StudyResult
 from ._toml import to_toml
 from ._warning import warn
 
@@ -118,7 +119,7 @@ class Study:
         lengths: bool = False,
         threads: int | None = None,
         progress: bool | Listener = True,
-    ) -> Identification:
+    ) -> Identification[Study]:
         """Which values of the unknowns are consistent with the `[[measured]]` tables: the answer of `loosepin identify`.
 
         points: values of the unknowns at which a motion is tested, about at most. confidence: probability with which all bounds of a
@@ -131,7 +132,7 @@ class Study:
         """
         told = listener(progress, "values")
         try:
-            return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told))
+            return Identification(self._native.identify(points, confidence, specimen, posterior, lengths, threads, told), Study)
         finally:
             if told is not None:
                 told.close()

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from . import _loosepin
-from ._result import Array
+from ._records import Array
 
 
 @dataclass(frozen=True)

@@ -1,22 +1,29 @@
 // The tools with which a mechanism that is there already is built on: what a click begins, and what the next one ends.
-import type { Desk } from './desk.svelte.ts';
-import type { Edit, End, Joined } from './edits.ts';
+import type { Edit, End, Joined, Named } from './edits.ts';
 import type { Point } from './drag.ts';
+import type { Head } from './head.svelte.ts';
+import type { View } from './messages.ts';
 import { endAt, endsAt, type Target } from './targets.ts';
+import type { EditTool } from './toolset.ts';
 import { words } from './words.ts';
-
-export const editTools = ['move', 'link', 'plate', 'join', 'slider', 'ground', 'motor', 'delete'] as const;
-export type EditTool = (typeof editTools)[number];
 
 /** What a click takes: a place where points are, a body beside its points, or nothing. */
 export type Taken = { target: Target } | { body: string; at: Point } | { at: Point; isGround: boolean };
+
+/** What is built on. */
+interface Bench {
+  readonly head: Head;
+  readonly view: View | null;
+  restructure(edit: Edit): Promise<string | null>;
+  askToRemove(what: Named): Promise<string | null>;
+}
 
 export class Build {
   tool = $state<EditTool>('move');
   /** What the first click took, where a second one is due. */
   start = $state.raw<Taken | null>(null);
 
-  constructor(private readonly desk: Desk) {}
+  constructor(private readonly desk: Bench) {}
 
   get isOn(): boolean {
     return this.tool !== 'move';

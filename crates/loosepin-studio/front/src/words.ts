@@ -1,6 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
-import type { EditTool } from './build.svelte.ts';
 import type { Hold } from './sketch.svelte.ts';
+import type { EditTool, Tool } from './toolset.ts';
 import type { Force, Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
@@ -9,9 +9,6 @@ const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
 function count(number: number, one: string, many: string): string {
   return whole.format(number) + ' ' + (number === 1 ? one : many);
 }
-
-export const tools = ['link', 'plate', 'ground', 'slider', 'motor', 'delete'] as const;
-export type Tool = (typeof tools)[number];
 
 export const words = {
   studio: 'loosepin studio',
