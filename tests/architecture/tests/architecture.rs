@@ -109,7 +109,7 @@ fn no_files_of_a_crate_import_each_other_in_a_circle() {
 }
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 12] = [
+const ONE_PLACE: [(&str, &str); 15] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
     ("OutputKind", "loosepin-mechanics/src/model/output/"),
@@ -120,6 +120,9 @@ const ONE_PLACE: [(&str, &str); 12] = [
     ("DriveLaw", "loosepin-mechanics/src/model/drive/"),
     ("DriveMotion", "loosepin-mechanics/src/model/drive/"),
     ("FrictionLaw", "loosepin-mechanics/src/contact/friction/"),
+    ("NormalLaw", "loosepin-mechanics/src/contact/normal/"),
+    ("NormalDescription", "loosepin-mechanics/src/model/contact/"),
+    ("ContactLaw", "loosepin-mechanics/src/model/contact/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
 ];
