@@ -9,7 +9,6 @@ use crate::model::joint::AtBeam;
 use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
 use crate::model::load::ActsOn;
 use crate::model::quantity::{QuantityId, UNREAD};
-use crate::model::spring::SpringKind;
 use crate::model::topology::Body;
 use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::diagnostics::Span;
@@ -326,9 +325,7 @@ impl ModelReader {
             (path, BeamProblem::TurnOf { entry, body: body.clone() })
         };
         for spring in &self.springs {
-            if let SpringKind::Torsional { first, second } = spring.kind
-                && [first, second].contains(&id)
-            {
+            if spring.kind.points().is_none() && spring.kind.bodies().contains(&id) {
                 found.push(turn_of(format!("spring.{}", spring.name)));
             }
         }
