@@ -1,8 +1,8 @@
 //! Which law of contact stands behind a force that is asked about, and how a study takes another one beside it.
 
-use loosepin_mechanics::contact::{LONG_PIN_LAW, NormalDescription};
+use loosepin_mechanics::contact::LONG_PIN_LAW;
 use loosepin_mechanics::mechanism::pin_clearance;
-use loosepin_mechanics::model::{ContactId, JointId, Model, PlayId, Recorded, Stiffness, Values};
+use loosepin_mechanics::model::{ContactId, JointId, Model, PlayId, Recorded, Values};
 use loosepin_text::article::{Content, Fact, Section};
 use loosepin_text::units::{Dimension, format_value};
 
@@ -19,8 +19,7 @@ pub fn force_laws(
         let play = PlayId::Joint(joint);
         let clearance = pin_clearance(model, play).filter(|_| model.has_play(play, values))?;
         let contact = &model.contacts[clearance.contact.0];
-        let is_of_points = matches!(contact.law, NormalDescription::Point(_))
-            && matches!(contact.stiffness, Stiffness::Material { .. });
+        let is_of_points = contact.law.materials().is_some() && contact.law.line().is_none();
         if !is_of_points || listed.contains(&clearance.contact) || told.contains(&clearance.contact) {
             return None;
         }

@@ -1,10 +1,10 @@
 //! Joints in words, with what touches in them.
 
-use loosepin_mechanics::contact::{NormalContact, NormalDescription, NormalLaw};
+use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample};
 use loosepin_mechanics::model::{
     Contact, Coupling, Friction, Joint, JointId, JointPlay, JointWear, Model, PlayId, QuantityId, SlidingVelocity,
-    Stiffness, Values,
+    Values,
 };
 use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value};
@@ -101,10 +101,10 @@ fn contact_lines(
     let mut lines = Vec::new();
     let default = if contact.is_law_named { "" } else { " by default" };
     let mut law = format!("contact '{}': {}{default}", contact.name, contact.law.name());
-    if let (NormalDescription::Line(_), Some(damping)) = (contact.law, contact.damping) {
-        law.push_str(&format!(", energy loss of {}", damping.name));
+    if let (Some(_), Some(loss)) = (contact.law.line(), contact.law.loss()) {
+        law.push_str(&format!(", energy loss of {}", loss.name));
     }
-    match (contact.restitution, contact.damping_coefficient_n_s_m) {
+    match (contact.law.restitution(), contact.law.damping_coefficient()) {
         (Some(restitution), _) => {
             law.push_str(&format!(", restitution {}", format_number(values[restitution])));
             if let Some(delivered) = numbers.and_then(|numbers| numbers.delivered_restitution) {
@@ -163,32 +163,26 @@ fn stiffness_words(
     numbers: &PlayGeometry<f64>,
     values: &Values,
 ) -> String {
-    match (&numbers.normal, bearing_length_m) {
-        (NormalLaw::Point(point), _) => {
-            let k = format_value(point.stiffness_n_m_n, Dimension::contact_stiffness(point.exponent));
-            let origin = match contact.stiffness {
-                Stiffness::Material { .. } => "from the materials",
-                Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
-            };
+    match (numbers.normal.stiffness(), bearing_length_m) {
+        (Some((stiffness, exponent)), _) => {
+            let shown = |stiffness| format_value(stiffness, Dimension::contact_stiffness(exponent));
+            let k = shown(stiffness);
+            let origin = if contact.law.materials().is_some() { "from the materials" } else { "as given" };
             match numbers.shape.slot() {
                 Some(slot) if slot.end_stiffening > 0.0 => {
-                    let in_ends = point.stiffness_n_m_n * (1.0 + slot.end_stiffening);
-                    let in_ends = format_value(in_ends, Dimension::contact_stiffness(point.exponent));
+                    let in_ends = shown(stiffness * (1.0 + slot.end_stiffening));
                     format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
                 }
                 _ => format!("stiffness {k} {origin}; "),
             }
         }
-        (NormalLaw::Linear(linear), _) => {
-            format!("stiffness {} as given; ", format_value(linear.stiffness_n_m, Dimension::contact_stiffness(1.0)))
-        }
-        (normal, Some(length)) => {
-            let limit = normal.limit_m().map_or(String::new(), |limit_m| {
+        (None, Some(length)) => {
+            let limit = numbers.normal.limit_m().map_or(String::new(), |limit_m| {
                 format!(", valid up to a penetration of {}", format_value(limit_m, Dimension::LENGTH))
             });
             format!("line contact over {}{limit}; ", format_value(values[length], Dimension::LENGTH))
         }
-        _ => String::new(),
+        (None, None) => String::new(),
     }
 }
 

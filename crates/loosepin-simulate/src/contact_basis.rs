@@ -1,8 +1,8 @@
 //! What the force of each contact rests on, and what a line-contact law would make of it: for the record of a run or study.
 
-use loosepin_mechanics::contact::{LONG_PIN_LAW, NormalContact, NormalDescription, force_of_same_energy_n};
+use loosepin_mechanics::contact::{LONG_PIN_LAW, NormalContact, force_of_same_energy_n};
 use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, pin_clearance, pin_pair};
-use loosepin_mechanics::model::{PlayId, Stiffness, Values};
+use loosepin_mechanics::model::{PlayId, Values};
 use loosepin_result::{ContactBasis, ContactShape, LongPinForce};
 
 /// What the force of a joint or coupling with play rests on; `numbers` are those of the sample with `values`.
@@ -15,11 +15,11 @@ pub fn contact_basis(
     let model = &mechanism.model;
     let contact = &model.contacts[model.play_contact(play)?.0];
     let length_m = pin_clearance(model, play).and_then(|clearance| clearance.bearing_length_m).map(|id| values[id]);
-    let shape = match (&contact.stiffness, contact.law, length_m) {
+    let shape = match (contact.law.line(), length_m) {
         _ if numbers.foundation.is_some() => ContactShape::Foundation,
-        (Stiffness::Material { .. }, NormalDescription::Line(_), Some(length_m)) => ContactShape::Line { length_m },
-        (Stiffness::Material { .. }, ..) => ContactShape::Point { unused_length_m: length_m },
-        (Stiffness::Given { .. } | Stiffness::Linear { .. }, ..) => ContactShape::Given,
+        _ if contact.law.materials().is_none() => ContactShape::Given,
+        (Some(_), Some(length_m)) => ContactShape::Line { length_m },
+        _ => ContactShape::Point { unused_length_m: length_m },
     };
     let largest_valid_m_s = numbers.largest_valid_impact_speed_m_s;
     Some(ContactBasis {

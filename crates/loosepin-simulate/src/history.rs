@@ -619,7 +619,7 @@ impl<'a> Recorder<'a> {
                     largest_penetration_m: summary.largest_penetration_m,
                     peak_force_n: largest(&self.peak_forces_n),
                     largest_speed_m_s: largest(&self.largest_speeds_m_s),
-                    nominal_restitution: contact.restitution.map(|id| self.values[id]),
+                    nominal_restitution: contact.law.restitution().map(|id| self.values[id]),
                     delivered_restitution: numbers.delivered_restitution,
                     share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
                         .then(|| summary.impacts_beyond_validity as f64 / impacts as f64),

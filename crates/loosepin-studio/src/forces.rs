@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use loosepin::model::{ActsOn, BodyId, Model, PointId, SpringKind, Values};
+use loosepin::model::{ActsOn, BodyId, Model, PointId, Values};
 
 use crate::messages::{SeenForce, SeenPin};
 use crate::still::in_body_m;
@@ -15,9 +15,10 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
     let pin = |point: PointId| pin(model, &values, point);
     let held = Held::of(model);
     let springs = model.springs.iter().map(|spring| {
-        let (kind, ends) = match spring.kind {
-            SpringKind::Linear { first, second } => ("spring", vec![pin(first), pin(second)]),
-            SpringKind::Torsional { first, second } => {
+        let (kind, ends) = match spring.kind.points() {
+            Some(points) => ("spring", points.map(pin).to_vec()),
+            None => {
+                let [first, second] = spring.kind.bodies();
                 ("torsion spring", held.between(first, second).map(pin).into_iter().collect())
             }
         };

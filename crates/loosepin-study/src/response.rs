@@ -7,10 +7,10 @@ use super::ideal_tables::IdealTables;
 use super::outputs::Seen;
 use super::recorder::{Shared, positions};
 use loosepin_bounds::{Failure, Response};
-use loosepin_mechanics::contact::NormalDescription;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
-    ContactId, CycleInput, CycleSpan, LawError, Model, PlayId, Position, QuantityError, QuantityId, Steady, Values,
+    ContactId, CycleInput, CycleSpan, LawError, Model, NormalDescription, PlayId, Position, QuantityError, QuantityId,
+    Steady, Values,
 };
 use loosepin_result::study::PathError;
 use loosepin_simulate::{
@@ -182,7 +182,7 @@ impl StudyResponse {
             .plays
             .iter()
             .map(|&play| study.model.play_contact(play))
-            .map(|contact| contact.and_then(|contact| study.model.contacts[contact.0].restitution))
+            .map(|contact| contact.and_then(|contact| study.model.contacts[contact.0].law.restitution()))
             .collect();
         Ok(Self {
             joints: mechanism.plays.iter().map(play_name).collect(),

@@ -124,17 +124,21 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 12] = [
+const ONE_PLACE: [(&str, &str); 16] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
     ("OutputKind", "loosepin-mechanics/src/model/output/"),
     ("LoadKind", "loosepin-mechanics/src/model/load/"),
+    ("SpringKind", "loosepin-mechanics/src/model/spring.rs"),
     ("CouplingKind", "loosepin-mechanics/src/model/coupling/"),
     ("CouplingNumbers", "loosepin-mechanics/src/model/coupling/"),
     ("Mesh", "loosepin-mechanics/src/model/coupling/"),
     ("DriveLaw", "loosepin-mechanics/src/model/drive/"),
     ("DriveMotion", "loosepin-mechanics/src/model/drive/"),
     ("FrictionLaw", "loosepin-mechanics/src/contact/friction/"),
+    ("NormalLaw", "loosepin-mechanics/src/contact/normal/"),
+    ("NormalDescription", "loosepin-mechanics/src/model/contact/"),
+    ("ContactLaw", "loosepin-mechanics/src/model/contact/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape.rs"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
 ];

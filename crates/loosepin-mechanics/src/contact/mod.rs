@@ -19,10 +19,9 @@
 //! | `friction` | a friction law, [`Friction`] | [`FrictionLaw`] |
 //! | `film` | a film of oil, [`FilmPressure`] | [`FilmLaw`] |
 //!
-//! `point`, `linear` and `line` are what model files choose from: a law gives the numbers of a form in `normal`. Forms, friction
+//! `point`, `linear` and `line` are what model files choose from (`model/contact/law.rs`): a law gives the numbers of a form in `normal`. Forms, friction
 //! and films are what the equations of motion evaluate. Each folder lists its files in its `mod.rs`.
 
-mod description;
 mod film;
 mod foundation;
 #[cfg(test)]
@@ -34,11 +33,9 @@ mod linear;
 mod normal;
 mod point;
 mod restitution;
-mod state;
 mod stiffness;
 mod worn_profile;
 
-pub use description::NormalDescription;
 pub use film::{
     FILM_LAWS, Film, FilmBearing, FilmDescription, FilmForce, FilmLaw, FilmLoad, FilmMotion, FilmPressure,
     FiniteLengthFilm, OcvirkFilm, OcvirkPrintedFilm, PinkusSternlichtFilm, ReynoldsFilm,
@@ -55,13 +52,12 @@ pub use hertz_line::{LinePatch, share_below};
 pub use line::{LINE_LAWS, LONG_PIN_LAW, LineLaw, LinePair, force_of_same_energy_n};
 pub use linear::{LINEAR_LAWS, LinearLaw};
 pub use normal::{
-    LinearContact, LogarithmicContact, NormalContact, NormalForce, NormalLaw, PointContact,
+    LinearContact, LogarithmicContact, NormalContact, NormalForce, NormalLaw, PlayState, PointContact,
     damping_ratio_that_delivers, inverse_logarithmic, restitution_of_damping_ratio,
 };
-pub use point::{POINT_LAWS, PointLaw, point_law};
+pub use point::{DEFAULT_LAW, POINT_LAWS, PointLaw, point_law};
 pub use restitution::{damping_factor_that_delivers, delivered_restitution};
-pub use state::PlayState;
 pub use stiffness::{
-    compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,
+    TouchingParts, compliance_1_pa, cylinder_stiffness_n_m1_5, largest_valid_impact_speed_m_s, sphere_stiffness_n_m1_5,
 };
 pub use worn_profile::{Weights, WornProfile};

@@ -1,5 +1,7 @@
 //! Contact stiffness of a pin in a hole and of a corner on a plane, and the speed up to which the contact laws hold.
 
+use super::line::LinePair;
+
 /// h = (1 - ν²)/E, 1/Pa, without 1/π.
 ///
 /// \[SC16\] breaks off after eq. (9), whose printed form has no π: a definition of h with 1/π would make K wrong by π.
@@ -22,6 +24,44 @@ pub fn cylinder_stiffness_n_m1_5(compliances_1_pa: [f64; 2], bearing_radius_m: f
 /// Eq. (9) of \[SC16\] is of a pin in a hole and means nothing for a corner; this choice is ours.
 pub fn sphere_stiffness_n_m1_5(compliances_1_pa: [f64; 2], radius_m: f64) -> f64 {
     4.0 / (3.0 * (compliances_1_pa[0] + compliances_1_pa[1])) * radius_m.sqrt()
+}
+
+/// The parts that touch, as far as the stiffness of a contact of materials depends on them.
+#[derive(Debug, Clone, Copy)]
+pub enum TouchingParts {
+    /// A pin in a hole.
+    Pin {
+        /// Radius R_i of the bearing, m.
+        bearing_radius_m: f64,
+        /// Radial clearance c, m.
+        clearance_m: f64,
+        /// Length L of the bearing, m, where it has one.
+        bearing_length_m: Option<f64>,
+    },
+    /// A corner or a pin on a plane.
+    OnPlane {
+        /// Its radius ρ, m; `None` where nothing tells it, as of flanks of teeth.
+        radius_m: Option<f64>,
+    },
+}
+
+impl TouchingParts {
+    /// K of a point contact, N/m^1.5, with the compliances h_i and h_j, 1/Pa; `None` where nothing tells the radius.
+    pub fn stiffness_n_m1_5(&self, compliances_1_pa: [f64; 2]) -> Option<f64> {
+        match *self {
+            Self::Pin { bearing_radius_m, clearance_m, .. } => {
+                Some(cylinder_stiffness_n_m1_5(compliances_1_pa, bearing_radius_m, clearance_m))
+            }
+            // For R_i without bounds eq. (9) comes to the same.
+            Self::OnPlane { radius_m } => radius_m.map(|radius_m| sphere_stiffness_n_m1_5(compliances_1_pa, radius_m)),
+        }
+    }
+
+    /// The pair of cylinders with these compliances, 1/Pa; `None` of other parts and of a bearing without a length.
+    pub fn line_pair(&self, compliances_1_pa: [f64; 2]) -> Option<LinePair> {
+        let Self::Pin { bearing_radius_m, clearance_m, bearing_length_m: Some(length_m) } = *self else { return None };
+        Some(LinePair { bearing_radius_m, clearance_m, length_m, compliances_1_pa })
+    }
 }
 
 /// Impact speed up to which Lankarani and Nikravesh's law is meant to hold: 1e-5 √(E/ρ), m/s (about 0.05 for steel).

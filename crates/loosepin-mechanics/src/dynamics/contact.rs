@@ -1,10 +1,10 @@
-//! Forces where the two bodies of a joint with play touch.
+//! Forces where the two bodies of a joint or coupling with play touch ([`force_between`]), and what the parts of each shape answer to
+//! find them ([`Parts`], in a file a shape).
 
-use super::contact_motion::{ContactForce, ContactMotion, ContactUnknowns, GapMotion, Sliding};
-use super::parts::{Parts, Pressed, Touch};
+use super::contact_motion::{ContactForce, ContactMotion, ContactUnknowns, DepthRoot, GapMotion, Sliding};
 use super::play::PlayMotion;
 use super::{film, foundation_contact};
-use crate::contact::{NormalContact, PlayState};
+use crate::contact::{NormalContact, NormalForce, NormalLaw, PlayState};
 use crate::mechanism::{PlayGeometry, PlayShape};
 use loosepin_math::{Real, Vec2};
 
@@ -106,25 +106,17 @@ fn force_between<T: Real>(
     let contact = parts.contact(at);
     let penetration_m = contact.penetration_m * state.contact; // eq. (4)
     let rate_m_s = contact.penetration_rate_m_s; // eq. (6)
-    let mut force = match &unknowns.root {
-        None => play.normal.force(penetration_m, rate_m_s, state), // eq. (8)
-        Some(unknown) if !unknown.may_be_read => play.normal.force_at_root(unknown.root, rate_m_s, state),
-        Some(unknown) => {
-            let depth_root = penetration_m.max(T::zero()).sqrt();
-            let is_unknown = T::from_f64(0.5).less_than(unknown.is_unknown);
-            play.normal.force_at_root(T::select(is_unknown, unknown.root, depth_root), rate_m_s, state)
-        }
-    };
+    let mut force = force_of_law(&play.normal, penetration_m, rate_m_s, state, unknowns.root); // eq. (8)
     let Pressed { share, normal_n, tangent, push_n } = parts.pressed(at, &contact, penetration_m, &mut force); // eq. (3)
     let mut on_journal_n = contact.normal * -force.total_n;
     if let Some(push_n) = push_n {
         on_journal_n += push_n;
     }
-    let moment_on_bearing_n_m = parts.moment_on_bearing_n_m(&contact, on_journal_n);
+    let of_normal_n_m = parts.moment_on_bearing_n_m(&contact, on_journal_n);
     let mut result = ContactForce {
         on_journal_n,
         moment_on_journal_n_m: T::zero(),
-        moment_on_bearing_n_m: moment_on_bearing_n_m.unwrap_or(T::zero()),
+        moment_on_bearing_n_m: of_normal_n_m.unwrap_or(T::zero()),
         contact_loss_w: (force.total_n - force.elastic_n) * rate_m_s,
         friction_loss_w: T::zero(),
         film_loss_w: T::zero(),
@@ -137,25 +129,10 @@ fn force_between<T: Real>(
         along_m: T::zero(),
     };
     if play.friction.acts() || play.wears {
-        let Sliding { sliding_m_s, material_m_s, arms_m } = parts.sliding(at, contact.normal, tangent, penetration_m);
-        result.sliding_m_s = sliding_m_s;
+        let sliding = parts.sliding(at, contact.normal, tangent, penetration_m);
+        result.sliding_m_s = sliding.sliding_m_s;
         if play.friction.acts() {
-            let friction_n = match unknowns.bristle_m {
-                None => play.friction.force_n(sliding_m_s, normal_n),
-                Some(bristle_m) => {
-                    let friction = play.friction.force_with_bristle(sliding_m_s, normal_n, bristle_m);
-                    result.bristle_rate_m_s = friction.rate_m_s;
-                    friction.force_n
-                }
-            };
-            result.on_journal_n += tangent * friction_n;
-            result.moment_on_journal_n_m = arms_m[1] * friction_n;
-            let of_friction_n_m = arms_m[0] * friction_n;
-            result.moment_on_bearing_n_m = match moment_on_bearing_n_m {
-                Some(of_normal_n_m) => of_normal_n_m - of_friction_n_m,
-                None => -of_friction_n_m,
-            };
-            result.friction_loss_w = -(friction_n * material_m_s);
+            add_friction(play, &sliding, tangent, unknowns.bristle_m, of_normal_n_m, &mut result);
         }
     }
     if let Some(film) = &play.film {
@@ -163,4 +140,122 @@ fn force_between<T: Real>(
     }
     parts.finish(at, &contact, &mut result);
     result
+}
+
+/// The force of the law, at the root of the penetration where that is an unknown.
+#[inline(always)]
+fn force_of_law<T: Real>(
+    normal: &NormalLaw<T>,
+    penetration_m: T,
+    rate_m_s: T,
+    state: &PlayState<T>,
+    root: Option<DepthRoot<T>>,
+) -> NormalForce<T> {
+    let Some(DepthRoot { is_unknown, root, may_be_read }) = root else {
+        return normal.force(penetration_m, rate_m_s, state);
+    };
+    if !may_be_read {
+        return normal.force_at_root(root, rate_m_s, state);
+    }
+    let depth_root = penetration_m.max(T::zero()).sqrt();
+    let is_unknown = T::from_f64(0.5).less_than(is_unknown);
+    normal.force_at_root(T::select(is_unknown, root, depth_root), rate_m_s, state)
+}
+
+/// Adds friction with its moments to the force of a contact whose normal force has the moment `of_normal_n_m` about the first point, where
+/// it does not act there.
+#[inline(always)]
+fn add_friction<T: Real>(
+    play: &PlayGeometry<T>,
+    sliding: &Sliding<T>,
+    tangent: Vec2<T>,
+    bristle_m: Option<T>,
+    of_normal_n_m: Option<T>,
+    to: &mut ContactForce<T>,
+) {
+    let friction_n = match bristle_m {
+        None => play.friction.force_n(sliding.sliding_m_s, to.normal_n),
+        Some(bristle_m) => {
+            let friction = play.friction.force_with_bristle(sliding.sliding_m_s, to.normal_n, bristle_m);
+            to.bristle_rate_m_s = friction.rate_m_s;
+            friction.force_n
+        }
+    };
+    to.on_journal_n += tangent * friction_n;
+    to.moment_on_journal_n_m = sliding.arms_m[1] * friction_n;
+    let of_friction_n_m = sliding.arms_m[0] * friction_n;
+    to.moment_on_bearing_n_m = of_normal_n_m.map_or(-of_friction_n_m, |of_normal_n_m| of_normal_n_m - of_friction_n_m);
+    to.friction_loss_w = -(friction_n * sliding.material_m_s);
+}
+
+/// A place of a joint with play at the last state that was set.
+#[derive(Clone, Copy)]
+pub(super) struct Touch<'t, T: Real> {
+    /// How the parts move against each other.
+    pub motion: &'t PlayMotion<T>,
+    /// The numbers of the joint.
+    pub play: &'t PlayGeometry<T>,
+    /// Which of its places.
+    pub place: usize,
+}
+
+/// What the force of the contact's law is between these parts.
+pub(super) struct Pressed<T> {
+    /// Normal force over that of the law.
+    pub share: T,
+    /// Normal force, N.
+    pub normal_n: T,
+    /// Direction in which they slide, a unit vector.
+    pub tangent: Vec2<T>,
+    /// What pushes along the wall beside it, N; none where nothing does.
+    pub push_n: Option<Vec2<T>>,
+}
+
+/// Parts that touch. The plain answers are those of a pin in a hole.
+pub(super) trait Parts<T: Real> {
+    /// Normal, penetration and its rate.
+    fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T>;
+
+    /// δ, m, alone.
+    fn penetration_m(&self, at: Touch<'_, T>) -> T;
+
+    /// The elastic energy, J, where the law would store `of_law_j`.
+    #[inline(always)]
+    fn stored_energy_j(&self, motion: &PlayMotion<T>, of_law_j: T) -> T {
+        let _ = motion;
+        of_law_j
+    }
+
+    /// What the force of the law is between them; `force` is changed where they are stiffer than it.
+    #[inline(always)]
+    fn pressed(
+        &self,
+        at: Touch<'_, T>,
+        contact: &ContactMotion<T>,
+        penetration_m: T,
+        force: &mut NormalForce<T>,
+    ) -> Pressed<T> {
+        let _ = (at, penetration_m);
+        Pressed { share: T::one(), normal_n: force.total_n, tangent: contact.normal.turned(), push_n: None }
+    }
+
+    /// Moment of the normal force about the first body's point, N m, where it does not act there.
+    #[inline(always)]
+    fn moment_on_bearing_n_m(&self, contact: &ContactMotion<T>, on_journal_n: Vec2<T>) -> Option<T> {
+        let _ = (contact, on_journal_n);
+        None
+    }
+
+    /// How the surfaces slide on each other.
+    fn sliding(&self, at: Touch<'_, T>, normal: Vec2<T>, tangent: Vec2<T>, penetration_m: T) -> Sliding<T>;
+
+    /// What is left to say of the whole force.
+    #[inline(always)]
+    fn finish(&self, at: Touch<'_, T>, contact: &ContactMotion<T>, force: &mut ContactForce<T>) {
+        let _ = (at, contact, force);
+    }
+
+    /// The gap function for the acceleration of the second point from the first, m/s², in the ground's frame (of a coupling ẍ and zero),
+    /// and the rates of both spins, rad/s².
+    fn gap(&self, at: Touch<'_, T>, acceleration_m_s2: Vec2<T>, spin_rates_rad_s2: [T; 2]) -> GapMotion<T>;
 }

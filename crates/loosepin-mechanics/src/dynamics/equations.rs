@@ -11,7 +11,7 @@ use crate::contact::PlayState;
 use crate::mechanism::{
     JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
 };
-use crate::model::{ActsOn, Course, FeedForward, PlayId, SpringKind};
+use crate::model::{ActsOn, Course, FeedForward, PlayId};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
@@ -166,9 +166,9 @@ impl<'a, T: Real> Dynamics<'a, T> {
                 && mechanism.model.loads.is_empty()
                 && mechanism.model.controls.is_empty()),
             spring_slots: springs
-                .map(|spring| match spring.kind {
-                    SpringKind::Linear { first, second } => [first, second].map(|point| tree.slot_of_point(point)),
-                    SpringKind::Torsional { first, second } => [first, second].map(|body| tree.slot_of_body[body.0]),
+                .map(|spring| match spring.kind.points() {
+                    Some(points) => points.map(|point| tree.slot_of_point(point)),
+                    None => spring.kind.bodies().map(|body| tree.slot_of_body[body.0]),
                 })
                 .collect(),
             beam_rooms: tree

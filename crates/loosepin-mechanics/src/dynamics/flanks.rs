@@ -9,8 +9,8 @@
 //!
 //! The functions stand out of line, as those of a slot do.
 
+use super::contact::{Parts, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
-use super::parts::{Parts, Touch};
 use super::play::PlayMotion;
 use crate::mechanism::{Flanks, Kinematics, PlayGeometry};
 use loosepin_math::{Real, Vec2};

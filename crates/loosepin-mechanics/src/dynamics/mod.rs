@@ -24,7 +24,6 @@ mod load;
 mod nodal_beam;
 mod nodal_room;
 mod output;
-mod parts;
 mod pin;
 mod play;
 mod reactions;

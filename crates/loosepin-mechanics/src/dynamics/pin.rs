@@ -1,7 +1,7 @@
 //! A pin in a hole: the one contact of a revolute joint with clearance ([SC16] eqs. 1 to 7).
 
+use super::contact::{Parts, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
-use super::parts::{Parts, Touch};
 use super::play::PlayMotion;
 use crate::mechanism::{PinShape, PlayGeometry};
 use crate::model::SlidingVelocity;

@@ -13,8 +13,8 @@
 //! The functions stand out of line: not every mechanism has them, and the compiler takes many times as long for an evaluation that
 //! holds them all.
 
+use super::contact::{Parts, Pressed, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
-use super::parts::{Parts, Pressed, Touch};
 use super::play::PlayMotion;
 use crate::contact::{NormalContact, NormalForce};
 use crate::mechanism::{PlayGeometry, SlotShape};

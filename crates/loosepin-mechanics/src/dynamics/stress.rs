@@ -2,7 +2,7 @@
 
 use super::equations::Dynamics;
 use crate::mechanism::{StressedBody, acceleration_at};
-use crate::model::{ActsOn, BodyId, JointId, PlayId, PointId, SpringKind};
+use crate::model::{ActsOn, BodyId, JointId, PlayId, PointId};
 use loosepin_flexible::{Nodal, Station};
 use loosepin_math::{Real, Vec2};
 
@@ -285,7 +285,7 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
         for (index, spring) in model.springs.iter().enumerate() {
-            let SpringKind::Linear { first, second } = spring.kind else { continue };
+            let Some([first, second]) = spring.kind.points() else { continue };
             let on_second_n = self.spring_force(index).on_second_n;
             if second == own {
                 force_n += on_second_n;

@@ -1,23 +1,19 @@
 //! Sizes and materials of a pin in its hole, whichever law of contact it has.
 
-use crate::contact::{LinePair, compliance_1_pa};
-use crate::model::{Clearance, Model, PlayId, Stiffness, Values};
+use crate::contact::LinePair;
+use crate::model::{Clearance, Model, PlayId, Values};
 
 /// The pin and its hole, with the length of the bearing or, where none is given, that of its diameter. `None` for what is no pin in a
 /// hole, and where the stiffness does not come from materials.
 pub fn pin_pair(model: &Model, values: &Values, play: PlayId) -> Option<LinePair> {
     let clearance = pin_clearance(model, play)?;
-    let Stiffness::Material { youngs_modulus_pa, poisson_ratio } = &model.contacts[clearance.contact.0].stiffness
-    else {
-        return None;
-    };
+    let materials = model.contacts[clearance.contact.0].law.materials()?;
     let bearing_radius_m = values[clearance.bearing_radius_m];
     Some(LinePair {
         bearing_radius_m,
         clearance_m: values[clearance.radial_clearance_m],
         length_m: clearance.bearing_length_m.map_or(2.0 * bearing_radius_m, |id| values[id]),
-        compliances_1_pa: [0, 1]
-            .map(|side| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]])),
+        compliances_1_pa: materials.compliances_1_pa(values),
     })
 }
 

@@ -19,14 +19,9 @@ use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
 use crate::contact::{
-    Film, FilmBearing, FilmDescription, Foundation, FrictionLaw, LinePair, LinearContact, NormalContact,
-    NormalDescription, NormalLaw, PointContact, compliance_1_pa, cylinder_stiffness_n_m1_5, delivered_restitution,
-    largest_valid_impact_speed_m_s, restitution_of_damping_ratio, sphere_stiffness_n_m1_5,
+    Film, FilmBearing, FilmDescription, Foundation, FrictionLaw, NormalContact, NormalLaw, TouchingParts,
 };
-use crate::model::{
-    Clearance, Contact, JointId, JointKind, JointPlay, PlayId, PlayParts, QuantityId, SlidingVelocity, Stiffness,
-    Values,
-};
+use crate::model::{Contact, JointId, JointKind, JointPlay, PlayId, PlayParts, QuantityId, SlidingVelocity, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 use std::sync::Arc;
 
@@ -150,8 +145,7 @@ impl<T: Real> Sample<T> {
                 if clearance_m > 0.0 {
                     refuse_film(&joint.name, &joint.kind, contact, values)?;
                 }
-                let law = contact.law;
-                if let NormalDescription::Line(law) = law
+                if let Some(law) = contact.law.line()
                     && let Some(fitted_m) = law.fitted_clearances_m
                     && clearance_m > 0.0
                     && !(fitted_m[0]..=fitted_m[1]).contains(&clearance_m)
@@ -252,12 +246,12 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let [bearing, journal] = kind.points();
     let clearance_m = values[clearance_m];
     let number = |id: QuantityId| T::from_f64(values[id]);
-    let (shape, normal) = match kind.play_parts()? {
+    let (shape, parts) = match kind.play_parts()? {
         PlayParts::Pin(clearance) => {
-            let pair =
-                |compliances, damping_factor| pin_contact(contact, clearance, values, compliances, damping_factor);
-            let shape = PlayShape::Pin(PinShape { bearing_radius_m: number(clearance.bearing_radius_m) });
-            (shape, normal(contact, values, pair))
+            let bearing_length_m = clearance.bearing_length_m.map(|id| values[id]);
+            let bearing_radius_m = values[clearance.bearing_radius_m];
+            let shape = PlayShape::Pin(PinShape { bearing_radius_m: T::from_f64(bearing_radius_m) });
+            (shape, TouchingParts::Pin { bearing_radius_m, clearance_m, bearing_length_m })
         }
         PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad } => {
             let block = SliderBlock {
@@ -267,28 +261,24 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
                 axis: direction(number(slider_angle_rad)),
                 ends_m: clearance.ends_m.map(|ends| ends.map(number)),
             };
-            let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
-            let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);
-            (PlayShape::Slider(block), normal(contact, values, corner))
+            let radius_m = clearance.corner_radius_m.map(|id| values[id]);
+            (PlayShape::Slider(block), TouchingParts::OnPlane { radius_m })
         }
         PlayParts::Slot { clearance, slot_angle_rad } => {
             let end_radius_m = values[clearance.end_radius_m];
             // K of eq. (9) over its limit for R_i without bounds.
-            let end_stiffening = match contact.stiffness {
-                Stiffness::Material { .. } => (end_radius_m / clearance_m).sqrt() - 1.0,
-                Stiffness::Given { .. } | Stiffness::Linear { .. } => 0.0,
-            };
+            let end_stiffening = contact.law.materials().map_or(0.0, |_| (end_radius_m / clearance_m).sqrt() - 1.0);
             let slot = SlotShape {
                 half_length_m: number(clearance.half_length_m),
                 end_radius_m: T::from_f64(end_radius_m),
                 line: direction(number(slot_angle_rad)),
                 end_stiffening: T::from_f64(end_stiffening),
             };
-            let pin_radius_m = end_radius_m - clearance_m;
-            let face = |compliances, damping_factor| flat_contact(pin_radius_m, compliances, damping_factor);
-            (PlayShape::Slot(slot), normal(contact, values, face))
+            let radius_m = Some(end_radius_m - clearance_m);
+            (PlayShape::Slot(slot), TouchingParts::OnPlane { radius_m })
         }
     };
+    let normal = contact.law.normal(values, &parts)?;
     let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {
         let numbers: Vec<f64> = friction.numbers.iter().map(|number| values[*number]).collect();
         friction.law.law(&numbers)
@@ -308,8 +298,8 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
         foundation: foundation(model, values, joint, &normal, &friction).map(Arc::new),
         wears: model.joints[joint.0].wear.is_some(),
         minimum_impact_speed_m_s: T::from_f64(values[contact.minimum_impact_speed_m_s]),
-        largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
-        delivered_restitution: delivered(&normal, contact, values),
+        largest_valid_impact_speed_m_s: contact.largest_valid_impact_speed_m_s(values),
+        delivered_restitution: contact.law.delivered_restitution(values),
     })
 }
 
@@ -321,9 +311,7 @@ fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Opti
     let contact = &model.contacts[play.contact.0];
     let number = |id: QuantityId| T::from_f64(values[id]);
     let half = T::from_f64(0.5);
-    let without_stiffness =
-        |_, _| NormalLaw::Point(PointContact { stiffness_n_m_n: f64::NAN, exponent: 1.5, damping_factor: 0.0 });
-    let normal = normal(contact, values, without_stiffness);
+    let normal = contact.law.normal(values, &TouchingParts::OnPlane { radius_m: None })?;
     Some(PlayGeometry {
         bearing_arm_m: Vec2::zero(),
         journal_arm_m: Vec2::zero(),
@@ -340,8 +328,8 @@ fn flanks<T: Real>(mechanism: &Mechanism, values: &Values, index: usize) -> Opti
         foundation: None,
         wears: false,
         minimum_impact_speed_m_s: number(contact.minimum_impact_speed_m_s),
-        largest_valid_impact_speed_m_s: validity_limit_m_s(contact, values),
-        delivered_restitution: delivered(&normal, contact, values),
+        largest_valid_impact_speed_m_s: contact.largest_valid_impact_speed_m_s(values),
+        delivered_restitution: contact.law.delivered_restitution(values),
     })
 }
 
@@ -361,89 +349,4 @@ fn film_bearing(
         roughness_m: values[film.roughness_m],
     };
     Some((film.law, bearing))
-}
-
-/// The normal force law with its numbers: stiffness as given, or from the compliances of both bodies, and energy loss.
-fn normal(
-    contact: &Contact,
-    values: &Values,
-    from_materials: impl Fn([f64; 2], f64) -> NormalLaw<f64>,
-) -> NormalLaw<f64> {
-    let restitution = contact.restitution.map(|id| values[id]);
-    let damping_factor =
-        contact.damping.zip(restitution).map_or(0.0, |(law, restitution)| (law.damping_factor)(restitution));
-    match (&contact.stiffness, contact.law) {
-        (Stiffness::Linear { law, stiffness_n_m }, _) => {
-            let damping_ratio = restitution.zip(law.damping_ratio).map(|(restitution, ratio)| ratio(restitution));
-            NormalLaw::Linear(LinearContact {
-                stiffness_n_m: values[*stiffness_n_m],
-                damping_n_s_m: contact.damping_coefficient_n_s_m.map_or(0.0, |id| values[id]),
-                damping_ratio: damping_ratio.unwrap_or(0.0),
-                has_ratio: damping_ratio.is_some(),
-            })
-        }
-        (Stiffness::Given { stiffness_n_m_n, exponent }, _) => NormalLaw::Point(PointContact {
-            stiffness_n_m_n: values[*stiffness_n_m_n],
-            exponent: values[*exponent],
-            damping_factor,
-        }),
-        (Stiffness::Material { youngs_modulus_pa, poisson_ratio }, _) => {
-            let compliances_1_pa =
-                [0, 1].map(|side| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]]));
-            from_materials(compliances_1_pa, damping_factor)
-        }
-    }
-}
-
-/// A pin in its hole: the stiffness for this clearance.
-fn pin_contact(
-    contact: &Contact,
-    clearance: &Clearance,
-    values: &Values,
-    compliances_1_pa: [f64; 2],
-    damping_factor: f64,
-) -> NormalLaw<f64> {
-    let bearing_radius_m = values[clearance.bearing_radius_m];
-    let clearance_m = values[clearance.radial_clearance_m];
-    match (contact.law, clearance.bearing_length_m) {
-        (NormalDescription::Line(law), Some(length)) => {
-            let pair = LinePair { bearing_radius_m, clearance_m, length_m: values[length], compliances_1_pa };
-            (law.contact)(&pair, damping_factor)
-        }
-        _ => NormalLaw::Point(PointContact {
-            stiffness_n_m_n: cylinder_stiffness_n_m1_5(compliances_1_pa, bearing_radius_m, clearance_m),
-            exponent: 1.5,
-            damping_factor,
-        }),
-    }
-}
-
-/// A corner of a slider, or a pin, on a plane: Hertz' sphere, to which eq. (9) comes for R_i without bounds.
-fn flat_contact(radius_m: f64, compliances_1_pa: [f64; 2], damping_factor: f64) -> NormalLaw<f64> {
-    NormalLaw::Point(PointContact {
-        stiffness_n_m_n: sphere_stiffness_n_m1_5(compliances_1_pa, radius_m),
-        exponent: 1.5,
-        damping_factor,
-    })
-}
-
-/// Restitution that a free impact delivers; none where it depends on the masses that meet.
-fn delivered(normal: &NormalLaw<f64>, contact: &Contact, values: &Values) -> Option<f64> {
-    match normal {
-        NormalLaw::Linear(linear) => linear.has_ratio.then(|| restitution_of_damping_ratio(linear.damping_ratio)),
-        // The identity of χ and ε holds for every elastic force.
-        _ => contact
-            .damping
-            .zip(contact.restitution)
-            .map(|(law, restitution)| delivered_restitution((law.damping_factor)(values[restitution]))),
-    }
-}
-
-fn validity_limit_m_s(contact: &Contact, values: &Values) -> f64 {
-    match (&contact.stiffness, contact.density_kg_m3) {
-        (Stiffness::Material { youngs_modulus_pa: [first, second], .. }, Some(density)) => {
-            largest_valid_impact_speed_m_s(values[*first].min(values[*second]), values[density])
-        }
-        _ => f64::INFINITY,
-    }
 }

@@ -1,7 +1,7 @@
 //! The numbers of springs with their dampers.
 
 use super::points::point_m;
-use crate::model::{Elasticity, Model, Spring, SpringKind, TableCurve, Values};
+use crate::model::{Elasticity, Model, Spring, TableCurve, Values};
 use loosepin_math::{
     Numbers, Pieces, Real, Vec2, cubic_piece, cubic_with_slopes, monotone_slopes, natural_spline, numbers,
 };
@@ -103,17 +103,12 @@ fn shortest_m(elasticity: &Elasticity, values: &Values) -> f64 {
 impl<T: Real> SpringGeometry<T> {
     /// Lays out `values` for a spring of `model`.
     pub fn new(model: &Model, spring: &Spring, values: &Values) -> Self {
+        let points = spring.kind.points();
         Self {
-            arms_m: match spring.kind {
-                SpringKind::Linear { first, second } => [first, second].map(|point| point_m(model, values, point)),
-                SpringKind::Torsional { .. } => [Vec2::zero(); 2],
-            },
+            arms_m: points.map_or([Vec2::zero(); 2], |points| points.map(|point| point_m(model, values, point))),
             elastic: ElasticNumbers::new(&spring.elasticity, values),
             damping: spring.damping.map_or(T::zero(), |id| T::from_f64(values[id])),
-            shortest_m: T::from_f64(match spring.kind {
-                SpringKind::Linear { .. } => shortest_m(&spring.elasticity, values),
-                SpringKind::Torsional { .. } => 0.0,
-            }),
+            shortest_m: T::from_f64(points.map_or(0.0, |_| shortest_m(&spring.elasticity, values))),
         }
     }
 

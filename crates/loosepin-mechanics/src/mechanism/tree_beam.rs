@@ -5,7 +5,7 @@
 //! off the axis too. Joints, springs and forces act on the link of the section; that a force on it bends the beam follows from its partial
 //! velocities.
 
-use crate::model::{ActsOn, BodyId, Lump, Model, PointId, SpringKind, Values};
+use crate::model::{ActsOn, BodyId, Lump, Model, PointId, Values};
 use loosepin_flexible::{Basis, Shapes, Station, even_shares};
 use std::ops::Range;
 use std::sync::Arc;
@@ -170,10 +170,8 @@ pub(super) fn share_of(model: &Model, point: PointId, values: &Values) -> f64 {
 /// Whether a joint, a spring or a load acts on a point, or the inertia of a lump.
 fn is_pushed(model: &Model, point: PointId) -> bool {
     let by_joint = model.joints.iter().any(|joint| joint.kind.points().contains(&point));
-    let by_spring = model.springs.iter().any(|spring| match spring.kind {
-        SpringKind::Linear { first, second } => [first, second].contains(&point),
-        SpringKind::Torsional { .. } => false,
-    });
+    let mut of_springs = model.springs.iter().filter_map(|spring| spring.kind.points());
+    let by_spring = of_springs.any(|points| points.contains(&point));
     let by_load = model.loads.iter().any(|load| load.kind.acts_on() == ActsOn::Point(point));
     let is_heavy = model.bodies[point.body.0]
         .beam

@@ -1,4 +1,4 @@
-//! The reader of a model, as far as couplings and motions know it, beside what joints know.
+//! The reader of a model, as far as contacts, couplings and motions know it, beside what joints know.
 
 use super::joint::JointReader;
 use super::quantity::QuantityId;
@@ -12,6 +12,9 @@ pub type Column = (&'static str, Dimension);
 pub trait EntryReader: JointReader {
     /// The quantity at an entry, of a given dimension.
     fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId>;
+
+    /// A number that neither a study nor a setting may change, with its value.
+    fn fixed_number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<(QuantityId, f64)>;
 
     /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.
     fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>>;

@@ -1,25 +1,11 @@
 //! Another normal force law in a contact of a model: a law is no number, so it is chosen before a mechanism is compiled.
 
+use super::contact::{LawError, NormalDescription};
 use super::ids::ContactId;
 use super::path_error::PathError;
-use super::topology::{Model, Stiffness};
-use crate::contact::{NormalDescription, point_law};
-use loosepin_text::diagnostics::{Code, nearest_name, problems};
+use super::topology::Model;
+use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::units::quoted;
-
-problems! {
-    /// Why a contact cannot have a law.
-    #[derive(Debug, Clone, PartialEq)]
-    pub enum LawError {
-        NeedsKey { law: &'static str, key: &'static str, table: String } => Code::LawNotPossible,
-            says("{law} needs {key} of {table}, which the model does not give"),
-            hint("add {key} to {table}, or leave {law} out");
-        /// A linear law beside others: its stiffness has another unit and stands in place of the materials.
-        OtherStiffness { law: &'static str, beside: &'static str, table: String } => Code::LawNotPossible,
-            says("{law} takes its stiffness in another way than {beside}, the law of {table} in the model"),
-            hint("leave {law} out, or give it a model of its own");
-    }
-}
 
 impl Model {
     /// The contact whose law has this path, `contact.NAME.law`; nothing where the path is none of a law.
@@ -46,53 +32,28 @@ impl Model {
     pub fn with_law(&self, contact: ContactId, law: NormalDescription) -> Result<Model, LawError> {
         let given = &self.contacts[contact.0];
         let table = format!("contact '{}'", given.name);
-        let name = law.name();
-        let needs = |key: &'static str, table: &str| LawError::NeedsKey { law: name, key, table: table.to_owned() };
-        let stiffness = match (law, &given.stiffness) {
-            (NormalDescription::Linear(law), Stiffness::Linear { stiffness_n_m, .. }) => {
-                Stiffness::Linear { law, stiffness_n_m: *stiffness_n_m }
-            }
-            (NormalDescription::Linear(_), _) | (_, Stiffness::Linear { .. }) => {
-                return Err(LawError::OtherStiffness { law: name, beside: given.law.name(), table });
-            }
-            (NormalDescription::Line(_), Stiffness::Given { .. }) => return Err(needs("youngs_modulus", &table)),
-            (_, stiffness) => stiffness.clone(),
-        };
-        match law {
-            NormalDescription::Linear(law) if law.has_given_damping() => {
-                given.damping_coefficient_n_s_m.ok_or_else(|| needs("damping_coefficient", &table))?;
-            }
-            _ => {
-                given.restitution.ok_or_else(|| needs("restitution", &table))?;
-            }
-        }
-        if let NormalDescription::Line(_) = law {
+        let changed = given.law.with(law, given.line_loss, &table)?;
+        if changed.line().is_some() {
             for joint in &self.joints {
                 if let Some(clearance) = joint.kind.pin_clearance()
                     && clearance.contact == contact
                     && clearance.bearing_length_m.is_none()
                 {
-                    return Err(needs("bearing_length", &format!("joint '{}'", joint.name)));
+                    let table = format!("joint '{}'", joint.name);
+                    return Err(LawError::NeedsKey { law: law.name(), key: "bearing_length", table });
                 }
             }
         }
-        let damping = match law {
-            NormalDescription::Point(law) => Some(law),
-            NormalDescription::Linear(_) => None,
-            NormalDescription::Line(law) => given.line_damping.or_else(|| point_law(law.default_damping)),
-        };
         let mut model = self.clone();
-        let changed = &mut model.contacts[contact.0];
-        (changed.law, changed.damping, changed.stiffness) = (law, damping, stiffness);
-        changed.is_law_named = true;
+        let contact = &mut model.contacts[contact.0];
+        (contact.law, contact.is_law_named) = (changed, true);
         Ok(model)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::contact::NormalDescription;
-    use crate::model::{ContactId, Model};
+    use crate::model::{ContactId, Model, NormalDescription};
 
     /// The slider-crank template.
     const SLIDER_CRANK: &str = include_str!("../../../loosepin-import/templates/slider-crank/model.toml");

@@ -5,12 +5,14 @@
 
 mod beam;
 mod beam_problem;
+mod contact;
 mod control;
 mod coupling;
 mod cycle;
 mod cycle_input;
 mod drive;
 mod entry_reader;
+mod friction;
 mod function;
 mod ids;
 mod initial;
@@ -39,6 +41,7 @@ mod topology;
 mod wear;
 
 pub use beam::{Beam, Formulation, Lump};
+pub use contact::{Contact, ContactLaw, LawError, Lubrication, Materials, NormalDescription};
 pub use control::{Control, FeedForward};
 pub use coupling::{
     Belt, Cam, CamProfile, Coupled, Coupling, CouplingKind, CouplingNumbers, CouplingPlay, CouplingReader, Curve,
@@ -51,6 +54,7 @@ pub use drive::{
     Expression, ExpressionMotion, Harmonic, HarmonicMotion, KindOfDrive, MotionLaw, MotionTable, Period, Polynomial,
     PolynomialMotion, Steady, TableMotion, TablePiece, TimeDual, TimeTable, Written,
 };
+pub use friction::{Friction, SlidingVelocity};
 pub use function::{Changing, Function};
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
@@ -59,7 +63,6 @@ pub use joint::{
     PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
 };
 pub use keys::CYCLE_NUMBERS;
-pub use law_choice::LawError;
 pub use load::{
     ActsOn, Course, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TorqueLoad,
 };
@@ -83,7 +86,7 @@ pub use setting::{Setting, SettingError, SettingRange};
 pub use sizes::{MOST_BODIES, MOST_ENTRIES, MOST_JOINTS};
 pub use spring::{Elasticity, Spring, SpringKind};
 pub use table_curve::TableCurve;
-pub use topology::{Body, Contact, Friction, Guess, Joint, Model, Point, SlidingVelocity, Stiffness};
+pub use topology::{Body, Guess, Joint, Model, Point};
 pub use wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, MOST_JUMPS, WearGeometry, WearLife, WearMeasure, WearPressure,
 };

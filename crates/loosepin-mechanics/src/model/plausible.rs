@@ -1,7 +1,8 @@
 //! Numbers that are allowed and hardly possible: units a thousand times off, bodies that no matter could make. They are warned of.
 
+use super::contact::Contact;
 use super::quantity::{Origin, QuantityId, Values};
-use super::topology::{Body, Contact, Model};
+use super::topology::{Body, Model};
 use crate::contact::delivered_restitution;
 use loosepin_text::diagnostics::{Code, Complaint, problems};
 use loosepin_text::document::describe_path;
@@ -230,7 +231,7 @@ impl Model {
 
     /// What a contact law makes of the restitution.
     fn judge_restitution(&self, contact: &Contact, values: &Values, found: &mut Vec<(String, HardlyPossible)>) {
-        let (Some(restitution), Some(law)) = (contact.restitution, contact.damping) else { return };
+        let (Some(restitution), Some(law)) = (contact.law.restitution(), contact.law.loss()) else { return };
         let damping_factor = (law.damping_factor)(values[restitution]);
         let delivered = delivered_restitution(damping_factor);
         // A law without loss says so by its name.

@@ -15,6 +15,9 @@ pub(super) const DIAMETRAL: &str = "diametral_clearance";
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct QuantityId(pub usize);
 
+/// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
+pub(super) const UNREAD: QuantityId = QuantityId(0);
+
 /// One number of the model.
 #[derive(Debug, Clone)]
 pub struct Quantity {

@@ -1,11 +1,10 @@
 //! All settings of a command line together, and other measured arguments.
 
+use super::contact::{LawError, NormalDescription};
 use super::ids::ContactId;
-use super::law_choice::LawError;
 use super::quantity::{Origin, QuantityError, QuantityId, Values};
 use super::setting::{Setting, SettingError, measured};
 use super::topology::Model;
-use crate::contact::NormalDescription;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, nearest_name};
 use loosepin_text::units::{Dimension, Rule, format_refused};
 

@@ -1,7 +1,7 @@
 //! Values set from outside: `--set path=value`, and the inputs of a study.
 
+use super::contact::LawError;
 use super::ids::PlayId;
-use super::law_choice::LawError;
 use super::path_error::PathError;
 use super::quantity::{DIAMETRAL, Origin, QuantityError, QuantityId, RADIAL};
 use super::topology::Model;

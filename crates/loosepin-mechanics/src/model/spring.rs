@@ -58,6 +58,11 @@ pub enum SpringKind {
 }
 
 impl SpringKind {
+    /// The points between which it pulls; `None` of one that turns bodies.
+    pub fn points(&self) -> Option<[PointId; 2]> {
+        if let Self::Linear { first, second } = *self { Some([first, second]) } else { None }
+    }
+
     /// The two bodies that it connects.
     pub fn bodies(&self) -> [BodyId; 2] {
         match *self {

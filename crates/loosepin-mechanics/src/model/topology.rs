@@ -1,10 +1,12 @@
 //! Bodies, joints, contacts and drives of a model, referring to numbers by [`QuantityId`].
 
 use super::beam::Beam;
+use super::contact::Contact;
 use super::control::Control;
 use super::coupling::Coupling;
 use super::cycle::Cycle;
 use super::drive::Drive;
+use super::friction::Friction;
 use super::ids::{BodyId, PointId};
 use super::initial::{InitialOffset, InitialValue};
 use super::joint::{AtBeam, JointKind};
@@ -16,7 +18,6 @@ use super::wear::{JointWear, WearGeometry, WearLife};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::contact::{FilmDescription, FrictionDescription, LinearLaw, NormalDescription, PointLaw};
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source, Span};
 use loosepin_text::units::{Dimension, DisplayUnits, ReadableUnit};
 
@@ -191,95 +192,6 @@ pub struct JointFriction {
     pub friction: Friction,
     /// Radius of the pin, or length over which the guide holds the slider, m, > 0.
     pub size_m: QuantityId,
-}
-
-/// Contact between pin and hole or slot, or between the corners of a slider and its guide.
-#[derive(Debug, Clone)]
-pub struct Contact {
-    /// Name in the file.
-    pub name: String,
-    /// Normal force law.
-    pub law: NormalDescription,
-    /// Whether the file names it.
-    pub is_law_named: bool,
-    /// The law whose χ is the energy loss: the normal force law itself, or the one named beside a line-contact law. None for a
-    /// linear law.
-    pub damping: Option<&'static PointLaw>,
-    /// The law named for the energy loss of a line-contact law, whichever law the contact has; none where none is named.
-    pub line_damping: Option<&'static PointLaw>,
-    /// Nominal coefficient of restitution c_e in (0, 1]; none where the damping coefficient is given.
-    pub restitution: Option<QuantityId>,
-    /// Where the stiffness comes from.
-    pub stiffness: Stiffness,
-    /// Damping coefficient D where it is given, N s/m, >= 0.
-    pub damping_coefficient_n_s_m: Option<QuantityId>,
-    /// Floor v_min of the impact speed, m/s, > 0.
-    pub minimum_impact_speed_m_s: QuantityId,
-    /// Density for the validity limit of the law, kg/m³, > 0.
-    pub density_kg_m3: Option<QuantityId>,
-    /// Friction, if any.
-    pub friction: Option<Friction>,
-    /// Film of oil, if any.
-    pub film: Option<Lubrication>,
-    /// It stands for none: joints have play and name no contact, so that the model is complete for its motion only.
-    pub is_missing: bool,
-}
-
-/// A film of oil between pin and hole.
-#[derive(Debug, Clone)]
-pub struct Lubrication {
-    /// The film.
-    pub law: &'static FilmDescription,
-    /// Viscosity of the oil, Pa s, > 0.
-    pub viscosity_pa_s: QuantityId,
-    /// The thinnest film, m, > 0.
-    pub roughness_m: QuantityId,
-}
-
-/// Where the contact stiffness comes from.
-#[derive(Debug, Clone)]
-pub enum Stiffness {
-    /// From the materials: for a point-contact law K by eq. (9) and n = 3/2; order: bearing, journal.
-    Material {
-        /// Young's moduli E_i, E_j, Pa, > 0.
-        youngs_modulus_pa: [QuantityId; 2],
-        /// Poisson's ratios ν_i, ν_j in [0, 0.5].
-        poisson_ratio: [QuantityId; 2],
-    },
-    /// K and n as given.
-    Given {
-        /// K, N/m^n, > 0.
-        stiffness_n_m_n: QuantityId,
-        /// n, >= 1.
-        exponent: QuantityId,
-    },
-    /// K of a linear law as given.
-    Linear {
-        /// The law, which tells where the damping comes from.
-        law: &'static LinearLaw,
-        /// K, N/m, > 0.
-        stiffness_n_m: QuantityId,
-    },
-}
-
-/// Friction between pin and hole.
-#[derive(Debug, Clone)]
-pub struct Friction {
-    /// The law.
-    pub law: &'static FrictionDescription,
-    /// Its numbers, in the order of [`FrictionDescription::numbers`].
-    pub numbers: Vec<QuantityId>,
-    /// Which reading of eq. (7) gives the sliding velocity.
-    pub sliding_velocity: SlidingVelocity,
-}
-
-/// The two readings of eq. (7) of the source.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SlidingVelocity {
-    /// Velocity between the material points in contact, with the spin of both bodies (default).
-    Material,
-    /// Velocity of the geometric contact point, as eq. (7) differentiates eq. (5).
-    Literal,
 }
 
 /// A hint for the assembly at the start of the cycle.

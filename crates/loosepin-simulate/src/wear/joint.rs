@@ -1,8 +1,8 @@
 //! The numbers of a joint that wears.
 
-use loosepin_mechanics::contact::{LinePatch, compliance_1_pa};
+use loosepin_mechanics::contact::LinePatch;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{JointId, PlayId, Stiffness, Values, WearPressure};
+use loosepin_mechanics::model::{JointId, PlayId, Values, WearPressure};
 
 /// The numbers of a joint that wears.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,11 +39,9 @@ impl WearingJoint {
         let bearing_radius_m = values[clearance.bearing_radius_m];
         let radii_m = [bearing_radius_m, bearing_radius_m - values[clearance.radial_clearance_m]];
         let length_m = values[wear.bearing_length_m];
-        let patch = match (&model.contacts[clearance.contact.0].stiffness, wear.pressure) {
-            (Stiffness::Material { youngs_modulus_pa, poisson_ratio }, WearPressure::HertzLine) => {
-                let compliance =
-                    |side: usize| compliance_1_pa(values[youngs_modulus_pa[side]], values[poisson_ratio[side]]);
-                Some(LinePatch::new(radii_m, length_m, [compliance(0), compliance(1)]))
+        let patch = match (model.contacts[clearance.contact.0].law.materials(), wear.pressure) {
+            (Some(materials), WearPressure::HertzLine) => {
+                Some(LinePatch::new(radii_m, length_m, materials.compliances_1_pa(values)))
             }
             _ => None,
         };

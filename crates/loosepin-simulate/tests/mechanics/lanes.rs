@@ -1,8 +1,8 @@
 //! Runs on lanes against runs alone: the same bits, whatever the instructions, the lane, the neighbours and the order.
 
-use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS, NormalDescription};
+use loosepin_mechanics::contact::{FILM_LAWS, FRICTION_LAWS};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
-use loosepin_mechanics::model::{Model, Motion, QuantityId};
+use loosepin_mechanics::model::{Model, Motion, NormalDescription, QuantityId};
 use loosepin_result::study::Deviation;
 use loosepin_simulate::{
     Arms, Counters, Execution, Findings, Follow, FollowedDeviation, FollowedRun, Observer, Onset, PassPrograms, Queue,

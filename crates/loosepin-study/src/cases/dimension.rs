@@ -1,16 +1,13 @@
 //! Dimensions and units of expected numbers.
 
 use super::case::Case;
-use loosepin_mechanics::contact::NormalLaw;
+use loosepin_mechanics::contact::NormalContact;
 use loosepin_text::units::{Dimension, ReadableUnit, SiUnit, parse_unit};
 
 /// The dimension of the stiffness of a joint with play; that of a number for laws without one.
 pub(super) fn stiffness_dimension(case: &Case, play: usize) -> Dimension {
-    match &case.sample.plays[play].normal {
-        NormalLaw::Point(law) => Dimension::contact_stiffness(law.exponent),
-        NormalLaw::Linear(_) => Dimension::contact_stiffness(1.0),
-        _ => Dimension::NUMBER,
-    }
+    let stiffness = case.sample.plays[play].normal.stiffness();
+    stiffness.map_or(Dimension::NUMBER, |(_, exponent)| Dimension::contact_stiffness(exponent))
 }
 
 /// The SI unit of a dimension.

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::case::{At, Case, ExpectedNumber, History, ImpactNumber, Quantity, QuantityKind, Reduce};
 use super::ideal::{ideal_output, quasi_static};
-use loosepin_mechanics::contact::{NormalContact, NormalLaw};
+use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_mechanics::model::Values;
 use loosepin_result::simulation::{ImpactRecord, JointSummary};
@@ -51,12 +51,11 @@ impl<'c> Runs<'c> {
                 let (mechanism, values) = self.compiled(&number.settings)?;
                 let sample = Sample::<f64>::new(&mechanism, &values).map_err(|error| error.complaint(&case.model))?;
                 let play = &sample.plays[quantity.play.unwrap_or(0)];
-                Ok(match (quantity.kind, &play.normal) {
-                    (QuantityKind::DeliveredRestitution, _) => play.delivered_restitution.unwrap_or(f64::NAN),
-                    (_, NormalLaw::Point(law)) => law.stiffness_n_m_n,
-                    (_, NormalLaw::Linear(law)) => law.stiffness_n_m,
-                    _ => f64::NAN,
-                })
+                let number = match quantity.kind {
+                    QuantityKind::DeliveredRestitution => play.delivered_restitution,
+                    _ => play.normal.stiffness().map(|(stiffness, _)| stiffness),
+                };
+                Ok(number.unwrap_or(f64::NAN))
             }
             QuantityKind::StaticForce => {
                 let (mechanism, values) = self.compiled(&number.settings)?;

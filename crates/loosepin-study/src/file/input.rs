@@ -10,8 +10,7 @@ use super::keys::{
 use super::parameter_keys::PARAMETER_FAMILIES;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use loosepin_mechanics::contact::NormalDescription;
-use loosepin_mechanics::model::{ContactId, QuantityId};
+use loosepin_mechanics::model::{ContactId, NormalDescription, QuantityId};
 use loosepin_text::document::{DocumentProblem, Entry, Keys, Table};
 use loosepin_text::units::{Dimension, Rule, format_apart, format_value};
 use loosepin_uncertainty::{Distribution, EpistemicVariable, Interval, Members};

@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use loosepin::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
-use loosepin::model::{Model, model_schema};
+use loosepin::contact::{FRICTION_LAWS, POINT_LAWS};
+use loosepin::model::{Model, NormalDescription, model_schema};
 use loosepin::study::{Study, study_schema};
 use loosepin::units::UNITS;
 use serde_json::{Map, Value};

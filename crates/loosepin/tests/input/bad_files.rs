@@ -9,9 +9,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use loosepin::bounds::Statistic;
-use loosepin::contact::{FRICTION_LAWS, NormalDescription, POINT_LAWS};
+use loosepin::contact::{FRICTION_LAWS, POINT_LAWS};
 use loosepin::diagnostics::{CODES, Colour, Complaints};
-use loosepin::model::{Model, model_schema};
+use loosepin::model::{Model, NormalDescription, model_schema};
 use loosepin::study::{InputFile, Study};
 use loosepin::templates::find_template;
 use loosepin::units::quoted;

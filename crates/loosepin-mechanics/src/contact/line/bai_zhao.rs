@@ -2,7 +2,8 @@
 
 use super::law::LineLaw;
 use super::liu::liu_stiffness_n_m;
-use crate::contact::normal::{BaiZhaoContact, NormalLaw};
+use crate::contact::normal::BaiZhaoContact;
+use crate::contact::point::ZHIYING_QISHAO;
 
 /// Bai and Zhao's hybrid law 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), for every δ; energy loss by Zhiying and
 /// Qishao where the model file names no other.
@@ -11,14 +12,11 @@ use crate::contact::normal::{BaiZhaoContact, NormalLaw};
 pub(super) const BAI_ZHAO: LineLaw = LineLaw {
     name: "bai-zhao",
     source: "Bai and Zhao 2013: F = K_n δ, K_n = (π E* L/8) √(2δ(3c + 2δ)²/(c + δ)³), E* = 1/(π h)",
-    default_damping: "zhiying-qishao",
+    default_damping: &ZHIYING_QISHAO,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
-        NormalLaw::BaiZhao(BaiZhaoContact {
-            stiffness_n_m: liu_stiffness_n_m(pair),
-            clearance_m: pair.clearance_m,
-            damping_factor,
-        })
+        let stiffness_n_m = liu_stiffness_n_m(pair);
+        BaiZhaoContact { stiffness_n_m, clearance_m: pair.clearance_m, damping_factor }.into()
     },
 };
 

@@ -2,6 +2,7 @@
 
 use super::law::LineLaw;
 use super::logarithmic::logarithmic_law;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Dubowsky and Freudenstein 1971: δ = f h (ln(L³c/(F R_i R_j h)) + 1), f = F/L; no inverse beyond δ = L²c/(R_i R_j).
 ///
@@ -11,7 +12,7 @@ pub(super) const DUBOWSKY_FREUDENSTEIN: LineLaw = LineLaw {
     name: "dubowsky-freudenstein",
     source: "Dubowsky and Freudenstein 1971: δ = f h (ln(L³c/(F R_i R_j h)) + 1), f = F/L, h with 1/π (Goldsmith's with \
         the exponent 3, which alone is right in its dimensions); inverted up to δ = L²c/(R_i R_j)",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
         // L³c/(F R_i R_j h) = L²c/(R_i R_j s)

@@ -2,6 +2,7 @@
 
 use super::law::LineLaw;
 use super::logarithmic::logarithmic_law;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Engineering Sciences Data Unit, item 78035: δ = f h (ln(4c/(f h)) + 1), f = F/L; no inverse beyond δ = 4 c.
 ///
@@ -9,7 +10,7 @@ use super::logarithmic::logarithmic_law;
 pub(super) const ESDU_78035: LineLaw = LineLaw {
     name: "esdu-78035",
     source: "ESDU item 78035: δ = f h (ln(4c/(f h)) + 1), f = F/L, h with 1/π and no further π; inverted up to δ = 4c",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
         // ln(4c/s) + 1 = ln(4ce/s)

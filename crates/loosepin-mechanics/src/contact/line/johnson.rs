@@ -2,12 +2,13 @@
 
 use super::law::LineLaw;
 use super::logarithmic::logarithmic_law;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Johnson 1985: δ = f h (ln(4c/(f h)) - 1), f = F/L; no inverse beyond δ = 0.5413 c.
 pub(super) const JOHNSON: LineLaw = LineLaw {
     name: "johnson",
     source: "Johnson 1985: δ = f h (ln(4c/(f h)) - 1), f = F/L, h with 1/π; inverted up to δ = 0.5413 c",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
         // ln(4c/s) - 1 = ln(4c/(e s))

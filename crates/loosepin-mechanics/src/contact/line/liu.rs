@@ -2,20 +2,18 @@
 
 use super::law::LineLaw;
 use super::pair::LinePair;
-use crate::contact::normal::{LiuContact, NormalLaw};
+use crate::contact::normal::LiuContact;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Liu, Zhang, Yang and co-workers 2006: F = ½ π E* L δ √(δ/(2(c + δ))), for every δ.
 pub(super) const LIU: LineLaw = LineLaw {
     name: "liu",
     source: "Liu, Zhang and Yang 2006: F = ½ π E* L δ √(δ/(2(c + δ))), E* = 1/(π h)",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
-        NormalLaw::Liu(LiuContact {
-            stiffness_n_m: liu_stiffness_n_m(pair),
-            clearance_m: pair.clearance_m,
-            damping_factor,
-        })
+        let stiffness_n_m = liu_stiffness_n_m(pair);
+        LiuContact { stiffness_n_m, clearance_m: pair.clearance_m, damping_factor }.into()
     },
 };
 

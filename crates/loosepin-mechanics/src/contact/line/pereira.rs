@@ -1,7 +1,8 @@
 //! Pereira, Ramalho and Ambrósio 2011.
 
 use super::law::LineLaw;
-use crate::contact::normal::{NormalLaw, PereiraContact};
+use crate::contact::normal::PereiraContact;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Clearance at which the fit of Y changes, mm.
 const CHANGE_MM: f64 = 0.34954;
@@ -14,7 +15,7 @@ pub(super) const PEREIRA: LineLaw = LineLaw {
     name: "pereira",
     source: "Pereira, Ramalho and Ambrósio 2011, internal contact: F = ((0.965 c + 0.0965) L E*/c) δⁿ, n = Y c^(-0.005), in mm, N \
         and MPa, fitted to c from 0.005 to 10 mm",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: Some([5e-6, 10e-3]),
     contact: |pair, damping_factor| {
         let clearance_mm = pair.clearance_m * 1e3;
@@ -25,11 +26,8 @@ pub(super) const PEREIRA: LineLaw = LineLaw {
         };
         let stiffness = (0.965 * clearance_mm + 0.0965) * (pair.length_m * 1e3) * (pair.equivalent_modulus_pa() * 1e-6)
             / clearance_mm;
-        NormalLaw::Pereira(PereiraContact {
-            force_at_1_mm_n: stiffness,
-            exponent: y * libm::pow(clearance_mm, -0.005),
-            damping_factor,
-        })
+        let exponent = y * libm::pow(clearance_mm, -0.005);
+        PereiraContact { force_at_1_mm_n: stiffness, exponent, damping_factor }.into()
     },
 };
 

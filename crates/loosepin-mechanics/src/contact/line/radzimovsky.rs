@@ -2,6 +2,7 @@
 
 use super::law::LineLaw;
 use super::logarithmic::logarithmic_law;
+use crate::contact::point::DEFAULT_LAW;
 
 /// Coefficient of the half width b of the contact, for radii: 4/√π, rounded as printed.
 const WIDTH: f64 = 2.2568;
@@ -15,7 +16,7 @@ pub(super) const RADZIMOVSKY: LineLaw = LineLaw {
     name: "radzimovsky",
     source: "Radzimovsky 1953: δ = f h (2/3 + ln(4R_i/b) + ln(4R_j/b)), f = F/L, b = 2.2568 √(f R*/E*), R* = R_i R_j/c, with \
         radii and h with 1/π; inverted up to δ = 0.72 c",
-    default_damping: "lankarani-nikravesh",
+    default_damping: DEFAULT_LAW,
     fitted_clearances_m: None,
     contact: |pair, damping_factor| {
         // 16 R_i R_j/b² = 16 c E*/(2.2568² f) = 16 c/(2.2568² π s)

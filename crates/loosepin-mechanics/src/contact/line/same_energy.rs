@@ -34,7 +34,7 @@ mod tests {
         let pair = LinePair { bearing_radius_m: 0.020, clearance_m: 1e-4, length_m: 0.040, compliances_1_pa };
         // K of eq. (9) by hand: 4/3 E* √(R_i R_j/c).
         let stiffness_n_m_n = 4.0 / 3.0 * pair.equivalent_modulus_pa() * (0.020_f64 * 0.0199 / 1e-4).sqrt();
-        let point = NormalLaw::Point(PointContact { stiffness_n_m_n, exponent: 1.5, damping_factor: 0.0 });
+        let point = NormalLaw::from(PointContact { stiffness_n_m_n, exponent: 1.5, damping_factor: 0.0 });
         [point, (JOHNSON.contact)(&pair, 0.0)]
     }
 

@@ -75,7 +75,7 @@ pub(super) fn assert_static_forces(
 fn analytic_lankarani_and_nikravesh_in_the_same_table() {
     let pair = steel_pair();
     let stiffness_n_m_n = cylinder_stiffness_n_m1_5(pair.compliances_1_pa, pair.bearing_radius_m, pair.clearance_m);
-    let contact = NormalLaw::Point(PointContact { stiffness_n_m_n, exponent: 1.5, damping_factor: 0.3 });
+    let contact = NormalLaw::from(PointContact { stiffness_n_m_n, exponent: 1.5, damping_factor: 0.3 });
     for (depth_m, expected_kn) in [(1e-6, 0.0661), (10e-6, 2.0903), (50e-6, 23.371)] {
         assert!((elastic_n(&contact, depth_m) / 1e3 / expected_kn - 1.0).abs() < 5e-4);
     }

@@ -1,7 +1,25 @@
-//! The interface of a form of the normal force.
+//! The interface of a form of the normal force, and the state of a contact that it is given.
 
-use crate::contact::state::PlayState;
 use loosepin_math::Real;
+
+/// Whether pin and hole touch, and what the present contact holds from its beginning to its end.
+#[derive(Debug, Clone, Copy)]
+pub struct PlayState<T> {
+    /// One while in contact, zero in flight.
+    pub contact: T,
+    /// 1/v0 of the present contact, s/m; anything finite in flight.
+    pub inverse_impact_speed_s_m: T,
+    /// m_eff, kg: the mass that the contact met along its normal where it began, the inverse of the mechanism's inverse mass.
+    /// Zero where the law does not ask for it, and in flight.
+    pub effective_mass_kg: T,
+}
+
+impl<T: Real> PlayState<T> {
+    /// No contact.
+    pub fn flight() -> Self {
+        Self { contact: T::zero(), inverse_impact_speed_s_m: T::zero(), effective_mass_kg: T::zero() }
+    }
+}
 
 /// A normal force and its elastic part.
 #[derive(Debug, Clone, Copy)]
@@ -39,6 +57,12 @@ pub trait NormalContact<T: Real> {
 
     /// The elastic energy stored at penetration δ: ∫ F_el dδ, J.
     fn stored_energy_j(&self, penetration_m: T) -> T;
+
+    /// K, N/mⁿ, and n of `F_el = K δⁿ`; `None` for an elastic force of another form.
+    #[inline(always)]
+    fn stiffness(&self) -> Option<(T, f64)> {
+        None
+    }
 
     /// Whether the force is smooth in the root u = √δ where contact begins: then u may be an unknown during a contact.
     fn is_smooth_in_root(&self) -> bool {

@@ -1,8 +1,7 @@
 //! A spring and a damper side by side: the normal force of the linear laws.
 
-use super::contact::{NormalContact, NormalForce};
+use super::contact::{NormalContact, NormalForce, PlayState};
 use crate::contact::restitution::bisect;
-use crate::contact::state::PlayState;
 use loosepin_math::{Real, numbers};
 
 /// `F_N = K δ + (D + 2ξ √(K m_eff)) δ̇`, cut at zero: D given, or ξ.
@@ -59,6 +58,11 @@ impl<T: Real> NormalContact<T> for LinearContact<T> {
     #[inline(always)]
     fn stored_energy_j(&self, penetration_m: T) -> T {
         T::from_f64(0.5) * self.stiffness_n_m * penetration_m * penetration_m
+    }
+
+    #[inline(always)]
+    fn stiffness(&self) -> Option<(T, f64)> {
+        Some((self.stiffness_n_m, 1.0))
     }
 
     #[inline(always)]

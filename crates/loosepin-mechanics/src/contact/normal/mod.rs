@@ -1,6 +1,7 @@
 //! The forms of the normal force: the numbers of a law and its equation, as the equations of motion evaluate them.
 //!
-//! One form a file: a struct over [`Real`] that implements [`NormalContact`], and one line in the list at the end of this file.
+//! One form a file: a struct over [`Real`] that implements [`NormalContact`], and one line in the list at the end of this file. A form is
+//! made into a [`NormalLaw`] by `into`, and asked through [`NormalContact`]: nothing outside this folder names a variant.
 
 mod bai_zhao;
 mod contact;
@@ -11,14 +12,13 @@ mod pereira;
 mod point;
 
 pub use bai_zhao::BaiZhaoContact;
-pub use contact::{NormalContact, NormalForce};
+pub use contact::{NormalContact, NormalForce, PlayState};
 pub use linear::{LinearContact, damping_ratio_that_delivers, restitution_of_damping_ratio};
 pub use liu::LiuContact;
 pub use logarithmic::{LogarithmicContact, inverse_logarithmic};
 pub use pereira::PereiraContact;
 pub use point::PointContact;
 
-use crate::contact::state::PlayState;
 use loosepin_math::{Real, numbers};
 
 /// The enum of all laws, and what it hands on to them.
@@ -32,6 +32,12 @@ macro_rules! normal_laws {
         }
 
         numbers!(enum NormalLaw { $($variant(contact)),* });
+
+        $(impl<T> From<$contact<T>> for NormalLaw<T> {
+            fn from(contact: $contact<T>) -> Self {
+                Self::$variant(contact)
+            }
+        })*
 
         impl<T: Real> NormalContact<T> for NormalLaw<T> {
             #[inline(always)]
@@ -62,6 +68,12 @@ macro_rules! normal_laws {
             fn stored_energy_j(&self, penetration_m: T) -> T {
                 match self {
                     $(Self::$variant(contact) => contact.stored_energy_j(penetration_m)),*
+                }
+            }
+            #[inline(always)]
+            fn stiffness(&self) -> Option<(T, f64)> {
+                match self {
+                    $(Self::$variant(contact) => contact.stiffness()),*
                 }
             }
             #[inline(always)]

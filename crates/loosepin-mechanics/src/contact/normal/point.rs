@@ -37,6 +37,11 @@ impl<T: Real> NormalContact<T> for PointContact<T> {
         self.stiffness_n_m_n * depth_m.powf(self.exponent) * depth_m / T::from_f64(self.exponent + 1.0)
     }
 
+    #[inline(always)]
+    fn stiffness(&self) -> Option<(T, f64)> {
+        Some((self.stiffness_n_m_n, self.exponent))
+    }
+
     /// K u³ is smooth where contact begins, K δ^1.5 is not.
     #[inline(always)]
     fn is_smooth_in_root(&self) -> bool {

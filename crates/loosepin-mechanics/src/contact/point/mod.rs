@@ -17,6 +17,10 @@ mod lee_wang;
 mod zhiying_qishao;
 
 pub use law::PointLaw;
+pub(super) use zhiying_qishao::ZHIYING_QISHAO;
+
+/// The law where the model file names none: that of the source paper. Long pins have another one, `LONG_PIN_LAW`.
+pub const DEFAULT_LAW: &PointLaw = &lankarani_nikravesh::LANKARANI_NIKRAVESH;
 
 /// Every point-contact law, by year; the exact one last.
 pub static POINT_LAWS: &[PointLaw] = &[

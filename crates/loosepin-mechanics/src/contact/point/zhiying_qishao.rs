@@ -2,7 +2,7 @@
 
 use super::law::PointLaw;
 
-pub(super) const ZHIYING_QISHAO: PointLaw = PointLaw {
+pub(in crate::contact) const ZHIYING_QISHAO: PointLaw = PointLaw {
     name: "zhiying-qishao",
     source: "Zhiying and Qishao 2006: χ = 3(1 - c_e²) exp(2(1 - c_e))/4",
     damping_factor: |restitution| 0.75 * (1.0 - restitution * restitution) * libm::exp(2.0 * (1.0 - restitution)),

@@ -8,7 +8,7 @@ pub(super) mod spring;
 pub(super) mod table;
 pub(super) mod wear;
 
-use crate::contact::{FILM_LAWS, NormalDescription, POINT_LAWS};
+use crate::model::contact::CONTACT_KEYS;
 use crate::model::coupling::{CAM, COUPLING_KINDS};
 use crate::model::joint::JOINT_KINDS;
 use crate::model::load::LOAD_KINDS;
@@ -16,7 +16,6 @@ use crate::model::output::OUTPUT_KEYS;
 use beam::BEAM_KEYS;
 use control::CONTROL_KEYS;
 use drive::DRIVE_KEYS;
-use friction::FRICTION_KEYS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 use spring::SPRING_KINDS;
@@ -67,125 +66,6 @@ pub(in crate::model) static BODY_KEYS: Keys = Keys::new(
         optional("beam", Kind::Table(&BEAM_KEYS), "", "a beam that bends and stretches, under [body.NAME.beam]"),
         THERMAL_EXPANSION,
         TEMPERATURE_RISE_OF_BODY,
-    ],
-);
-
-fn law_names() -> Vec<&'static str> {
-    NormalDescription::all().map(|law| law.name()).collect()
-}
-
-fn damping_names() -> Vec<&'static str> {
-    POINT_LAWS.iter().map(|law| law.name).collect()
-}
-
-fn film_law_names() -> Vec<&'static str> {
-    FILM_LAWS.iter().map(|law| law.name).collect()
-}
-
-pub(in crate::model) static FILM_KEYS: Keys = Keys::new(
-    "a film of oil between pin and hole",
-    &[
-        optional(
-            "law",
-            Kind::ChoiceOf(film_law_names),
-            "\"reynolds\"",
-            "how the pressure follows from the motion; reynolds if left out",
-        ),
-        required("viscosity", quantity(D::VISCOSITY, Rule::Positive), "\"0.04 Pa s\"", "dynamic viscosity of the oil"),
-        required(
-            "roughness",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"2 um\"",
-            "thickness below which the film no longer stiffens; beyond the clearance it fades over as much",
-        ),
-    ],
-);
-
-pub(in crate::model) const YOUNGS_MODULUS: [&str; 3] =
-    ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
-pub(in crate::model) const POISSON_RATIO: [&str; 3] =
-    ["poisson_ratio", "bearing_poisson_ratio", "journal_poisson_ratio"];
-
-pub(in crate::model) static CONTACT_KEYS: Keys = Keys::new(
-    "contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent",
-    &[
-        optional(
-            "law",
-            Kind::ChoiceOf(law_names),
-            "\"lankarani-nikravesh\"",
-            "the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from \
-             materials, else lankarani-nikravesh",
-        ),
-        optional(
-            "restitution",
-            quantity(D::NUMBER, Rule::Restitution),
-            "0.9",
-            "nominal coefficient of restitution, in (0, 1]",
-        ),
-        optional(
-            "damping",
-            Kind::ChoiceOf(damping_names),
-            "\"flores\"",
-            "the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao",
-        ),
-        optional(
-            "damping_coefficient",
-            quantity(D::DAMPING, Rule::NonNegative),
-            "\"900 N s/m\"",
-            "damping coefficient D of kelvin-voigt, in place of the restitution",
-        ),
-        optional(
-            YOUNGS_MODULUS[0],
-            quantity(D::PRESSURE, Rule::Positive),
-            "\"207 GPa\"",
-            "Young's modulus of bearing and journal",
-        ),
-        optional(
-            YOUNGS_MODULUS[1],
-            quantity(D::PRESSURE, Rule::Positive),
-            "\"110 GPa\"",
-            "Young's modulus of the bearing",
-        ),
-        optional(
-            YOUNGS_MODULUS[2],
-            quantity(D::PRESSURE, Rule::Positive),
-            "\"207 GPa\"",
-            "Young's modulus of the journal",
-        ),
-        optional(
-            POISSON_RATIO[0],
-            quantity(D::NUMBER, Rule::PoissonRatio),
-            "0.3",
-            "Poisson's ratio of bearing and journal",
-        ),
-        optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
-        optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
-        optional(
-            "stiffness",
-            Kind::Stiffness,
-            "\"6.6e10 N/m^1.5\"",
-            "stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m",
-        ),
-        optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
-        optional(
-            "minimum_impact_speed",
-            quantity(D::VELOCITY, Rule::Positive),
-            "\"1 mm/s\"",
-            "floor of the impact speed in the force law; 1 mm/s if left out",
-        ),
-        optional(
-            "density",
-            quantity(D::DENSITY, Rule::Positive),
-            "\"7800 kg/m^3\"",
-            "density, to say which impacts are too fast for the law",
-        ),
-        optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
-        optional(
-            "film",
-            Kind::Table(&FILM_KEYS),
-            "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
-            "film of oil, for joints with a bearing_length; none if left out",
-        ),
     ],
 );
 

@@ -1,15 +1,14 @@
 //! Flexible links.
 
 use super::beam_mass::Line;
-use super::reader::{ModelReader, UNREAD};
+use super::reader::ModelReader;
 use crate::model::beam::{Beam, Formulation};
 use crate::model::beam_problem::BeamProblem;
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::joint::AtBeam;
 use crate::model::keys::beam::{BEAM_KEYS, SECTION_KEYS};
 use crate::model::load::ActsOn;
-use crate::model::quantity::QuantityId;
-use crate::model::spring::SpringKind;
+use crate::model::quantity::{QuantityId, UNREAD};
 use crate::model::topology::Body;
 use loosepin_flexible::{Frame, Rule as IntegrationRule};
 use loosepin_text::diagnostics::Span;
@@ -58,18 +57,18 @@ impl ModelReader {
         let density_kg_m3 = self.quantity(&table, "density");
         let damping_ratio = self.quantity(&table, "damping_ratio");
         let frames = [("secant", Frame::Secant), ("tangent", Frame::Tangent)];
-        let frame = self.choice_or(&table, "frame", &frames, Frame::Secant);
+        let frame = self.reader.choice_or(&table, "frame", &frames, Frame::Secant);
         let [lateral, axial] = ["lateral_shapes", "axial_shapes"].map(|key| match table.has(key) {
             true => self.reader.count(&table, key),
             false => Some(DEFAULT_SHAPES),
         });
         let statics = [("at-points", true), ("none", false)];
-        let has_static_shapes = self.choice_or(&table, "static_shapes", &statics, true);
+        let has_static_shapes = self.reader.choice_or(&table, "static_shapes", &statics, true);
         let condense_above_hz = self.quantity(&table, "condense_above");
         let forms = [("second-order", true), ("none", false)];
-        let foreshortening = self.choice_or(&table, "foreshortening", &forms, true);
+        let foreshortening = self.reader.choice_or(&table, "foreshortening", &forms, true);
         let starts = [("undeformed", false), ("settled", true)];
-        let starts_settled = self.choice_or(&table, "start", &starts, false);
+        let starts_settled = self.reader.choice_or(&table, "start", &starts, false);
         let retardation_s = self.quantity(&table, "retardation_time");
         let formulation = self.formulation(&table);
         let ([Some(from), Some(to)], Some(Section { area_m2, second_moment_m4, height_m })) = (ends, section) else {
@@ -161,9 +160,9 @@ impl ModelReader {
     /// The formulation of a beam; nothing after a complaint about a key that it has not.
     fn formulation(&mut self, table: &Table<'_>) -> Option<Formulation> {
         let forms = [("floating-frame", false), ("absolute-nodal", true)];
-        let is_nodal = self.choice_or(table, "formulation", &forms, false)?;
+        let is_nodal = self.reader.choice_or(table, "formulation", &forms, false)?;
         let rules = [("full", IntegrationRule::Full), ("reduced", IntegrationRule::Reduced)];
-        let rule = self.choice_or(table, "integration", &rules, IntegrationRule::Full)?;
+        let rule = self.reader.choice_or(table, "integration", &rules, IntegrationRule::Full)?;
         let elements = if table.has("elements") { self.reader.count(table, "elements")? } else { DEFAULT_ELEMENTS };
         let (others, formulation) = match is_nodal {
             true => (&OF_FLOATING_FRAME[..], "floating-frame"),
@@ -326,9 +325,7 @@ impl ModelReader {
             (path, BeamProblem::TurnOf { entry, body: body.clone() })
         };
         for spring in &self.springs {
-            if let SpringKind::Torsional { first, second } = spring.kind
-                && [first, second].contains(&id)
-            {
+            if spring.kind.points().is_none() && spring.kind.bodies().contains(&id) {
                 found.push(turn_of(format!("spring.{}", spring.name)));
             }
         }

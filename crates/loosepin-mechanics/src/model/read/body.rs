@@ -1,9 +1,9 @@
 //! Bodies and their points.
 
-use super::reader::{ModelReader, UNREAD};
+use super::reader::ModelReader;
 use crate::model::ids::BodyId;
 use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
-use crate::model::quantity::QuantityId;
+use crate::model::quantity::{QuantityId, UNREAD};
 use crate::model::topology::{Body, Point};
 use loosepin_text::document::{DocumentProblem, Entry, Table};
 

@@ -1,13 +1,11 @@
 //! Reading couplings and cams.
 
 use super::reader::ModelReader;
-use crate::contact::NormalDescription;
 use crate::model::coupling::{CAM, COUPLING_KINDS, Coupling, CouplingReader};
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::JointKind;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::Stiffness;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 
@@ -71,9 +69,9 @@ impl CouplingReader for ModelReader {
     /// Nothing tells the radii where they touch, nor how they slide on each other.
     fn demand_contact_of_flanks(&mut self, table: &Table<'_>, id: ContactId, what_touches: &'static str) -> Option<()> {
         let contact = &self.contacts[id.0];
-        let what = match (&contact.stiffness, contact.law) {
-            (_, NormalDescription::Line(law)) => format!("the line-contact law '{}'", law.name),
-            (Stiffness::Material { .. }, _) => "a stiffness from the materials".to_owned(),
+        let what = match contact.law.line() {
+            Some(law) => format!("the line-contact law '{}'", law.name),
+            _ if contact.law.materials().is_some() => "a stiffness from the materials".to_owned(),
             _ if contact.film.is_some() => "a film of oil".to_owned(),
             _ if contact.friction.is_some() => "friction".to_owned(),
             _ => return Some(()),

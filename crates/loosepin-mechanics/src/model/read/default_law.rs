@@ -1,9 +1,7 @@
 //! The normal force law of long pins where the file names none.
 
 use super::reader::ModelReader;
-use crate::contact::{LONG_PIN_LAW, NormalDescription, point_law};
 use crate::model::ids::ContactId;
-use crate::model::topology::Stiffness;
 use crate::model::wear::{WearGeometry, WearLife};
 
 impl ModelReader {
@@ -13,13 +11,12 @@ impl ModelReader {
         let is_worn = wear.is_some_and(|wear| !matches!(wear.geometry, WearGeometry::Fixed));
         for index in 0..self.contacts.len() {
             let contact = &self.contacts[index];
-            let has_materials = matches!(contact.stiffness, Stiffness::Material { .. });
-            if contact.is_law_named || !has_materials || !self.are_long_pins(ContactId(index), is_worn) {
-                continue;
+            if !contact.is_law_named
+                && let Some(law) = contact.law.of_long_pins()
+                && self.are_long_pins(ContactId(index), is_worn)
+            {
+                self.contacts[index].law = law;
             }
-            let contact = &mut self.contacts[index];
-            contact.law = NormalDescription::Line(LONG_PIN_LAW);
-            contact.damping = point_law(LONG_PIN_LAW.default_damping);
         }
     }
 
@@ -49,7 +46,7 @@ mod tests {
         let text = change(SLIDER_CRANK);
         let model = Model::from_text("model.toml", &text).unwrap_or_else(|complaints| panic!("{complaints}"));
         let contact = &model.contacts[0];
-        (contact.law.name(), contact.is_law_named, contact.damping.map_or("", |law| law.name))
+        (contact.law.name(), contact.is_law_named, contact.law.loss().map_or("", |law| law.name))
     }
 
     #[test]

@@ -107,7 +107,7 @@ impl ModelReader {
             for key in ["offset", "offset_velocity"] {
                 self.refuse_beside(table, key, "start");
             }
-            self.choice_or(table, "start", &[("resting", OffsetPlace::Resting)], OffsetPlace::Resting)?
+            self.reader.choice_or(table, "start", &[("resting", OffsetPlace::Resting)], OffsetPlace::Resting)?
         } else {
             OffsetPlace::Given { offset_m, velocity_m_s }
         };

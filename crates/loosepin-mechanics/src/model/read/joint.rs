@@ -1,13 +1,13 @@
 //! Joints.
 
 use super::reader::ModelReader;
-use crate::contact::NormalDescription;
+use crate::model::friction::Friction;
 use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, PlayKeys};
 use crate::model::keys::friction::JOINT_FRICTION_KEYS;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
-use crate::model::topology::{Joint, JointFriction, Stiffness};
+use crate::model::topology::{Joint, JointFriction};
 use crate::model::wear::JointWear;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Table};
@@ -51,7 +51,7 @@ impl ModelReader {
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
     fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
         let size_m = self.quantity(table, key);
-        let friction = table.get("friction").map(|entry| self.friction(&entry, &JOINT_FRICTION_KEYS));
+        let friction = table.get("friction").map(|entry| Friction::read(&entry, &JOINT_FRICTION_KEYS, self));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
                 self.complain_of_missing(table, key, vec![needs]);
@@ -74,7 +74,7 @@ impl ModelReader {
 
     /// The contact of a joint or coupling with play: the one that it names, or one that stands for none; `None` after a complaint.
     pub(super) fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId> {
-        if table.has("contact") { named } else { self.no_contact() }
+        if table.has("contact") { named } else { Some(self.no_contact()) }
     }
 }
 
@@ -117,9 +117,9 @@ impl JointReader for ModelReader {
     fn contact_facts(&self, contact: ContactId) -> ContactFacts {
         let contact = &self.contacts[contact.0];
         ContactFacts {
-            is_line: matches!(contact.law, NormalDescription::Line(_)),
+            is_line: contact.law.line().is_some(),
             has_film: contact.film.is_some(),
-            is_of_materials: matches!(contact.stiffness, Stiffness::Material { .. }),
+            is_of_materials: contact.law.materials().is_some(),
         }
     }
 

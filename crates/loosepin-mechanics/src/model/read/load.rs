@@ -90,7 +90,7 @@ impl ModelReader {
         size: &SizeKeys,
         variables: &[Variable],
     ) -> Option<LoadTable> {
-        let curve = self.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
+        let curve = self.reader.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
         let piston = if size.takes_pressures { self.piston(table) } else { Some(None) };
         let Some(argument) = table.get("of") else {
             self.complain_of_missing(table, given, vec!["of"]);

@@ -1,10 +1,9 @@
 //! What runs need and a file leaves out: noted, and asked for where somebody runs the model. The motion without dynamics needs none of it.
 
 use super::reader::ModelReader;
-use crate::contact::{NormalDescription, point_law};
+use crate::model::contact::Contact;
 use crate::model::ids::ContactId;
-use crate::model::quantity::{Origin, Quantity, QuantityId};
-use crate::model::topology::{Contact, Stiffness};
+use crate::model::quantity::{Origin, Quantity};
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{DocumentProblem, Table};
 use loosepin_text::units::{Dimension, Rule};
@@ -31,35 +30,16 @@ impl ModelReader {
     }
 
     /// The contact of joints that name none. Its numbers stand for nothing: a model with it is not run.
-    pub(super) fn no_contact(&mut self) -> Option<ContactId> {
+    pub(super) fn no_contact(&mut self) -> ContactId {
         if let Some(index) = self.contacts.iter().position(|contact| contact.is_missing) {
-            return Some(ContactId(index));
+            return ContactId(index);
         }
-        let law = point_law(super::contact::DEFAULT_LAW)?;
-        let mut number = |key: &str, dimension: Dimension| -> QuantityId {
+        let number = |key: &str, dimension: Dimension| {
             let path = format!("contact.{NO_CONTACT}.{key}");
             let quantity = Quantity { path, dimension, rule: Rule::Finite, origin: Origin::Fixed, span: None };
             self.quantities.add_number(quantity, 1.0)
         };
-        let exponent = number("exponent", Dimension::NUMBER);
-        let stiffness_n_m_n = number("stiffness", Dimension::contact_stiffness(1.0));
-        let restitution = number("restitution", Dimension::NUMBER);
-        let minimum_impact_speed_m_s = number("minimum_impact_speed", Dimension::VELOCITY);
-        self.contacts.push(Contact {
-            name: NO_CONTACT.to_owned(),
-            law: NormalDescription::Point(law),
-            damping: Some(law),
-            line_damping: None,
-            restitution: Some(restitution),
-            stiffness: Stiffness::Given { stiffness_n_m_n, exponent },
-            damping_coefficient_n_s_m: None,
-            minimum_impact_speed_m_s,
-            density_kg_m3: None,
-            friction: None,
-            film: None,
-            is_missing: true,
-            is_law_named: true,
-        });
-        Some(ContactId(self.contacts.len() - 1))
+        self.contacts.push(Contact::missing(NO_CONTACT, number));
+        ContactId(self.contacts.len() - 1)
     }
 }

@@ -29,12 +29,13 @@ mod wear;
 use crate::model::ids::BodyId;
 use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
 use crate::model::problem::ModelProblem;
+use crate::model::quantity::UNREAD;
 use crate::model::sizes::SIZES;
 use crate::model::topology::{Guess, Model};
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
 use loosepin_text::document::{Entry, Table, describe_path, json_schema, parse_toml, read_source, source_from_bytes};
 use loosepin_text::units::{Dimension, Rule};
-use reader::{ModelReader, UNREAD};
+use reader::ModelReader;
 use std::path::Path;
 use std::sync::Arc;
 

@@ -1,12 +1,10 @@
 //! The clearance of a joint or coupling that may have play.
 
 use super::reader::ModelReader;
-use crate::contact::NormalDescription;
 use crate::model::ids::ContactId;
 use crate::model::joint::PlayKeys;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, QuantityId};
-use crate::model::topology::SlidingVelocity;
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Expression, Rule, run};
 
@@ -51,12 +49,10 @@ impl ModelReader {
         what_touches: &'static str,
     ) -> Option<()> {
         let contact = &self.contacts[id.0];
-        let is_literal =
-            contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
-        let what = match contact.law {
-            NormalDescription::Line(law) => Some(format!("the line-contact law '{}'", law.name)),
+        let what = match contact.law.line() {
+            Some(law) => Some(format!("the line-contact law '{}'", law.name)),
             _ if contact.film.is_some() => Some("a film of oil".to_owned()),
-            _ => is_literal.then(|| "the literal reading of the sliding velocity".to_owned()),
+            _ => contact.is_literal().then(|| "the literal reading of the sliding velocity".to_owned()),
         };
         if let Some(what) = what {
             let (entry, contact) = (table.path.describe(), contact.name.clone());

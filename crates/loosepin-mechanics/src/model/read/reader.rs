@@ -1,24 +1,22 @@
 //! A model in the making: what was read so far, and how its quantities, points and names are read.
 
 use super::parameters::Parameters;
+use crate::model::contact::Contact;
 use crate::model::control::Control;
 use crate::model::coupling::Coupling;
 use crate::model::drive::Drive;
 use crate::model::ids::{BodyId, ContactId, ControlId, DriveId, JointId, PointId};
 use crate::model::load::Load;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, Quantity, QuantityId, QuantityTable};
+use crate::model::quantity::{Origin, Quantity, QuantityId, QuantityTable, UNREAD};
 use crate::model::spring::Spring;
-use crate::model::topology::{Body, Contact, Joint};
+use crate::model::topology::{Body, Joint};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use loosepin_text::diagnostics::{Complaint, Source, Span, nearest_name};
 use loosepin_text::document::{Entry, EntryPath, Keys, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Expression, ExpressionProblem, Op, Rule, parse_expression, run};
-
-/// Stands where a quantity could not be read. No model with complaints is handed out, so it is never looked up.
-pub(super) const UNREAD: QuantityId = QuantityId(0);
 
 /// Names of the file with the things that they stand for; absent where they were complained about already.
 pub(super) type NamesOf<T> = Vec<(String, Option<T>)>;
@@ -261,17 +259,6 @@ impl ModelReader {
         let choices: Vec<_> = kinds.iter().map(|&(kind, keys)| (kind, (kind, keys))).collect();
         let (kind, keys) = self.reader.tag(entry, "kind", &choices)?;
         Some((kind, self.reader.table(entry, keys)?))
-    }
-
-    /// Meaning of the word behind a key; `default` where it is not written.
-    pub fn choice_or<T: Copy>(
-        &mut self,
-        table: &Table<'_>,
-        key: &str,
-        choices: &[(&'static str, T)],
-        default: T,
-    ) -> Option<T> {
-        table.get(key).map_or(Some(default), |entry| self.reader.choice(&entry, choices))
     }
 
     /// Complains about a key, where it is written, that means nothing beside another.

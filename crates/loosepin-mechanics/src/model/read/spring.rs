@@ -43,7 +43,7 @@ impl ModelReader {
             return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
         };
         self.refuse_beside(table, "preload", key);
-        let curve = self.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
+        let curve = self.reader.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
         let columns = if is_linear {
             [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
         } else {

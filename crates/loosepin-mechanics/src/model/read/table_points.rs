@@ -1,9 +1,9 @@
 //! Tables of points: in the file itself, or in a CSV file beside it.
 
-use super::reader::{ModelReader, UNREAD};
+use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, Quantity, QuantityId};
+use crate::model::quantity::{Origin, Quantity, QuantityId, UNREAD};
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::document::{Entry, Table, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
@@ -14,6 +14,15 @@ const LEAST_POINTS: usize = 3;
 impl EntryReader for ModelReader {
     fn quantity_of(&mut self, entry: &Entry<'_>, dimension: Dimension, rule: Rule) -> Option<QuantityId> {
         Self::quantity_of(self, entry, dimension, rule)
+    }
+
+    fn fixed_number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<(QuantityId, f64)> {
+        let written = self.expression(entry)?;
+        if !self.reader.measures(entry, written.dimension, Dimension::NUMBER) {
+            return None;
+        }
+        let id = self.add_with_origin(entry, &written, rule, Origin::Fixed)?;
+        Some((id, self.quantities.nominal_value(id)))
     }
 
     fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {

@@ -1,12 +1,11 @@
 //! Wear of joints, and for how long it is stated.
 
 use super::reader::ModelReader;
-use crate::contact::{FrictionLaw, NormalDescription};
+use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
 use crate::model::keys::wear::{JOINT_WEAR_KEYS, LIFE_KEYS, SURFACE_KEYS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use crate::model::topology::{SlidingVelocity, Stiffness};
 use crate::model::wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
@@ -36,14 +35,14 @@ impl ModelReader {
         let surfaces = ["bearing", "journal"].map(|surface| wear.get(surface).map(|entry| self.coefficient(&entry)));
         let sectors = self.reader.count(&wear, "sectors").map_or(SECTORS, |count| count as usize);
         let words = [("hertz-line", WearPressure::HertzLine), ("concentrated", WearPressure::Concentrated)];
-        let pressure = self.choice_or(&wear, "pressure", &words, WearPressure::HertzLine);
+        let pressure = self.reader.choice_or(&wear, "pressure", &words, WearPressure::HertzLine);
         let foundations = [("liu", FoundationChoice::Liu), ("law", FoundationChoice::Law)];
         let foundation = match self.quantity(&wear, "foundation_stiffness") {
             Some(stiffness) => {
                 self.refuse_beside(&wear, "foundation", "foundation_stiffness");
                 Some(FoundationChoice::Given(stiffness))
             }
-            None => self.choice_or(&wear, "foundation", &foundations, FoundationChoice::Liu),
+            None => self.reader.choice_or(&wear, "foundation", &foundations, FoundationChoice::Liu),
         };
         if surfaces.iter().all(Option::is_none) {
             let problem = ModelProblem::NothingWears { entry: wear.path.describe() };
@@ -64,9 +63,7 @@ impl ModelReader {
         let clearance = clearance?;
         let contact = &self.contacts[clearance.contact.0];
         let name = contact.name.clone();
-        let is_literal =
-            contact.friction.as_ref().is_some_and(|friction| friction.sliding_velocity == SlidingVelocity::Literal);
-        if is_literal {
+        if contact.is_literal() {
             let problem = ModelProblem::WearByLiteral { entry: wear.path.describe(), contact: name };
             return self.reader.refuse(&problem, entry.key_span);
         }
@@ -109,7 +106,7 @@ impl ModelReader {
                 self.remember(&entry);
                 self.uses_life = wears;
                 let cycles = self.quantity_or(&table, "cycles", 1.0);
-                let is_worn = self.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
+                let is_worn = self.reader.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
                 let geometry = if is_worn? { self.worn_geometry(&table) } else { self.fixed_geometry(&table) };
                 let limit = self.limit(&table, outputs);
                 (cycles?, geometry?, limit?)
@@ -148,7 +145,7 @@ impl ModelReader {
                     is_sound = false;
                 }
             }
-            let has_materials = matches!(self.contacts[contact].stiffness, Stiffness::Material { .. });
+            let has_materials = self.contacts[contact].law.materials().is_some();
             let span = self.places.get(&path).copied()?;
             if pressure == WearPressure::HertzLine && !has_materials {
                 let contact = self.contacts[contact].name.clone();
@@ -239,7 +236,7 @@ impl ModelReader {
 
 /// Why a contact has no elastic foundation.
 fn not_for_foundations(contact: &Contact, foundation: FoundationChoice) -> Option<&'static str> {
-    let has_materials = matches!(contact.stiffness, Stiffness::Material { .. });
+    let has_materials = contact.law.materials().is_some();
     let has_memory = |numbers: usize, law: FrictionLaw<f64>| numbers > 0 && law.has_bristle();
     let friction = contact.friction.as_ref();
     // Any numbers: whether a law has a bristle does not depend on them.
@@ -250,11 +247,12 @@ fn not_for_foundations(contact: &Contact, foundation: FoundationChoice) -> Optio
     if friction.is_some_and(|own| has_memory(own.numbers.len(), own.law.law(&ones(own.numbers.len())))) {
         return Some("has friction with a memory");
     }
-    match (foundation, contact.law) {
-        (_, NormalDescription::Linear(_)) => Some("has no loss of the form 1 + χ δ̇/v0"),
-        (FoundationChoice::Liu, _) if !has_materials => Some("has a given stiffness: write foundation_stiffness"),
-        (FoundationChoice::Law, NormalDescription::Point(_)) if has_materials => None,
-        (FoundationChoice::Law, _) => Some("is no point law with materials: write foundation_stiffness"),
+    match foundation {
+        _ if contact.law.loss().is_none() => Some("has no loss of the form 1 + χ δ̇/v0"),
+        FoundationChoice::Liu if !has_materials => Some("has a given stiffness: write foundation_stiffness"),
+        FoundationChoice::Law if !has_materials || contact.law.line().is_some() => {
+            Some("is no point law with materials: write foundation_stiffness")
+        }
         _ => None,
     }
 }

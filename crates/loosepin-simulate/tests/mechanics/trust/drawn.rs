@@ -98,7 +98,7 @@ fn drawn_values(model: &Model, nominal: &Values, mut state: u64) -> Option<Value
     for (_, clearance) in model.play_clearances() {
         set.push((clearance, nominal[clearance] * CLEARANCE_FACTOR.powf(even())));
     }
-    for restitution in model.contacts.iter().filter_map(|contact| contact.restitution) {
+    for restitution in model.contacts.iter().filter_map(|contact| contact.law.restitution()) {
         let room = 1.0 - nominal[restitution];
         set.push((restitution, nominal[restitution] + RESTITUTION_SHARE * room * even()));
     }
