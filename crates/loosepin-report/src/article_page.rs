@@ -1,17 +1,26 @@
 //! An article on a page.
 
+use super::number::NumberWriter;
 use super::page;
 use loosepin_text::article::{Cell, Column, Content, Emphasis, Fact, Group, Medium, Section, Table, Text};
 use maud::{Markup, PreEscaped, html};
 
-/// A section of a page.
-pub(super) fn page_section(section: &Section) -> page::Section {
-    page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(section))
+/// A section of a page, where there is one.
+pub(super) fn page_section(section: impl Into<Option<Section>>) -> Option<page::Section> {
+    let section = section.into()?;
+    Some(page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(&section)))
 }
 
 /// The blocks of a section.
 pub(super) fn blocks(section: &Section) -> Markup {
     html! { @for block in section.blocks_on(Medium::Page) { (content(&block.content)) } }
+}
+
+/// Adds figures, which only a page has.
+pub(super) fn push_figure(section: &mut Section, writer: &NumberWriter, draw: impl FnOnce() -> Markup) {
+    if writer.medium == Medium::Page {
+        section.push(Content::Figure(draw().into_string()));
+    }
 }
 
 fn content(content: &Content) -> Markup {
@@ -48,7 +57,7 @@ fn list_of_facts(facts: &[Fact]) -> Markup {
     let lines = |fact: &Fact| {
         html! { @for (index, line) in fact.lines.iter().enumerate() { @if index > 0 { br; } (text(line)) } }
     };
-    page::facts(&facts.iter().map(|fact| (fact.name.clone(), lines(fact))).collect::<Vec<_>>())
+    html! { dl.facts { @for fact in facts { div { dt { (fact.name) } dd { (lines(fact)) } } } } }
 }
 
 /// A table with its title; with what stands below it where there is a caption.
@@ -60,12 +69,16 @@ fn whole_table(table: &Table) -> Markup {
     html! { figure.treatments { (title) (rows(table)) figcaption { (text(&table.caption)) } } }
 }
 
+/// Columns that a page has room for; a table with more moves sideways in its frame.
+const MOST_COLUMNS: usize = 8;
+
 /// Rows become cards on a narrow screen, where each cell stands behind the head of its column. Without groups the first cell of a row
 /// is its head.
 fn rows(table: &Table) -> Markup {
     let columns = table.columns_on(Medium::Page);
-    html! {
-        table.cards {
+    let is_wide = columns.len() > MOST_COLUMNS;
+    let rows = html! {
+        table class=[(!is_wide).then_some("cards")] {
             thead {
                 tr { @for (_, column) in &columns { th class=[class(column)] scope="col" { (text(&column.head)) } } }
             }
@@ -85,6 +98,11 @@ fn rows(table: &Table) -> Markup {
                 }
             }
         }
+    };
+    if is_wide {
+        html! { div.scroll tabindex="0" role="region" aria-label="Wide table" { (rows) } }
+    } else {
+        rows
     }
 }
 

@@ -1,7 +1,13 @@
 //! An article on a terminal: plain text, aligned, readable without colour.
 
-use super::terminal_table::{keep_words, table, trimmed, wrapped_at};
+use super::terminal_table::{TERMINAL_COLUMNS, keep_words, table, trimmed, wrapped};
 use loosepin_text::article::{Article, Cell, Content, Fact, Group, Medium, Section, Table, Text};
+
+/// A title and sections as a terminal shows them.
+pub(super) fn terminal_text(title: &str, sections: impl IntoIterator<Item = Section>) -> String {
+    let article = Article { title: title.to_owned(), sections: sections.into_iter().collect() };
+    as_shown(&article_text(&article, Some(TERMINAL_COLUMNS)))
+}
 
 /// An article as text for a terminal: its title, then its sections. Sentences are wrapped to `columns`, or stay on one line where there
 /// are none; tables are never wider than a terminal.
@@ -24,7 +30,7 @@ fn push_section(text: &mut String, section: &Section, columns: Option<u16>) {
         }
         match &block.content {
             Content::Heading(heading) => text.push_str(&format!("{}\n", words(heading))),
-            Content::Note(note) => text.push_str(&format!("{}\n", wrapped_at(&words(note), "", columns))),
+            Content::Note(note) => text.push_str(&format!("{}\n", wrapped(&words(note), "", columns))),
             Content::Sentences(sentences) => push_lines(text, sentences, "", columns),
             Content::Points(points) => push_lines(text, points, "- ", columns),
             Content::Facts(facts) => push_facts(text, facts, width),
@@ -41,7 +47,7 @@ fn words(text: &Text) -> String {
 
 fn push_lines(text: &mut String, lines: &[Text], bullet: &str, columns: Option<u16>) {
     for line in lines.iter().filter(|line| !line.is_empty_on(Medium::Terminal)) {
-        text.push_str(&format!("{}\n", wrapped_at(&words(line), bullet, columns)));
+        text.push_str(&format!("{}\n", wrapped(&words(line), bullet, columns)));
     }
 }
 
@@ -73,29 +79,33 @@ fn push_facts(text: &mut String, facts: &[Fact], width: usize) {
     }
 }
 
-/// A table of each group, below its heading.
+/// A table of each group that has a heading, below it; groups without one go on with the table before them.
 fn push_table(text: &mut String, table: &Table) {
     let title = words(&table.title);
     if !title.is_empty() {
         text.push_str(&format!("{title}\n\n"));
     }
-    let tables: Vec<String> = table.groups.iter().map(|group| group_text(table, group)).collect();
+    let tables: Vec<String> = table
+        .groups
+        .chunk_by(|_, next| next.heading.is_empty_on(Medium::Terminal))
+        .map(|one| group_text(table, one))
+        .collect();
     text.push_str(&tables.join("\n"));
 }
 
-fn group_text(of: &Table, group: &Group) -> String {
+fn group_text(of: &Table, groups: &[Group]) -> String {
     let columns = of.columns_on(Medium::Terminal);
     let heads: Vec<String> = columns.iter().map(|(_, column)| words(&column.head)).collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let numbers = columns.iter().enumerate().filter(|(_, (_, own))| own.numbers_on.contains(&Medium::Terminal));
     let mut aligned = table(&heads, &numbers.map(|(place, _)| place).collect::<Vec<usize>>());
-    for row in &group.rows {
+    for row in groups.iter().flat_map(|group| &group.rows) {
         aligned.add_row(columns.iter().map(|(place, _)| cell_words(&row[*place])));
     }
     for (place, _) in columns.iter().enumerate().filter(|(_, (_, own))| own.keeps_words) {
         keep_words(&mut aligned, place);
     }
-    let heading = words(&group.heading);
+    let heading = groups.first().map_or_else(String::new, |group| words(&group.heading));
     let heading = if heading.is_empty() { heading } else { format!("{heading}\n\n") };
     format!("{heading}{}\n", trimmed(&aligned))
 }
@@ -109,7 +119,7 @@ fn cell_words(cell: &Cell) -> String {
 }
 
 /// The text as a terminal shows it: spaces that break lines; nothing in the names of a file that moves the cursor or turns the line round.
-pub(super) fn as_shown(text: &str) -> String {
+fn as_shown(text: &str) -> String {
     let is_command =
         |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let shown = |c| match c {

@@ -203,6 +203,11 @@ impl Chart {
         Chart { horizontal: HorizontalAxis::Angle, ..chart }
     }
 
+    /// What the vertical axis shows, with its unit.
+    pub fn set_vertical_axis(&mut self, what: impl Into<String>, unit: &SiUnit, writer: &NumberWriter) {
+        (self.y_label, self.y_symbol) = (what.into(), writer.symbol(unit));
+    }
+
     /// Whether it is over angles of a drive in degrees: those have ticks of their own, and follow the cursor of the page.
     pub fn is_in_degrees(&self) -> bool {
         self.horizontal == HorizontalAxis::Angle && self.x_symbol == "°"

@@ -30,8 +30,7 @@ pub fn draft_bands(draft: &Draft) -> Vec<DraftBand> {
 fn band(draft: &Draft, curve: &DraftCurve, writer: &NumberWriter) -> DraftBand {
     let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
     let mut chart = Chart::over_angle(name_of("draft", &curve.output), &draft.drive, &curve.pose_rad, writer);
-    chart.y_label = format!("{} of {}", deviation_words(curve.of), curve.output);
-    chart.y_symbol = writer.symbol(&curve.unit);
+    chart.set_vertical_axis(format!("{} of {}", deviation_words(curve.of), curve.output), &curve.unit, writer);
     chart.height = 240;
     let [lower, upper] = [&curve.band.lower_si, &curve.band.upper_si].map(|list| scaled(list, &curve.unit, writer));
     let runs = writer.count(draft.runs as u64);

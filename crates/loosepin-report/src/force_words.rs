@@ -2,7 +2,7 @@
 
 use super::number::{NumberWriter, Rounding};
 use super::tag::Tag;
-use super::wording::{capitalised, listed};
+use super::wording::{capitalised, count, listed};
 use loosepin_result::simulation::{JointSummary, SimulationRecord};
 use loosepin_result::study::{JointImpacts, StudyResult};
 use loosepin_result::{ContactBasis, ContactShape, LongPinForce};
@@ -191,6 +191,12 @@ impl<'a> ForcesOf<'a> {
             )
         })
     }
+}
+
+/// How many contacts began slower than the law can be computed with; `None` if none did.
+pub(super) fn floored_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
+    let number = || count(contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")));
+    (contacts > 0).then(|| format!("{} computed with the smallest impact speed of the law", number()))
 }
 
 fn law_words(joint: &str, law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {

@@ -12,15 +12,11 @@
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
 //! | the band without dynamics while a mechanism is edited | `live_band.rs` |
-//! | how far play goes without dynamics, and what of that is proven; the requirements judged so | `play_effect.rs`, `motion_verdicts.rs` |
+//! | a run; an ideal motion; a sweep | `simulation`; `motion`; `sweep` |
 //! | what readings of a rig, or a motion, say of the plays; what that gains | `identification` |
 //! | how a result is made again | `repeat_section.rs` |
-//! | percentiles of statistics | `percentile_words.rs` |
 //! | histories that no surrogate can learn | `history_words.rs` |
-//! | whether the motion repeats | `motion_kind_section.rs` |
 //! | the law behind contact forces, and deep penetrations | `force_words.rs` |
-//! | the wear of joints | `wear_words.rs` |
-//! | how flexible bodies bend | `bending_words.rs` |
 //! | the terms of a page | `glossary.rs` |
 //! | one picture or table of a page: what it shows | the file of the picture or table; for a study in `study_page` |
 //! | which bounds a witness attains | `witness_words.rs` |
@@ -32,7 +28,6 @@ mod answer;
 mod article_page;
 mod article_text;
 mod axes;
-mod bending_words;
 mod bound_words;
 mod cases_page;
 mod chart;
@@ -48,47 +43,34 @@ mod glossary;
 mod history_words;
 mod identification;
 mod inverse;
-mod life_section;
 mod live_band;
-mod measured_figures;
 mod mechanism_bends;
 mod mechanism_figure;
 mod mechanism_labels;
 mod mechanism_shapes;
 mod mechanism_signs;
-mod motion_angles;
-mod motion_kind_section;
-mod motion_page;
-mod motion_verdicts;
+mod motion;
 mod number;
 mod page;
-mod percentile_words;
-mod play_effect;
 mod repeat_section;
 mod rounding;
 mod script_data;
-mod section_figure;
 mod short_answer;
-mod simulation_page;
-mod spectrum_section;
+mod simulation;
 mod still_figures;
 mod study_page;
 mod study_sections;
 mod study_text;
 mod styles;
 mod surrogate_figure;
-mod sweep_page;
+mod sweep;
 mod tag;
-mod terminal;
 mod terminal_table;
 mod ticks;
 mod together;
 mod told;
 mod trust_words;
 mod turn_words;
-mod wear_picture;
-mod wear_section;
-mod wear_words;
 mod witness_words;
 mod wording;
 mod zone_figure;
@@ -105,15 +87,14 @@ pub use figure::{Figure, figures};
 pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use live_band::{BandPart, LiveBand, LiveLimit, live_bands};
 pub use mechanism_figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};
-pub use motion_page::motion_page;
+pub use motion::{motion_page, motion_text};
 pub use short_answer::{motion_sentences, study_sentences};
-pub use simulation_page::simulation_page;
+pub use simulation::{simulation_page, simulation_text, wear_text};
 pub use study_page::{KnownValue, known_values, study_excerpt, study_page};
 pub use study_text::study_text;
 pub use styles::figure_styles;
-pub use sweep_page::sweep_page;
+pub use sweep::{sweep_page, sweep_text};
 pub use tag::{ResultTag, Tag, TaggedNumber, TaggedText, among_cut, among_percentile, tagged};
-pub use terminal::{motion_text, simulation_text, sweep_text, wear_text};
 pub use terminal_table::TERMINAL_COLUMNS;
 pub use witness_words::{WitnessWords, witness_words};
 pub use wording::verdict_words;

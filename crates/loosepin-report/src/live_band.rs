@@ -7,10 +7,9 @@
 use maud::html;
 use serde::Serialize;
 
-use super::chart::{Chart, Entry, EntryValues, Role, scaled};
+use super::chart::{Entry, EntryValues, Role, scaled};
 use super::figure::name_of;
-use super::motion_angles::{largest, turn_angle};
-use super::motion_page::moved_words;
+use super::motion::{angle_chart, largest, moved_words, turn_angle};
 use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use super::wording::named_words;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
@@ -115,9 +114,8 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
         (true, false) => ["most play, to first order", "±2 standard deviations of play"],
         _ => ["", "±2 standard deviations of the parts"],
     };
-    let mut chart = Chart::over_angle(name_of("band", &output.name), &record.drive, &record.drive_angle_rad, writer);
-    chart.y_label = format!("deviation of {}", output.name);
-    chart.y_symbol = writer.symbol(&output.unit);
+    let mut chart = angle_chart(record, name_of("band", &output.name), writer);
+    chart.set_vertical_axis(format!("deviation of {}", output.name), &output.unit, writer);
     chart.height = 240;
     let mut add = |label: &str, role, half_si: &[f64]| {
         let upper = scaled(half_si, &output.unit, writer);

@@ -51,6 +51,14 @@ impl<'a> NumberWriter<'a> {
         NumberWriter { units, medium: Medium::Terminal, tag: None }
     }
 
+    /// The same writer with other units.
+    pub fn in_units<'u>(&self, units: &'u DisplayUnits) -> NumberWriter<'u>
+    where
+        'a: 'u,
+    {
+        NumberWriter { units, ..*self }
+    }
+
     /// The same writer for numbers that are `tag`.
     pub fn about<'t>(&self, tag: &'t Tag) -> NumberWriter<'t>
     where

@@ -158,38 +158,6 @@ pub(super) fn sentences(sentences: &[String]) -> Markup {
     }
 }
 
-/// A name and what it stands for, one per line.
-pub(super) fn facts(rows: &[(String, Markup)]) -> Markup {
-    html! {
-        dl.facts {
-            @for (name, value) in rows {
-                div { dt { (name) } dd { (value) } }
-            }
-        }
-    }
-}
-
-/// A table whose rows become cards on a narrow screen, where each cell stands behind the head of its column; a head that begins
-/// with `#` is over numbers, and the first cell of a row is its head.
-pub(super) fn cards<const N: usize>(heads: [&str; N], rows: impl IntoIterator<Item = [Markup; N]>) -> Markup {
-    let columns = heads.map(|head| head.strip_prefix('#').map_or((None, head), |head| (Some("number"), head)));
-    html! {
-        table.cards {
-            thead { tr { @for (class, head) in columns { th class=[class] scope="col" { (head) } } } }
-            tbody {
-                @for row in rows {
-                    tr {
-                        @for (index, (cell, (class, head))) in row.iter().zip(columns).enumerate() {
-                            @if index == 0 { th scope="row" { (cell) } }
-                            @else { td class=[class] data-label=(head) { (cell) } }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! The answer in a few sentences, for who shows no page.
 
 use super::answer::{answer, verdict_headline};
-use super::motion_page::headline_sentences;
+use super::motion::headline_sentences;
 use super::number::NumberWriter;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::study::StudyResult;

@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::axes::with_unit;
 use super::figure::{Picture, csv_number, csv_text, name_of};
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::tag::Tag;
 use super::ticks::{tick_text, ticks};
 use loosepin_result::simulation::JournalOrbit;
 use loosepin_result::study::HistogramBin;
@@ -235,8 +236,10 @@ fn to_places(value: f64, places: usize) -> String {
 
 /// A journal once a turn, inside the circle of its clearance: a dot for each turn.
 pub(super) fn journal_sections(journal: &JournalOrbit, writer: &NumberWriter) -> Markup {
-    let clearance = writer.value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
-    let (joint, turns) = (&journal.joint, journal.x_m.len());
+    let joint = &journal.joint;
+    let tag = Tag::joint(joint, "clearance", "radial");
+    let clearance = writer.about(&tag).value_trimmed(journal.radial_clearance_m, &SiUnit::LENGTH);
+    let turns = writer.about(&Tag::Given("turns that are examined")).count(journal.x_m.len() as u64);
     let places = drawn_samples(journal).filter_map(|sample| place(journal, sample));
     let dots: String = places.map(|place| format!("M{place}h0")).collect();
     let caption =

@@ -4,6 +4,7 @@
 //! run nothing is kept of it. In [`tagged`] each number is put between two characters of no script, of which the first says which entry of the
 //! list it is; digits that stand outside were written past the writer.
 
+use loosepin_result::motion::MotionRequirement;
 use loosepin_result::simulation::Extreme;
 use loosepin_result::study::{
     BoundRecord, Contributors, Deviation, DeviationCurve, FurtherOutput, ProbabilityBox, RequirementOutcome,
@@ -116,6 +117,13 @@ impl Tag {
             part: part.to_owned(),
             ..ResultTag::default()
         }))
+    }
+
+    /// A number of a requirement that is judged without dynamics.
+    pub fn motion_requirement(requirement: &MotionRequirement, part: &str) -> Self {
+        let at = requirement.pose_rad.map_or(ResponsePoint::Whole, |pose_rad| ResponsePoint::Pose { pose_rad });
+        let output = response(&requirement.output, requirement.of, at);
+        Self::joint(&output, &format!("without dynamics, {} to {}", requirement.lower_si, requirement.upper_si), part)
     }
 
     /// A number of the sensitivities.

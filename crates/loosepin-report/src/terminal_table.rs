@@ -47,13 +47,8 @@ pub(super) fn trimmed(table: &Table) -> String {
     lines.join("\n")
 }
 
-/// A sentence on lines of the width of the terminal; further lines stand below the text of a bullet.
-pub(super) fn wrapped(sentence: &str, bullet: &str) -> String {
-    wrapped_at(sentence, bullet, Some(TERMINAL_COLUMNS))
-}
-
-/// The same on lines of `columns`, or on one line where there are none.
-pub(super) fn wrapped_at(sentence: &str, bullet: &str, columns: Option<u16>) -> String {
+/// A sentence on lines of `columns`, or on one line where there are none; further lines stand below the text of a bullet.
+pub(super) fn wrapped(sentence: &str, bullet: &str, columns: Option<u16>) -> String {
     let Some(columns) = columns else { return format!("{bullet}{sentence}") };
     let indent = " ".repeat(bullet.len());
     let options = textwrap::Options::new(usize::from(columns)).initial_indent(bullet).subsequent_indent(&indent);

@@ -157,8 +157,7 @@ pub(super) fn frontier(result: &StudyResult, one: &TogetherRecord, writer: &Numb
     let in_page = |values_si: &[f64]| scaled(values_si, &y.unit, writer);
     let least = vec![y.least_si; rows_si.len()];
     let mut chart = Chart::over("frontier".to_owned(), &x_words, &column_si(0), &x.unit, writer);
-    chart.y_label = y_words.clone();
-    chart.y_symbol = writer.symbol(&y.unit);
+    chart.set_vertical_axis(y_words.clone(), &y.unit, writer);
     chart.entries = vec![
         Entry::new(
             "requirements met",

@@ -9,6 +9,7 @@ use super::tag::Tag;
 use super::wording::{count, listed};
 use loosepin_result::simulation::{MeasuredTrust, Trust, TrustHorizon};
 use loosepin_result::study::StudyResult;
+use loosepin_text::article::Fact;
 use loosepin_text::units::SiUnit;
 
 /// The run that sentences speak of.
@@ -85,22 +86,27 @@ impl TrustedRun<'_> {
         format!("{time} ({turns} {recorded}{}s)", turn_word(self.drive_speed_rad_s))
     }
 
-    /// The row of a table of facts: how that was measured.
-    pub fn fact(&self, writer: &NumberWriter) -> (String, Markup) {
+    /// How that was measured.
+    pub fn fact(&self, writer: &NumberWriter) -> Fact {
         let words = match self.trust {
-            Trust::Solved => html! { "positions follow from the drives at each instant; nothing is integrated" },
-            Trust::NotMeasured => html! { "not measured: there was no second run" },
-            Trust::Measured(measured) => html! {
-                "measured by a second run: " (measured.method) ", tolerance "
-                (writer.about(&Tag::Given("tolerance of the second run")).value_shortest(measured.tolerance_m, &SiUnit::LENGTH))
-                @if let Some(evaluations) = measured.evaluations {
-                    ", " (count(evaluations, &writer.about(&Tag::Count("evaluations of the second run")))) " evaluations of the equations of motion"
-                }
-                ". A position counts as right to a length while it differs by at most "
-                (writer.about(&Tag::Given("share of a horizon")).percent(measured.share, Rounding::Nearest)) " of it between the two runs"
-            },
+            Trust::Solved => "positions follow from the drives at each instant; nothing is integrated".to_owned(),
+            Trust::NotMeasured => "not measured: there was no second run".to_owned(),
+            Trust::Measured(measured) => {
+                let given = Tag::Given("tolerance of the second run");
+                let tolerance = writer.about(&given).value_shortest(measured.tolerance_m, &SiUnit::LENGTH);
+                let evaluations = measured.evaluations.map_or(String::new(), |evaluations| {
+                    let number = count(evaluations, &writer.about(&Tag::Count("evaluations of the second run")));
+                    format!(", {number} evaluations of the equations of motion")
+                });
+                let share = writer.about(&Tag::Given("share of a horizon")).percent(measured.share, Rounding::Nearest);
+                format!(
+                    "measured by a second run: {}, tolerance {tolerance}{evaluations}. A position counts as right to a length while it \
+                     differs by at most {share} of it between the two runs",
+                    measured.method
+                )
+            }
         };
-        ("Accuracy of positions".to_owned(), words)
+        Fact::new("Accuracy of positions", [words])
     }
 
     /// The section of the page; nothing where nothing was measured.

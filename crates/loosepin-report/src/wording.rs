@@ -229,6 +229,12 @@ pub(super) fn head(words: &str) -> Text {
     Text::by_medium(capitalised(words), words)
 }
 
+/// A remark below a table, of which a page makes a sentence.
+pub(super) fn remark(words: impl Into<String>) -> Text {
+    let words = words.into();
+    Text::by_medium(format!("{}.", capitalised(&words)), words)
+}
+
 /// A count, on a page with thousands apart: `16 384`.
 pub(super) fn count(value: u64, writer: &NumberWriter) -> String {
     writer.count(value)

@@ -77,8 +77,7 @@ fn band(
     let angles = angles(first, second);
     let share = writer.percent(first.probabilities[1] - first.probabilities[0], Rounding::Nearest);
     let mut chart = Chart::over_angle(name_of("compared", &first.output), &results[0].cycle.drive, &angles, writer);
-    chart.y_label = format!("{} of {}", deviation_words(first.of), first.output);
-    chart.y_symbol = writer.symbol(&first.unit);
+    chart.set_vertical_axis(format!("{} of {}", deviation_words(first.of), first.output), &first.unit, writer);
     chart.height = HEIGHT;
     let entry = |which: usize| {
         let (name, role) = [("A", Role::Mixed), ("B", Role::Random)][which];

@@ -23,7 +23,6 @@ mod posterior_figure;
 mod ranges;
 mod readings;
 mod readings_words;
-mod remark;
 mod text;
 
 pub use gain::identification_gain;

@@ -3,9 +3,9 @@
 use super::figures::{RangeRow, map, ranges, strip};
 use super::ranges::{BOUND_DIGITS, range, stated};
 use super::readings::narrowed_words;
-use super::remark::remark;
+use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding};
-use crate::wording::capitalised;
+use crate::wording::{capitalised, remark};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{ConsistentMembers, MotionFeature, MotionMisfit, MotionSpecimen};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
@@ -34,11 +34,7 @@ pub(super) fn push_unknowns(section: &mut Section, specimen: &MotionSpecimen, in
             section.push(Content::points(misfit_words(misfit, &specimen.features, writer).into_iter().map(remark)));
         }
     }
-    if writer.medium == Medium::Page {
-        for map in further_maps(specimen, index, writer) {
-            section.push(Content::Figure(map.into_string()));
-        }
-    }
+    push_figure(section, writer, || html! { @for map in further_maps(specimen, index, writer) { (map) } });
 }
 
 /// Appends how many values were tested with how many runs.
@@ -67,9 +63,7 @@ pub(super) fn push_runs(section: &mut Section, specimen: &MotionSpecimen, medium
 /// Appends the measured features over what is predicted.
 pub(super) fn push_features(section: &mut Section, specimen: &MotionSpecimen, index: usize, writer: &NumberWriter<'_>) {
     section.push_on(Medium::Terminal, Content::Heading("Features, measured and predicted".into()));
-    if writer.medium == Medium::Page {
-        section.push(Content::Figure(features_figure(&specimen.features, index, writer)));
-    }
+    push_figure(section, writer, || features_figure(&specimen.features, index, writer));
     section.push(Content::Table(features_table(&specimen.features, writer)));
 }
 
@@ -126,7 +120,7 @@ fn unknowns_table(unknowns: &[PlayBounds], lists: &[ConsistentMembers], writer: 
     Table::new(columns, unknowns.iter().enumerate().map(row))
 }
 
-fn features_figure(features: &[MotionFeature], index: usize, writer: &NumberWriter<'_>) -> String {
+fn features_figure(features: &[MotionFeature], index: usize, writer: &NumberWriter<'_>) -> Markup {
     let row = |feature: &MotionFeature| RangeRow {
         label: feature.name.clone(),
         unit: feature.unit.clone(),
@@ -141,7 +135,7 @@ fn features_figure(features: &[MotionFeature], index: usize, writer: &NumberWrit
         " Wide bar: least to largest of all runs at all tested values; narrow bar: at the consistent ones. Dot: measured, with the true \
          values that its common error allows. Each row has its own scale."
     };
-    ranges(&rows, format!("features.{index}"), (alternative, caption), writer).into_string()
+    ranges(&rows, format!("features.{index}"), (alternative, caption), writer)
 }
 
 fn features_table(features: &[MotionFeature], writer: &NumberWriter<'_>) -> Table {

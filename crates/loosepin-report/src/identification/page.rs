@@ -13,12 +13,12 @@ use super::readings::push_readings;
 use super::readings_words::headline;
 use crate::article_page::page_section;
 use crate::number::{NumberWriter, Rounding};
-use crate::page::{self, Page, facts, sentences};
+use crate::page::{self, Page, sentences};
 use crate::repeat_section::repeat_section;
 use crate::wording::capitalised;
 use loosepin_result::identification::{Identification, Outcome, PlayBounds, Specimen};
 use loosepin_result::motion_identification::MotionSpecimen;
-use loosepin_text::article::{Content, Medium, Section};
+use loosepin_text::article::{Content, Fact, Medium, Section};
 
 /// Unknowns that are named in the answer.
 const MOST_NAMED: usize = 4;
@@ -54,9 +54,9 @@ pub fn identification_page(answer: &Identification) -> String {
         ),
         answer.plan.as_ref().map(|plan| plan_section(plan, &writer)),
         answer.gain.as_ref().map(|gain| gain_section(gain, &writer)),
+        Some(method(answer, &writer)),
     ];
-    let mut sections: Vec<page::Section> = parts.iter().flatten().map(page_section).collect();
-    sections.push(page::Section::new("method", "How this was computed", method(answer, &writer)));
+    let mut sections: Vec<page::Section> = parts.into_iter().filter_map(page_section).collect();
     sections.extend(repeat_section(&answer.repeat));
     Page {
         title: answer.study.clone(),
@@ -125,23 +125,18 @@ fn answer_sentences(answer: &Identification, writer: &NumberWriter<'_>) -> Vec<S
     words
 }
 
-fn method(answer: &Identification, writer: &NumberWriter<'_>) -> Markup {
-    let grounds = grounds(answer, writer);
-    let mut rows = vec![("Holds".to_owned(), html! { @for words in &grounds { (capitalised(words)) ". " } })];
-    if !answer.motion.is_empty() {
-        rows.push((
-            "Motion".to_owned(),
-            html! { "one joint test of all features at each value: the rank of the measurement among independent runs" },
-        ));
-    }
-    if !answer.specimens.is_empty() {
-        rows.push((
-            "Readings".to_owned(),
-            html! { "two linear inequalities of the plays for each reading, factors with their bounds; linear programming" },
-        ));
-    }
-    rows.push(("Version".to_owned(), html! { "loosepin " (answer.version) }));
-    facts(&rows)
+fn method(answer: &Identification, writer: &NumberWriter<'_>) -> Section {
+    let holds: String = grounds(answer, writer).iter().map(|words| format!("{}. ", capitalised(words))).collect();
+    let motion = "one joint test of all features at each value: the rank of the measurement among independent runs";
+    let readings =
+        "two linear inequalities of the plays for each reading, factors with their bounds; linear programming";
+    let mut facts = vec![Fact::new("Holds", [holds])];
+    facts.extend((!answer.motion.is_empty()).then(|| Fact::new("Motion", [motion])));
+    facts.extend((!answer.specimens.is_empty()).then(|| Fact::new("Readings", [readings])));
+    facts.push(Fact::new("Version", [format!("loosepin {}", answer.version)]));
+    let mut section = Section::new("method", "How this was computed");
+    section.push(Content::Facts(facts));
+    section
 }
 
 #[cfg(test)]

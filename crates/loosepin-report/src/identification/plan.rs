@@ -1,8 +1,9 @@
 //! What features of a motion would tell.
 
 use super::figures::shares;
-use super::remark::remark;
+use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding};
+use crate::wording::remark;
 use loosepin_result::motion_identification::{MotionPlan, PlannedFeature};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::listed;
@@ -18,9 +19,7 @@ pub(super) fn plan_section(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Sect
         plan.points, plan.runs_per_point
     );
     section.push_on(Medium::Terminal, Content::sentences([head]));
-    if writer.medium == Medium::Page {
-        section.push(Content::Figure(shares(plan, "next.features".to_owned(), writer).into_string()));
-    }
+    push_figure(&mut section, writer, || shares(plan, "next.features".to_owned(), writer));
     section.push_on(Medium::Terminal, Content::Table(shares_table(plan, writer)));
     section.push(Content::points(plan_words(plan, writer).into_iter().map(remark)));
     section

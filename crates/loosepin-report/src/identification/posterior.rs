@@ -2,13 +2,14 @@
 
 use super::posterior_figure::density;
 use super::ranges::{BOUND_DIGITS, range};
-use super::remark::remark;
+use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding};
+use crate::wording::remark;
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{Marginal, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal};
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;
-use maud::Markup;
+use maud::{Markup, html};
 
 /// Digits of a standard deviation.
 const DEVIATION_DIGITS: usize = 3;
@@ -23,11 +24,11 @@ pub(super) fn push_posterior(
     let Some(posterior) = &specimen.posterior else { return };
     section.push_on(Medium::Terminal, Content::Heading("Posterior distribution".into()));
     if let MotionPosterior::Given(given) = posterior {
-        if writer.medium == Medium::Page {
-            for figure in densities(specimen, given, index, writer) {
-                section.push(Content::Figure(figure.into_string()));
-            }
-        }
+        push_figure(
+            section,
+            writer,
+            || html! { @for figure in densities(specimen, given, index, writer) { (figure) } },
+        );
         section.push(Content::Table(values_table(specimen, given, writer)));
     }
     section.push(Content::points(posterior_words(specimen, posterior, writer).into_iter().map(remark)));

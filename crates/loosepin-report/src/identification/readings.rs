@@ -3,12 +3,13 @@
 use super::figures::{RangeRow, ranges};
 use super::ranges::{range, range_digits, stated};
 use super::readings_words::{headline, misfit_words, next_words, sums_words};
-use super::remark::remark;
+use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding};
+use crate::wording::remark;
 use loosepin_result::identification::{Consistent, Outcome, PlayBounds, Specimen, TestReading};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::{SiUnit, counted};
-use maud::html;
+use maud::{Markup, html};
 
 /// Digits of a factor.
 const FACTOR_DIGITS: usize = 4;
@@ -41,9 +42,7 @@ fn push_consistent(
     writer: &NumberWriter<'_>,
 ) {
     section.push_on(Medium::Terminal, Content::sentences([headline(readings, known, writer)]));
-    if writer.medium == Medium::Page {
-        section.push(Content::Figure(plays_figure(&known.plays, index, writer)));
-    }
+    push_figure(section, writer, || plays_figure(&known.plays, index, writer));
     section.push(Content::Table(plays_table(&known.plays, writer)));
     let sums = sums_words(known, writer);
     if !sums.is_empty() {
@@ -60,7 +59,7 @@ fn push_consistent(
     section.push_on(Medium::Terminal, Content::Table(factors_table(readings, &known.plays, writer)));
 }
 
-fn plays_figure(plays: &[PlayBounds], index: usize, writer: &NumberWriter<'_>) -> String {
+fn plays_figure(plays: &[PlayBounds], index: usize, writer: &NumberWriter<'_>) -> Markup {
     let row = |play: &PlayBounds| RangeRow {
         label: play.name.clone(),
         unit: play.unit.clone(),
@@ -71,7 +70,7 @@ fn plays_figure(plays: &[PlayBounds], index: usize, writer: &NumberWriter<'_>) -
     let rows: Vec<RangeRow> = plays.iter().map(row).collect();
     let alternative = format!("Bars: {} before and after.", counted(rows.len(), "play"));
     let caption = html! { strong { "Each play before and after." } " Wide bar: the interval of the study; narrow bar: what the readings leave." };
-    ranges(&rows, format!("plays.{index}"), (alternative, caption), writer).into_string()
+    ranges(&rows, format!("plays.{index}"), (alternative, caption), writer)
 }
 
 fn plays_table(plays: &[PlayBounds], writer: &NumberWriter<'_>) -> Table {

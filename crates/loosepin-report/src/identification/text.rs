@@ -7,12 +7,11 @@ use super::motion::{push_features, push_runs, push_unknowns};
 use super::plan::plan_section;
 use super::posterior::push_posterior;
 use super::readings::push_readings;
-use crate::article_text::article_text;
+use crate::article_text::terminal_text;
 use crate::number::NumberWriter;
-use crate::terminal_table::TERMINAL_COLUMNS;
 use loosepin_result::identification::Identification;
 use loosepin_result::motion_identification::MotionPlan;
-use loosepin_text::article::{Article, Content, Medium, Section};
+use loosepin_text::article::{Content, Medium, Section};
 use loosepin_text::units::DisplayUnits;
 
 /// The answer as text.
@@ -32,8 +31,7 @@ pub fn identification_text(answer: &Identification) -> String {
         push_lengths(&mut section, specimen, &writer);
         section
     });
-    let mut sections: Vec<Section> = readings.chain(motion).collect();
-    sections.extend(answer.gain.iter().map(|gain| gain_section(gain, &writer)));
+    let gain = answer.gain.iter().map(|gain| gain_section(gain, &writer));
     let mut ground = Section::new("method", "");
     let words = Content::points(grounds(answer, &writer));
     // What a motion alone rests on stands below how it was tested.
@@ -42,8 +40,7 @@ pub fn identification_text(answer: &Identification) -> String {
     } else {
         ground.push(words)
     }
-    sections.push(ground);
-    article_text(&Article { title: answer.study.clone(), sections }, Some(TERMINAL_COLUMNS))
+    terminal_text(&answer.study, readings.chain(motion).chain(gain).chain([ground]))
 }
 
 /// A section below the name of its specimen, where it has one.
@@ -53,8 +50,7 @@ fn named(id: &'static str, name: &Option<String>, what: &str) -> Section {
 
 /// What features would tell, as text.
 pub fn motion_plan_text(plan: &MotionPlan, units: &DisplayUnits) -> String {
-    let sections = vec![plan_section(plan, &NumberWriter::for_terminal(units))];
-    article_text(&Article { title: plan.study.clone(), sections }, Some(TERMINAL_COLUMNS))
+    terminal_text(&plan.study, [plan_section(plan, &NumberWriter::for_terminal(units))])
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
 
 mod curves;
-mod cuts;
 mod provenance;
 mod what_if;
 
@@ -18,13 +17,13 @@ use super::page::{Page, Section};
 use super::repeat_section::study_repeat_section;
 use super::still_figures::orbit_figure;
 use super::study_sections::{
-    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, promise_section,
-    rare_section, surrogate_section, treatments_section,
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, degrees_section,
+    percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
 };
 use super::tag::Tag;
-use super::wording::{counted, has_unknown, output_unit, place_words, unknown_words, verdict_words};
-use loosepin_result::study::{StudyResult, Verdict};
-use loosepin_text::article;
+use super::wording::{counted, deviation_words, has_unknown, output_unit, place_words, unknown_words, verdict_words};
+use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
+use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
 
 /// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
 /// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
@@ -34,43 +33,35 @@ pub fn study_page(result: &StudyResult) -> String {
     let answer = answer(result, &writer);
     let first = curves::first_chart(result, &writer);
     let writer = &writer;
-    let mut sections = Vec::new();
-    let has_path = result.curves.iter().any(|curve| curve.path.is_some());
     let own = |id: &'static str, title: &'static str, is_there: bool, body: &dyn Fn() -> Markup| {
         is_there.then(|| Section::new(id, title, body()))
     };
-    let both = |section: Option<article::Section>| section.as_ref().map(page_section);
-    sections.extend(own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)));
-    sections.extend(own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
-        curves::other_charts(result, writer)
-    }));
-    sections.extend(own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)));
-    sections.extend(both(contributors_section(result, writer)));
-    sections.extend(both(allowed_section(result, writer)));
-    sections.extend(both(answers_section(result, writer)));
-    sections.extend(own("boxes", "Distribution", result.boxes.len() > first.boxes, &|| {
-        curves::box_charts(result, first.boxes, writer)
-    }));
-    sections.extend(both(treatments_section(result, writer)));
-    sections
-        .extend(own("requirements", "Requirements", !result.requirements.is_empty(), &|| requirements(result, writer)));
-    sections.extend(both(bounds_section(result, writer)));
-    sections.extend(both(promise_section(result, writer)));
-    sections.extend(own("degrees", "Bounds by degree of possibility", !result.cuts.is_empty(), &|| {
-        cuts::cuts(result, writer)
-    }));
-    sections.extend(own("percentiles", "Percentiles of the statistics", !result.percentiles.is_empty(), &|| {
-        cuts::percentiles(result, writer)
-    }));
-    sections.extend(both(rare_section(result, writer)));
-    sections.extend(both(surrogate_section(result, writer)));
-    sections.extend(both(accuracy_section(result, writer)));
-    sections.extend(own("runs", "Runs, failures and impacts", true, &|| provenance::runs(result, writer)));
-    sections.extend(
+    let has_path = result.curves.iter().any(|curve| curve.path.is_some());
+    let has_boxes = result.boxes.len() > first.boxes;
+    let sections = [
+        own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),
+        own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
+            curves::other_charts(result, writer)
+        }),
+        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
+        page_section(contributors_section(result, writer)),
+        page_section(allowed_section(result, writer)),
+        page_section(answers_section(result, writer)),
+        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
+        page_section(treatments_section(result, writer)),
+        page_section(requirements(result, writer)),
+        page_section(bounds_section(result, writer)),
+        page_section(promise_section(result, writer)),
+        page_section(degrees_section(result, writer)),
+        page_section(percentiles_section(result, writer)),
+        page_section(rare_section(result, writer)),
+        page_section(surrogate_section(result, writer)),
+        page_section(accuracy_section(result, writer)),
+        page_section(runs_section(result, writer)),
         result.energy.as_ref().map(|energy| Section::new("energy", "Energy check", provenance::energy(energy, writer))),
-    );
-    sections.extend(own("method", "How this was computed", true, &|| provenance::method(result, writer)));
-    sections.extend(study_repeat_section(result, writer));
+        page_section(provenance::method_section(result, writer)),
+        study_repeat_section(result, writer),
+    ];
     Page {
         title: result.name.clone(),
         kicker: "Accuracy study",
@@ -82,7 +73,7 @@ pub fn study_page(result: &StudyResult) -> String {
         is_answer_short: false,
         beside: mechanism_figure(&result.drawing, &result.cycle.drive),
         below: first.markup,
-        sections,
+        sections: sections.into_iter().flatten().collect(),
         identity: format!("study {}", short_hash(&result.input_hash)),
         version: result.version.clone(),
     }
@@ -127,57 +118,42 @@ fn verdict_class(verdict: Verdict) -> &'static str {
     }
 }
 
-fn requirements(result: &StudyResult, writer: &NumberWriter) -> Markup {
-    html! {
-        table.cards {
-            caption.quiet {
-                "Shares of mechanisms, numerical error included"
-                @if has_unknown(&result.inputs) { ", for all values of the " (unknown_words(&result.inputs)) }
-                "."
-            }
-            thead {
-                tr {
-                    th scope="col" { "Requirement" }
-                    th.number scope="col" { "Required share" }
-                    th.number scope="col" { "Share inside" }
-                    th scope="col" { "Smallest at" }
-                    th scope="col" { "Verdict" }
-                }
-            }
-            tbody {
-                @for requirement in &result.requirements {
-                    @let unit = output_unit(result, &requirement.output);
-                    tr {
-                        th scope="row" {
-                            (requirement.output) ", " (super::wording::deviation_words(requirement.of)) " "
-                            (requirement_words(result, requirement, &unit, writer)) ", "
-                            (place_words(requirement.at, writer))
-                        }
-                        td.number data-label="Required share" {
-                            "≥ "
-                            (writer.about(&Tag::Given("required share")).percent(requirement.probability_at_least, Rounding::Nearest))
-                        }
-                        td.number data-label="Share inside" {
-                            (writer
-                                .about(&Tag::requirement(requirement, "share"))
-                                .percent_range(requirement.probability[0], requirement.probability[1]))
-                            @if let Some(least) = requirement.promised {
-                                " " span.quiet { "promised: at least "
-                                    (writer.about(&Tag::requirement(requirement, "promised")).percent(least, Rounding::Down))
-                                }
-                            }
-                        }
-                        td data-label="Smallest at" { (writer.about(&Tag::requirement(requirement, "witness")).witness(&requirement.witness, &result.inputs)) }
-                        td data-label="Verdict" {
-                            span class={ "verdict " (verdict_class(requirement.verdict)) } {
-                                (verdict_words(requirement.verdict))
-                            }
-                        }
-                    }
-                }
-            }
-        }
-    }
+fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::Section> {
+    let of_unknown = match has_unknown(&result.inputs) {
+        true => format!(", for all values of the {}", unknown_words(&result.inputs)),
+        false => String::new(),
+    };
+    let row = |requirement: &RequirementOutcome| -> Vec<Cell> {
+        let tag = |part: &str| Tag::requirement(requirement, part);
+        let RequirementOutcome { output, of, at, probability: [lower, upper], verdict, .. } = requirement;
+        let limits = requirement_words(result, requirement, &output_unit(result, output), writer);
+        let asked = writer.about(&Tag::Given("required share"));
+        let share = Text::from(writer.about(&tag("share")).percent_range(*lower, *upper));
+        let promised = requirement.promised.map_or_else(Text::default, |least| {
+            let least = writer.about(&tag("promised")).percent(least, Rounding::Down);
+            Text::from(" ").quiet(format!("promised: at least {least}"))
+        });
+        let word = verdict_words(*verdict);
+        let html = html! { span class={ "verdict " (verdict_class(*verdict)) } { (word) } }.into_string();
+        vec![
+            format!("{output}, {} {limits}, {}", deviation_words(*of), place_words(*at, writer)).into(),
+            format!("≥ {}", asked.percent(requirement.probability_at_least, Rounding::Nearest)).into(),
+            share.then(promised).into(),
+            writer.about(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
+            Cell::Drawn { html, text: word.to_owned() },
+        ]
+    };
+    let columns = vec![
+        Column::words("Requirement"),
+        Column::numbers("Required share"),
+        Column::numbers("Share inside"),
+        Column::words("Smallest at"),
+        Column::words("Verdict"),
+    ];
+    let mut section = article::Section::new("requirements", "Requirements");
+    section.push(Content::Note(format!("Shares of mechanisms, numerical error included{of_unknown}.").into()));
+    section.push(Content::Table(Table::new(columns, result.requirements.iter().map(row))));
+    (!result.requirements.is_empty()).then_some(section)
 }
 
 fn orbits(result: &StudyResult, writer: &NumberWriter) -> Markup {

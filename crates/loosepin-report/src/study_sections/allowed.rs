@@ -1,10 +1,12 @@
 //! The loosest values that meet the requirements, and small probabilities.
 
+use crate::article_page::push_figure;
 use crate::inverse::{inverse_sentences, rare_sentences};
 use crate::number::NumberWriter;
 use crate::together::frontier;
 use loosepin_result::study::StudyResult;
-use loosepin_text::article::{Content, Medium, Section};
+use loosepin_text::article::{Content, Section};
+use maud::Markup;
 
 /// `None` if no input may be loosened.
 pub(crate) fn allowed_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
@@ -14,12 +16,10 @@ pub(crate) fn allowed_section(result: &StudyResult, writer: &NumberWriter) -> Op
     }
     let mut section = Section::new("allowed", "Loosest values that meet the requirements");
     section.push(Content::points(sentences));
-    if writer.medium == Medium::Page {
+    push_figure(&mut section, writer, || {
         let chart = result.together.as_ref().and_then(|one| frontier(result, one, writer));
-        if let Some(chart) = chart {
-            section.push(Content::Figure(chart.figure().into_string()));
-        }
-    }
+        chart.map_or_else(Markup::default, |chart| chart.figure())
+    });
     Some(section)
 }
 

@@ -1,7 +1,8 @@
 //! Sensitivity: how much narrower the band becomes by a tighter tolerance or a better measurement; one chart in two colours.
 
-use maud::html;
+use maud::{Markup, html};
 
+use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding, plain_name};
 use crate::still_figures::percent_of;
 use crate::tag::{Tag, read_the_same};
@@ -15,7 +16,7 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
         return None;
     }
     let mut section = Section::new("contributors", Text::by_medium("Sensitivity", ""));
-    section.push(Content::Figure(legend(writer)));
+    push_figure(&mut section, writer, || legend(writer));
     for one in &result.contributors {
         let tag = Tag::contributors(one, "band width", "");
         let heading = format!(
@@ -30,7 +31,7 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
 }
 
 /// What the bars are, with their colours.
-fn legend(writer: &NumberWriter) -> String {
+fn legend(writer: &NumberWriter) -> Markup {
     html! {
         p {
             "Each bar shows how much narrower the band of " (band_probability(writer)) " of mechanisms becomes without the uncertainty of one input: "
@@ -38,7 +39,6 @@ fn legend(writer: &NumberWriter) -> String {
             span class="swatch mixed line" {} " " strong { "better measurement" } " (an unknown value that is measured)."
         }
     }
-    .into_string()
 }
 
 fn table(result: &StudyResult, one: &Contributors, writer: &NumberWriter) -> Table {

@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::surrogate_words::{output_sentences, runs_sentence, title};
+use crate::article_page::push_figure;
 use crate::bound_words::bound_value;
 use crate::chart::{Chart, Entry, Role};
 use crate::figure::name_of;
@@ -50,9 +51,7 @@ pub(crate) fn surrogate_section(result: &StudyResult, writer: &NumberWriter) -> 
     for comparison in &record.treatments {
         section.push(Content::Table(treatments_table(result, comparison, writer)));
     }
-    if writer.medium == Medium::Page {
-        figures(result, record, writer).for_each(|figure| section.push(Content::Figure(figure.into_string())));
-    }
+    push_figure(&mut section, writer, || html! { @for figure in figures(result, record, writer) { (figure) } });
     Some(section)
 }
 

@@ -7,7 +7,7 @@ use super::text::{Medium, Text};
 pub struct Table {
     /// The columns; each row has a cell for each of them.
     pub columns: Vec<Column>,
-    /// The rows, in groups with a heading of their own; a terminal makes a table of each group.
+    /// The rows, in groups with a heading of their own; a terminal makes a table of each group that has one.
     pub groups: Vec<Group>,
     /// What its rows are of; empty where the section says it.
     pub title: Text,

@@ -78,6 +78,13 @@ impl Text {
         self
     }
 
+    /// Adds another text.
+    #[must_use]
+    pub fn then(mut self, text: impl Into<Text>) -> Text {
+        self.spans.extend(text.into().spans);
+        self
+    }
+
     fn with(mut self, emphasis: Emphasis, text: impl Into<String>) -> Text {
         self.spans.push(Span { text: text.into(), emphasis, only: None });
         self

@@ -2,17 +2,19 @@
 //! it is, and what is the same must have the same value to the digits that are shown.
 
 mod held;
+mod motion;
 mod planted;
 mod run;
 mod shown;
 mod stored;
+mod sweep;
 
-use loosepin::report::{TaggedText, motion_text, study_page, study_text, tagged};
+use loosepin::report::{TaggedText, study_page, study_text, tagged};
 use loosepin::result::json::Stored;
 use loosepin::study::files::bounds_csv;
 use loosepin::study::result::StudyResult;
 
-use super::report_fixture::{motion, study};
+use super::report_fixture::study;
 use held::{Reader, SECTIONS_LEFT, TITLES_LEFT, Writer, faults};
 use shown::{Names, page_numbers, terminal_numbers};
 
@@ -87,11 +89,4 @@ fn what_is_left_to_tag_has_untagged_numbers() {
         let (_, untagged) = terminal_numbers(&texts.terminal, &names, &others);
         assert!(!untagged.is_empty(), "take '{title}' out of the list: all its numbers are tagged");
     }
-    // A whole document: the ideal motion.
-    let motion = motion::worn_pin();
-    let text = tagged(|| motion_text(&motion));
-    assert!(
-        text.numbers.iter().any(|number| number.tag.is_none()),
-        "texts of the ideal motion are tagged: hold them too"
-    );
 }

@@ -10,7 +10,7 @@ use super::shown::{Names, Shown, page_numbers, terminal_numbers};
 use crate::report_fixture::simulation::worn_pin;
 
 /// Sections of the page of a run whose numbers are not all tagged yet. The list can only shrink.
-const SECTIONS_LEFT: [&str; 2] = ["kind", "orbits"];
+const SECTIONS_LEFT: [&str; 1] = ["orbits"];
 
 fn read(page: &SimulationRecord, terminal: &SimulationRecord, stored: &SimulationRecord) -> [Read; 3] {
     let summary = stored.to_json().unwrap();

@@ -1,7 +1,7 @@
 //! Wear of the joints of a run in words: for pages and terminals alike.
 
-use super::number::{NumberWriter, Rounding};
-use super::wording::counted;
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::counted;
 use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
 use loosepin_text::units::{DisplayUnit, DisplayUnits, SiUnit};
 
@@ -37,13 +37,13 @@ pub(super) fn life_words(record: &SimulationRecord, wear: &JointWearRecord, writ
     format!("Wear after {cycles} {word} of {turns} {turn}, {geometry}.")
 }
 
-/// Where a surface is worn deepest: its sector, as angles from the x axis of the body.
-pub(super) fn deepest_words(surface: &SurfaceWear, writer: &NumberWriter) -> String {
+/// Where a surface is worn deepest: its sector, as angles from the x axis of the body; `None` if it is not worn.
+pub(super) fn deepest_words(surface: &SurfaceWear, writer: &NumberWriter) -> Option<String> {
     if !(surface.greatest_depth_m > 0.0) {
-        return "-".to_owned();
+        return None;
     }
     let [from, to] = surface.deepest_rad().map(|angle_rad| writer.value_trimmed(angle_rad, &SiUnit::ANGLE));
-    format!("{from} to {to}")
+    Some(format!("{from} to {to}"))
 }
 
 /// The checks of a run's wear, and what is to be known of its numbers; `writer` has the units of [`wear_units`].

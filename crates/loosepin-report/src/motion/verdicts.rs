@@ -1,8 +1,9 @@
 //! What `motion` says of the requirements of a study without dynamics, in sentences for pages and terminals.
 
-use super::answer::limits_words;
-use super::number::{NumberWriter, Rounding};
-use super::wording::{capitalised, deviation_words};
+use crate::answer::limits_words;
+use crate::number::{NumberWriter, Rounding};
+use crate::tag::Tag;
+use crate::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;
 
@@ -35,45 +36,53 @@ pub(super) fn verdict_sentences(record: &MotionRecord, writer: &NumberWriter<'_>
 
 fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, writer: &NumberWriter<'_>) -> String {
     let MotionRequirement { output, unit, of, pose_rad, proven_si, found_si, verdict, .. } = requirement;
+    let tag = |part: &str| Tag::motion_requirement(requirement, part);
     let place = match pose_rad {
-        Some(pose_rad) => format!("at {}", writer.value_trimmed(*pose_rad, &SiUnit::ANGLE)),
+        Some(pose_rad) => format!("at {}", writer.about(&Tag::Given("pose")).value_trimmed(*pose_rad, &SiUnit::ANGLE)),
         None => "over the whole cycle".to_owned(),
     };
     let what = format!(
         "{} of {output} {} {place}, in at least {} of the mechanisms",
         deviation_words(*of),
         limits_words(requirement.lower_si, requirement.upper_si, unit, writer),
-        writer.percent(requirement.probability_at_least, Rounding::Nearest)
+        writer.about(&Tag::Given("required share")).percent(requirement.probability_at_least, Rounding::Nearest)
     );
-    let between = |ends: [f64; 2]| {
-        let low = writer.rounded(ends[0], unit, 4, Rounding::Down);
-        format!("{low} to {}", writer.rounded(ends[1], unit, 4, Rounding::Up))
+    let between = |what: &str, ends: [f64; 2]| {
+        let low = writer.about(&tag(&format!("lowest {what}"))).rounded(ends[0], unit, 4, Rounding::Down);
+        let high = writer.about(&tag(&format!("highest {what}"))).rounded(ends[1], unit, 4, Rounding::Up);
+        format!("{low} to {high}")
     };
     let share = match requirement.share_within_limits {
         1.0 => "All parts lie within the limits that are stated for them.".to_owned(),
         share => format!(
-            "At least {} of the mechanisms have all parts within the limits stated for them, or within ±3 standard deviations.",
-            writer.percent(share, Rounding::Down)
+            "At least {} of the mechanisms have all parts within the limits stated for them, or within ±{} standard deviations.",
+            writer.about(&tag("share within limits")).percent(share, Rounding::Down),
+            writer.about(&Tag::Given("standard deviations")).count(3)
         ),
     };
     let is_proven = proven_si.iter().all(|end| end.is_finite());
     let end = match verdict {
         MotionVerdict::Met => {
-            format!("Proven: with play anywhere and such parts it stays within {}. {share}", between(*proven_si))
+            format!(
+                "Proven: with play anywhere and such parts it stays within {}. {share}",
+                between("proven", *proven_si)
+            )
         }
         MotionVerdict::NotMetInTheWorstCase => {
             let beyond = [requirement.lower_si - found_si[0], found_si[1] - requirement.upper_si];
             let side = usize::from(beyond[1] >= beyond[0]);
+            // To the nearest digit: it was reached, and is no end.
+            let tag = tag(["lowest found", "highest found"][side]);
             format!(
                 "It reaches {} at {} of {}, with play and parts at their worst. How often, loosepin study tells.",
-                writer.rounded(found_si[side], unit, 4, Rounding::Nearest),
-                writer.angle_in_turn(requirement.found_at_rad[side], 4),
+                writer.about(&tag).rounded(found_si[side], unit, 4, Rounding::Nearest),
+                writer.about(&tag.part("at")).angle_in_turn(requirement.found_at_rad[side], 4),
                 record.drive
             )
         }
         MotionVerdict::Undecided => {
             let found = if found_si.iter().all(|end| end.is_finite()) {
-                format!("Found: {}; ", between(*found_si))
+                format!("Found: {}; ", between("found", *found_si))
             } else {
                 String::new()
             };
@@ -81,9 +90,9 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
                 Some(reason) => format!("nothing is proven: {reason}."),
                 None if is_proven && requirement.share_within_limits < requirement.probability_at_least => format!(
                     "proven: it stays within {}, but for fewer mechanisms than asked for. {share}",
-                    between(*proven_si)
+                    between("proven", *proven_si)
                 ),
-                None if is_proven => format!("proven: it stays within {}. {share}", between(*proven_si)),
+                None if is_proven => format!("proven: it stays within {}. {share}", between("proven", *proven_si)),
                 None => "nothing is proven.".to_owned(),
             };
             capitalised(&format!("{found}{proven}"))
@@ -106,7 +115,7 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
 
 fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) -> String {
     let MotionAllowance { path, unit, up_to_si, loosest_si, fit, reason } = allowance;
-    let up_to = writer.value_trimmed(*up_to_si, unit);
+    let up_to = writer.about(&Tag::Given("largest value asked about")).value_trimmed(*up_to_si, unit);
     match (reason, loosest_si, fit) {
         (Some(reason), ..) => format!("{path} is not loosened here: {reason}."),
         (None, Some(_), Some(fit)) => {
@@ -117,7 +126,7 @@ fn allowance_sentence(allowance: &MotionAllowance, writer: &NumberWriter<'_>) ->
         }
         (None, Some(loosest_si), None) => format!(
             "{path} may grow to {} (of {up_to} asked about): up to there they are proven to be met without dynamics.",
-            writer.rounded(*loosest_si, unit, 4, Rounding::Down)
+            writer.about(&Tag::joint(path, "loosest", "")).rounded(*loosest_si, unit, 4, Rounding::Down)
         ),
         (None, None, _) => format!("{path}: no value up to {up_to} is proven to meet them without dynamics."),
     }

@@ -1,12 +1,13 @@
 //! Where in the cycle of a motion something is.
 
-use super::number::{NumberWriter, Rounding, within_turn_rad};
+use crate::chart::Chart;
+use crate::number::{NumberWriter, Rounding, within_turn_rad};
 use loosepin_result::motion::MotionRecord;
 use loosepin_text::units::SiUnit;
 use std::f64::consts::TAU;
 
 /// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
-pub(super) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
+pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
     writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
 }
 
@@ -21,7 +22,7 @@ pub(super) fn told_rad(record: &MotionRecord, angle_rad: f64) -> f64 {
 }
 
 /// Where over the cycle a history is largest, and how large.
-pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
+pub(crate) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
     record
         .drive_angle_rad
         .iter()
@@ -29,4 +30,9 @@ pub(super) fn largest(record: &MotionRecord, values: &[f64]) -> (f64, f64) {
         .zip(values.iter().copied())
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .unwrap_or((f64::NAN, f64::NAN))
+}
+
+/// A chart over the angle of the drive.
+pub(crate) fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Chart {
+    Chart::over_angle(id, &record.drive, &record.drive_angle_rad, writer)
 }

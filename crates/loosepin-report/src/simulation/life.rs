@@ -1,17 +1,19 @@
 //! Wear over the cycles of a life: numbers, clearance and deviations over the cycles, and the profile at some of them.
 
-use super::chart::{Chart, Entry, Role};
-use super::figure::{csv_number, name_of};
-use super::number::{NumberWriter, Rounding};
-use super::wear_picture::{DepthScale, depth_figure, shape};
-use super::wear_words::{units_of_wear, wear_units};
-use super::wording::counted;
-use loosepin_result::simulation::{
-    JointLifeRecord, OutputLifeRecord, SimulationRecord, SurfaceLifeRecord, WearLifeRecord,
-};
-use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 use std::f64::consts::TAU;
+
+use crate::article_page::push_figure;
+use crate::chart::{Chart, Entry, Role};
+use crate::figure::{csv_number, name_of};
+use crate::number::{NumberWriter, Rounding};
+use crate::wording::{counted, head};
+use loosepin_result::simulation::{JointLifeRecord, SurfaceLifeRecord, WearLifeRecord};
+use loosepin_text::article::{Column, Content, Medium, Section, Table};
+use loosepin_text::units::SiUnit;
+
+use super::wear_picture::{DepthScale, depth_figure, shape};
+use super::wear_words::units_of_wear;
 
 /// Rows of the table over the cycles, at most.
 const ROWS: usize = 9;
@@ -19,7 +21,7 @@ const ROWS: usize = 9;
 const PROFILES: usize = 5;
 
 /// The rows of a life that are shown: the first, the last and some between, evenly.
-pub(super) fn shown_rows(life: &WearLifeRecord, most: usize) -> Vec<usize> {
+fn shown_rows(life: &WearLifeRecord, most: usize) -> Vec<usize> {
     let last = life.cycles.len().saturating_sub(1);
     let count = most.min(last + 1).max(1);
     let mut rows: Vec<usize> = (0..count).map(|k| if count > 1 { last * k / (count - 1) } else { 0 }).collect();
@@ -27,22 +29,25 @@ pub(super) fn shown_rows(life: &WearLifeRecord, most: usize) -> Vec<usize> {
     rows
 }
 
-/// The table over the cycles: heads, and rows of cells. Of every joint its friction path, greatest depths and largest clearance; then
-/// the largest deviations of `outputs`.
-pub(super) fn life_table(
-    life: &WearLifeRecord,
-    outputs: &[OutputLifeRecord],
-    writer: &NumberWriter,
-) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut heads = vec!["cycles".to_owned()];
+/// The table over the cycles. Of every joint its friction path, greatest depths and largest clearance; then the largest deviations of the
+/// outputs.
+fn life_table(life: &WearLifeRecord, writer: &NumberWriter) -> Table {
+    let mut columns = vec![Column::numbers(head("cycles"))];
     let is_one = life.joints.len() == 1;
     for joint in &life.joints {
-        let of = |word: &str| if is_one { word.to_owned() } else { format!("{}: {word}", joint.joint) };
-        heads.push(of("friction path"));
-        heads.extend(joint.surfaces.iter().map(|surface| of(&format!("depth of {}", surface.surface.word()))));
-        heads.push(of("clearance up to"));
+        let of = |words: &str| {
+            Column::numbers(if is_one { head(words) } else { format!("{}: {words}", joint.joint).into() })
+        };
+        columns.push(of("friction path"));
+        columns.extend(joint.surfaces.iter().map(|surface| of(&format!("depth of {}", surface.surface.word()))));
+        columns.push(of("clearance up to"));
     }
-    heads.extend(outputs.iter().map(|output| format!("deviation of {}", output.name)));
+    // A terminal has room for one: that of the limit, or the first.
+    let limited = life.limit.as_ref().and_then(|limit| life.outputs.iter().position(|own| own.name == limit.output));
+    columns.extend(life.outputs.iter().enumerate().map(|(place, output)| Column {
+        only: (place != limited.unwrap_or(0)).then_some(Medium::Page),
+        ..Column::numbers(head(&format!("deviation of {}", output.name)))
+    }));
     let row = |row: usize| {
         let mut cells = vec![writer.value_trimmed(life.cycles[row].round(), &SiUnit::NONE)];
         for joint in &life.joints {
@@ -51,10 +56,10 @@ pub(super) fn life_table(
             cells.extend(surfaces.map(|surface| writer.value(surface.greatest_depth_m[row], &SiUnit::LENGTH)));
             cells.push(writer.value(joint.largest_clearance_m[row], &SiUnit::LENGTH));
         }
-        cells.extend(outputs.iter().map(|output| writer.value(output.deviation_si[row], &output.unit)));
+        cells.extend(life.outputs.iter().map(|output| writer.value(output.deviation_si[row], &output.unit)));
         cells
     };
-    (heads, shown_rows(life, ROWS).into_iter().map(row).collect())
+    Table::new(columns, shown_rows(life, ROWS).into_iter().map(row))
 }
 
 /// The cycles until the limit is passed, where there is a limit.
@@ -82,7 +87,7 @@ pub(super) fn life_sentence(life: &WearLifeRecord, writer: &NumberWriter) -> Opt
 }
 
 /// What is to be known of a life in sentences.
-pub(super) fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Vec<String> {
+fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Vec<String> {
     let mut sentences: Vec<String> = life_sentence(life, writer).into_iter().collect();
     let jumps = life.cycles.len().saturating_sub(1) as u64;
     let error = writer.rounded(life.largest_error_m, &SiUnit::LENGTH, 2, Rounding::Up);
@@ -117,35 +122,27 @@ pub(super) fn life_sentences(life: &WearLifeRecord, writer: &NumberWriter) -> Ve
     sentences
 }
 
-/// The part of the section on wear that is over the cycles.
-pub(super) fn life_part(record: &SimulationRecord, life: &WearLifeRecord) -> Markup {
-    let units = wear_units(&record.display_units);
-    let writer = NumberWriter::for_page(&units);
-    let (heads, rows) = life_table(life, &life.outputs, &writer);
-    let plain = NumberWriter::for_page(&record.display_units);
-    html! {
-        h3 { "Over the cycles" }
-        @for sentence in life_sentences(life, &writer) { p { (sentence) } }
-        div.scroll {
-            table {
-                thead { tr { @for head in &heads { th { (head) } } } }
-                tbody { @for row in &rows { tr { @for cell in row { td.number { (cell) } } } } }
+/// Adds what is over the cycles to the section on wear; `plain` has the units of the outputs.
+pub(super) fn push_life(section: &mut Section, life: &WearLifeRecord, writer: &NumberWriter, plain: &NumberWriter) {
+    section.push_on(Medium::Page, Content::Heading("Over the cycles".into()));
+    section.push(Content::Table(life_table(life, writer)));
+    section.push_close(Content::sentences(life_sentences(life, writer)));
+    push_figure(section, writer, || {
+        html! {
+            div.orbits { @for joint in &life.joints { (profiles_figure(life, joint, writer)) } }
+            @for joint in &life.joints { (clearance_chart(life, joint, writer).figure()) }
+            @for output in &life.outputs {
+                (deviation_chart(life, &output.name, &output.deviation_si, &output.unit, plain).figure())
             }
         }
-        div.orbits { @for joint in &life.joints { (profiles_figure(life, joint, &writer)) } }
-        @for joint in &life.joints { (clearance_chart(life, joint, &writer).figure()) }
-        @for output in &life.outputs {
-            (deviation_chart(life, &output.name, &output.deviation_si, &output.unit, &plain).figure())
-        }
-    }
+    });
 }
 
 fn clearance_chart(life: &WearLifeRecord, joint: &JointLifeRecord, writer: &NumberWriter) -> Chart {
     let unit = SiUnit::LENGTH;
     let name = name_of("clearance", &joint.joint);
     let mut chart = Chart::over(name, "cycles", &life.cycles, &SiUnit::NONE, writer);
-    chart.y_label = format!("clearance of {}", joint.joint);
-    chart.y_symbol = writer.symbol(&unit);
+    chart.set_vertical_axis(format!("clearance of {}", joint.joint), &unit, writer);
     chart.entries = vec![
         Entry::line("largest", Role::of_index(0), false, &joint.largest_clearance_m, &unit, writer),
         Entry::line("smallest", Role::of_index(1), true, &joint.least_clearance_m, &unit, writer),
@@ -166,8 +163,7 @@ fn deviation_chart(
     writer: &NumberWriter,
 ) -> Chart {
     let mut chart = Chart::over(name_of("life", output), "cycles", &life.cycles, &SiUnit::NONE, writer);
-    chart.y_label = format!("largest deviation of {output}");
-    chart.y_symbol = writer.symbol(unit);
+    chart.set_vertical_axis(format!("largest deviation of {output}"), unit, writer);
     chart.entries = vec![Entry::line("largest deviation", Role::of_index(0), false, deviation_si, unit, writer)];
     if let Some(limit) = life.limit.as_ref().filter(|limit| limit.output == output) {
         let constant = vec![limit.limit_si; life.cycles.len()];

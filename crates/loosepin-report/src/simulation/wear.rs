@@ -1,43 +1,65 @@
 //! Wear of the joints of a run: numbers, checks, and profiles around the pin.
 
-use super::figure::{csv_number, name_of};
-use super::life_section::life_part;
-use super::number::NumberWriter;
-use super::page::cards;
-use super::wear_picture::{DepthScale, depth_figure, shape};
-use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
-use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
-use loosepin_text::units::SiUnit;
 use maud::{Markup, html};
 use std::f64::consts::TAU;
 
-/// The section.
-pub(super) fn wear_section(record: &SimulationRecord) -> Markup {
+use crate::article_page::push_figure;
+use crate::figure::{csv_number, name_of};
+use crate::number::NumberWriter;
+use crate::wording::head;
+use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
+use loosepin_text::article::{Cell, Column, Content, Section, Table, Text};
+use loosepin_text::units::SiUnit;
+
+use super::life::push_life;
+use super::wear_picture::{DepthScale, depth_figure, shape};
+use super::wear_words::{deepest_words, life_words, units_of_wear, wear_sentences, wear_units};
+
+/// `None` if no joint wears.
+pub(super) fn wear_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Section> {
+    let first = record.wear.first()?;
     let units = wear_units(&record.display_units);
-    let writer = NumberWriter::for_page(&units);
-    let [of_coefficient, of_volume] = units_of_wear();
-    let rows = record.wear.iter().flat_map(|wear| wear.surfaces.iter().map(move |surface| (wear, surface)));
-    let rows = rows.map(|(wear, surface)| {
-        [
-            html! { (wear.joint) ", " (surface.surface.word()) },
-            html! { (writer.value_trimmed(surface.coefficient_m2_n, &of_coefficient)) },
-            html! { (writer.value(wear.friction_path_j, &SiUnit::ENERGY)) },
-            html! { (writer.value(surface.volume_m3, &of_volume)) },
-            html! { (writer.value(surface.greatest_depth_m, &SiUnit::LENGTH)) },
-            html! { (deepest_words(surface, &writer)) },
-        ]
-    });
-    let heads =
-        ["Surface", "#Coefficient", "#Friction path of a cycle", "#Volume", "#Greatest depth", "#In the sector from"];
-    let told: Vec<String> =
-        record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), &writer)).collect();
-    html! {
-        @if let Some(wear) = record.wear.first() { p { (life_words(record, wear, &writer)) } }
-        (cards(heads, rows))
-        @for sentence in &told { p.quiet { (sentence) } }
-        div.orbits { @for wear in &record.wear { (profile_figure(wear, &writer)) } }
-        @if let Some(life) = &record.life { (life_part(record, life)) }
+    let of_wear = &writer.in_units(&units);
+    let mut section = Section::new("wear", Text::by_medium("Wear", ""));
+    section.push(Content::sentences([life_words(record, first, of_wear)]));
+    section.push(Content::Table(table(record, of_wear)));
+    let short = "friction path: of a cycle; sectors: from the x axis of the body with the surface";
+    section.push_close(Content::Note(Text::by_medium("", short)));
+    for sentence in record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), of_wear)) {
+        section.push_close(Content::Note(sentence.into()));
     }
+    push_figure(&mut section, writer, || {
+        html! { div.orbits { @for wear in &record.wear { (profile_figure(wear, of_wear)) } } }
+    });
+    if let Some(life) = &record.life {
+        push_life(&mut section, life, of_wear, writer);
+    }
+    Some(section)
+}
+
+/// A row for each surface that wears.
+fn table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
+    let [of_coefficient, of_volume] = units_of_wear();
+    let columns = vec![
+        Column::words(head("surface")),
+        Column::numbers(head("coefficient")),
+        Column::numbers(Text::by_medium("Friction path of a cycle", "friction path")),
+        Column::numbers(head("volume")),
+        Column::numbers(head("greatest depth")),
+        Column::numbers(head("in the sector from")),
+    ];
+    let row = |(wear, surface): (&JointWearRecord, &SurfaceWear)| -> Vec<Cell> {
+        vec![
+            format!("{}, {}", wear.joint, surface.surface.word()).into(),
+            writer.value_trimmed(surface.coefficient_m2_n, &of_coefficient).into(),
+            writer.value(wear.friction_path_j, &SiUnit::ENERGY).into(),
+            writer.value(surface.volume_m3, &of_volume).into(),
+            writer.value(surface.greatest_depth_m, &SiUnit::LENGTH).into(),
+            deepest_words(surface, writer).into(),
+        ]
+    };
+    let surfaces = record.wear.iter().flat_map(|wear| wear.surfaces.iter().map(move |surface| (wear, surface)));
+    Table::new(columns, surfaces.map(row))
 }
 
 /// Depths around the pin.

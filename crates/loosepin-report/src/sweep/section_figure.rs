@@ -2,12 +2,14 @@
 
 use maud::{Markup, html};
 
-use super::axes::{Axes, Axis, with_unit};
-use super::figure::{Picture, csv_number, csv_text, name_of};
-use super::number::NumberWriter;
-use super::script_data::{CHART_DIGITS, round_to_digits};
-use super::wording::named_words;
+use crate::axes::{Axes, Axis, with_unit};
+use crate::figure::{Picture, csv_number, csv_text, name_of};
+use crate::number::NumberWriter;
+use crate::script_data::{CHART_DIGITS, round_to_digits};
+use crate::tag::Tag;
+use crate::wording::{count, named_words};
 use loosepin_result::sweep::{SweepPoint, SweepRecord};
+use loosepin_text::units::SiUnit;
 
 /// Width and height of the picture in its own units; a unit is about a pixel.
 const WIDTH: f64 = 960.0;
@@ -32,12 +34,13 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
         path
     };
     let name = named_words(&swept.name, &swept.words);
-    let angle = writer.value_trimmed(record.section_angle_rad, &loosepin_text::units::SiUnit::ANGLE);
+    let angle =
+        writer.about(&Tag::Given("angle of the section")).value_trimmed(record.section_angle_rad, &SiUnit::ANGLE);
+    let turns = count(u64::from(record.recorded_turns), &writer.about(&Tag::Given("turns that are examined")));
     let alternative = format!(
-        "Bifurcation diagram: deviation of {name} once a turn, at {angle} of {}, over {}; {} turns for each of {} values.",
+        "Bifurcation diagram: deviation of {name} once a turn, at {angle} of {}, over {}; {turns} turns for each of {} values.",
         record.drive,
         record.path,
-        record.recorded_turns,
         record.points.len()
     );
     let drawn = html! {
@@ -48,7 +51,7 @@ pub(super) fn section_figure(record: &SweepRecord, output: usize, writer: &Numbe
     };
     let caption = html! {
                 strong { "Once a turn, at " (angle) " of " (record.drive) ": the deviation of " (name) "." }
-                " A dot for each of " (record.recorded_turns) " turns; "
+                " A dot for each of " (turns) " turns; "
                 span.regular { "blue" } " if the motion repeats, "
                 span.irregular { "orange" } " if not."
     };

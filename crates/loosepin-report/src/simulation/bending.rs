@@ -1,6 +1,6 @@
 //! How flexible bodies start and bend, in sentences, and what to do where their formulation does not fit that.
 
-use super::number::NumberWriter;
+use crate::number::NumberWriter;
 use loosepin_result::simulation::{BendingRecord, OtherFormulation};
 use loosepin_text::units::SiUnit;
 

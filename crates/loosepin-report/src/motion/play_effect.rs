@@ -1,10 +1,12 @@
 //! How far play moves an output without dynamics, and what was shown of that number, in words.
 
-use super::motion_angles::{largest, told_rad, turn_angle};
-use super::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use super::wording::listed;
+use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::tag::Tag;
+use crate::wording::listed;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
+
+use super::angles::{largest, told_rad, turn_angle};
 
 /// The largest effect of play on one output over the cycle.
 pub(super) struct PlayEffect {
@@ -43,22 +45,48 @@ pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayE
 impl PlayEffect {
     /// `±0.5503 mm`, rounded up.
     pub fn written(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
-        format!("±{}", writer.rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+        let tag = Tag::joint(&output.name, "play", "largest");
+        format!("±{}", writer.about(&tag).rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+    }
+
+    /// The angle of the drive where it is largest.
+    pub fn place(
+        &self,
+        record: &MotionRecord,
+        output: &OutputMotion,
+        digits: usize,
+        writer: &NumberWriter<'_>,
+    ) -> String {
+        let tag = Tag::joint(&output.name, "play", "at");
+        turn_angle(record, self.angle_rad, digits, &writer.about(&tag))
+    }
+
+    /// `±0.5504 mm`, the proven end; `None` if nothing is proven.
+    pub fn proven(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
+        let Shown::UpTo(proven_si) = self.shown else { return None };
+        let tag = Tag::joint(&output.name, "play", "proven");
+        Some(format!("±{}", writer.about(&tag).rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up)))
     }
 
     /// `worst case, at 270°; proven: never more than ±0.5504 mm`.
     pub fn words(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
-        let at = turn_angle(record, self.angle_rad, 3, writer);
-        match self.shown {
-            Shown::FirstOrder => format!("first order, at {at}"),
-            Shown::UpTo(proven_si) => {
-                let end = writer.rounded(proven_si, &output.unit, PLAIN_DIGITS, Rounding::Up);
+        let at = self.place(record, output, 3, writer);
+        match (self.shown, self.proven(output, writer)) {
+            (Shown::FirstOrder, _) => format!("first order, at {at}"),
+            (_, Some(end)) => {
                 let between = if record.is_proven_between_angles { "" } else { " at the angles shown" };
-                format!("worst case, at {at}; proven: never more than ±{end}{between}")
+                format!("worst case, at {at}; proven: never more than {end}{between}")
             }
-            Shown::Found => format!("largest found, at {at}; that there is no larger one is not proven"),
+            (_, None) => format!("largest found, at {at}; that there is no larger one is not proven"),
         }
     }
+}
+
+/// The largest standard deviation of an output if every direction of the contacts is equally likely.
+pub(super) fn spread_on_rims(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
+    let (_, spread_si) = largest(record, &output.clearance.rim_standard_deviation_si);
+    let tag = Tag::joint(&output.name, "play", "standard deviation on the rims");
+    writer.about(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
 }
 
 /// Where no end of the worst cases is proven, a sentence for each reason.
@@ -66,10 +94,12 @@ pub(super) fn unproven_sentences(record: &MotionRecord, writer: &NumberWriter<'_
     let mut reasons: Vec<&str> = record.unproven_spans.iter().map(|span| span.words.as_str()).collect();
     reasons.sort_unstable();
     reasons.dedup();
-    let angle = |angle_rad: f64| writer.rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest);
     let sentence = |words: &str| {
         let spans = record.unproven_spans.iter().filter(|span| span.words == words).map(|span| {
-            let [from, to] = span.span_rad.map(angle);
+            let [from, to] = span.span_rad.map(|angle_rad| {
+                let tag = Tag::whole("unproven", &angle_rad.to_string());
+                writer.about(&tag).rounded(told_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
+            });
             if from == to { format!("at {from}") } else { format!("from {from} to {to}") }
         });
         let places = listed(&spans.collect::<Vec<_>>());

@@ -2,12 +2,12 @@
 
 use maud::{Markup, html};
 
-use super::chart::{Chart, Entry, EntryValues, Role};
-use super::figure::name_of;
-use super::number::{NumberWriter, Rounding};
-use super::still_figures::journal_sections;
-use super::tag::Tag;
-use super::wording::counted;
+use crate::chart::{Chart, Entry, EntryValues, Role};
+use crate::figure::name_of;
+use crate::number::{NumberWriter, Rounding};
+use crate::still_figures::journal_sections;
+use crate::tag::Tag;
+use crate::wording::counted;
 use loosepin_result::simulation::{
     JournalOrbit, LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput, SimulationRecord,
 };
@@ -39,8 +39,7 @@ fn period_sentence(kind: &MotionKind, writer: &NumberWriter) -> String {
 }
 
 fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
-    let tag = |part: &str| Tag::whole("Lyapunov exponent", part);
-    let number = |part: &str, value: f64| writer.about(&tag(part)).rounded(value, &SiUnit::NONE, 3, Rounding::Nearest);
+    let number = |part: &str, value: f64| exponent(writer, part, value, 3, Rounding::Nearest);
     let space = writer.space();
     // The unit: one over seconds.
     let one = writer.about(&Tag::Given("unit")).count(1);
@@ -48,8 +47,8 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
         "Largest Lyapunov exponent {}{space}{one}/s, with {} confidence between {} and {}{space}{one}/s",
         number("value", found.exponent_1_s),
         writer.about(&Tag::Given("confidence")).percent(CONFIDENCE, Rounding::Nearest),
-        writer.about(&tag("lower")).rounded(found.lower_1_s, &SiUnit::NONE, 3, Rounding::Down),
-        writer.about(&tag("upper")).rounded(found.upper_1_s, &SiUnit::NONE, 3, Rounding::Up)
+        exponent(writer, "lower", found.lower_1_s, 3, Rounding::Down),
+        exponent(writer, "upper", found.upper_1_s, 3, Rounding::Up)
     );
     let tenfold = number("turns of tenfold growth", std::f64::consts::LN_10 / found.growth_per_turn().abs());
     match found.kind {
@@ -67,6 +66,11 @@ fn exponent_sentence(found: &LyapunovRecord, writer: &NumberWriter) -> String {
     }
 }
 
+/// A number of the exponent, without its unit.
+fn exponent(writer: &NumberWriter, part: &str, value: f64, digits: usize, rounding: Rounding) -> String {
+    writer.about(&Tag::whole("Lyapunov exponent", part)).rounded(value, &SiUnit::NONE, digits, rounding)
+}
+
 /// The section of the page; nothing where a run says nothing about it.
 pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
     if record.kind.is_none() && record.lyapunov.is_none() {
@@ -80,12 +84,12 @@ pub(super) fn kind_section(record: &SimulationRecord, writer: &NumberWriter) -> 
 }
 
 fn sections(kind: &MotionKind, drive: &str, writer: &NumberWriter) -> Markup {
-    let angle = writer.value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
+    let angle = writer.about(&Tag::Given("angle of the section")).value_trimmed(kind.section_angle_rad, &SiUnit::ANGLE);
     html! {
         p {
             "Once a turn, at " (angle) " of " (drive) " (Poincaré section). A motion that repeats every turn gives one dot, every second \
             turn two dots. A motion that is not periodic gives a cloud. A journal counts as back within "
-            (writer.percent(kind.repeat_share, Rounding::Nearest)) " of its clearance."
+            (writer.about(&Tag::Given("share of a clearance")).percent(kind.repeat_share, Rounding::Nearest)) " of its clearance."
         }
         @if !kind.journals.is_empty() {
             div.orbits { @for journal in &kind.journals { (journal_sections(journal as &JournalOrbit, writer)) } }
@@ -118,6 +122,13 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
         }))
         .collect();
     let turns: Vec<f64> = (0..total.len()).map(|turn| turn as f64).collect();
+    let given = |what: &'static str, value: f64| writer.about(&Tag::Given(what)).shortest(value, &SiUnit::NONE);
+    let separation =
+        writer.about(&Tag::Given("separation")).rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest);
+    let settling = given("turns to settle", found.transient_turns);
+    let aligning = given("turns to align", f64::from(found.aligning_turns));
+    let [one, batches] = [given("unit", 1.0), given("batches", 20.0)];
+    let error = exponent(writer, "standard error", found.standard_error_1_s, 2, Rounding::Up);
     let mean = found.growth_per_turn() / std::f64::consts::LN_10;
     let even: Vec<f64> = turns.iter().map(|turn| turn * mean).collect();
     Chart {
@@ -129,11 +140,11 @@ fn growth_chart(found: &LyapunovRecord, writer: &NumberWriter) -> Markup {
         height: 260,
         caption: html! {
             strong { "Growth of a small difference, in powers of ten." }
-            " A second run starts at a distance of " (writer.rounded(found.separation, &SiUnit::NONE, 2, Rounding::Nearest))
-            " natural scales and is brought back to that distance again and again. Before the measurement: "
-            (writer.shortest(found.transient_turns, &SiUnit::NONE)) " turns for the motion to settle, "
-            (found.aligning_turns) " turns for the direction. The slope is the largest Lyapunov exponent. Its standard error is "
-            (writer.rounded(found.standard_error_1_s, &SiUnit::NONE, 2, Rounding::Up)) " 1/s, from 20 batches of turns."
+            " A second run starts at a distance of " (separation)
+            " natural scales and is brought back to that distance again and again. Before the measurement: " (settling)
+            " turns for the motion to settle, " (aligning)
+            " turns for the direction. The slope is the largest Lyapunov exponent. Its standard error is " (error) " " (one) "/s, from "
+            (batches) " batches of turns."
         },
         alternative: "Chart of the growth of a small difference over the turns, in powers of ten.".to_owned(),
         ..Chart::over("lyapunov".to_owned(), "turn", &turns, &SiUnit::NONE, writer)

@@ -1,15 +1,17 @@
 //! What oscillates in a run: root mean squares, peaks, and amplitudes over orders of the drive.
 
-use super::chart::{Chart, Entry, Role};
-use super::figure::name_of;
-use super::number::{NumberWriter, Rounding};
-use super::page::cards;
-use super::tag::Tag;
-use super::wording::{listed, named_words, without_round_off};
+use maud::html;
+
+use crate::article_page::push_figure;
+use crate::chart::{Chart, Entry, Role};
+use crate::figure::name_of;
+use crate::number::{NumberWriter, Rounding};
+use crate::tag::Tag;
+use crate::wording::{head, listed, named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
 use loosepin_result::study::Deviation;
+use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
-use maud::{Markup, html};
 
 /// Dominant orders in the table.
 const DOMINANT: usize = 3;
@@ -17,29 +19,29 @@ const DOMINANT: usize = 3;
 const DRAWN: [&str; 5] = ["m/s^2", "rad/s^2", "N", "N m", "W"];
 
 /// A history with its spectrum.
-pub(super) struct Oscillation {
+struct Oscillation {
     /// Its name, and in words what it is.
-    pub name: String,
+    name: String,
     words: String,
-    pub unit: SiUnit,
-    pub spectrum: Spectrum,
+    unit: SiUnit,
+    spectrum: Spectrum,
     /// Of the mechanism without play, where it has such a history.
     ideal: Option<Spectrum>,
     /// The largest magnitude, between samples too where that is known.
-    pub peak_si: f64,
+    peak_si: f64,
     /// Whether its spectrum is drawn.
     is_drawn: bool,
 }
 
 impl Oscillation {
     /// A number of it.
-    pub fn tag(&self, part: &str) -> Tag {
+    fn tag(&self, part: &str) -> Tag {
         Tag::joint(&self.name, "oscillation", part)
     }
 }
 
 /// All histories of a run that have a spectrum: outputs, then contact forces.
-pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
+fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
     let mut found = Vec::new();
     for output in &record.outputs {
         let Some(spectrum) = record.spectrum(&output.value_si) else { continue };
@@ -68,7 +70,7 @@ pub(super) fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
 }
 
 /// The dominant orders with their amplitudes in words; empty where nothing oscillates.
-pub(super) fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
+fn dominant_words(record: &SimulationRecord, own: &Oscillation, writer: &NumberWriter) -> String {
     let of_order = |(order, amplitude_si): (f64, f64)| {
         // Eighths have three decimals.
         let order_words = writer.about(&Tag::Given("order")).shortest((order * 1e3).round() / 1e3, &SiUnit::NONE);
@@ -80,45 +82,58 @@ pub(super) fn dominant_words(record: &SimulationRecord, own: &Oscillation, write
     dominant.map(of_order).collect::<Vec<_>>().join(", ")
 }
 
-/// The section; absent where no drive turns at constant speed or less than a turn was recorded.
-pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Markup> {
+/// `None` if no drive turns at constant speed or less than a turn was recorded.
+pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter) -> Option<Section> {
     let all = oscillations(record);
-    let drive = &record.settings.drive;
-    let drawn: Vec<&Oscillation> = all.iter().filter(|own| own.is_drawn).collect();
     if all.is_empty() {
         return None;
     }
+    let drive = &record.settings.drive;
+    let mut section = Section::new("spectra", Text::by_medium("Oscillations", ""));
+    let what = format!(
+        "The order of an oscillation is its number of waves in a turn of {drive}. Root mean squares hold the mean. Orders and root mean \
+         squares are those of the samples: impacts between them do not show."
+    );
+    section.push_on(Medium::Page, Content::sentences([what]));
+    let columns = vec![
+        Column::words(head("quantity")),
+        Column::numbers(Text::by_medium("Root mean square", "rms")),
+        Column::numbers(head("peak")),
+        Column::words(head("largest orders (amplitude)")),
+    ];
+    let row = |own: &Oscillation| {
+        vec![
+            own.name.clone(),
+            writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit),
+            writer.about(&own.tag("peak")).value(own.peak_si, &own.unit),
+            dominant_words(record, own, writer),
+        ]
+    };
+    section.push(Content::Table(Table::new(columns, all.iter().map(row))));
+    let short = "largest orders: waves in a turn, of the samples; impacts between two samples do not show";
+    section.push_close(Content::Note(Text::by_medium("", short)));
     let has_none = |name: &&str| !all.iter().any(|own| own.name == **name);
     let outputs = record.outputs.iter().map(|output| output.name.as_str());
-    let without: Vec<String> = outputs.filter(|name| has_none(name)).map(str::to_owned).collect();
-    Some(html! {
-        p {
-            "The order of an oscillation is its number of waves in a turn of " (drive) ". "
-            "Root mean squares hold the mean. Orders and root mean squares are those of the samples: "
-            "impacts between them do not show."
-        }
-        (cards(["Quantity", "#Root mean square", "#Peak", "Largest orders (amplitude)"], all.iter().map(|own| [
-            html! { (own.name) },
-            html! { (writer.about(&own.tag("root mean square")).value(own.spectrum.rms_si, &own.unit)) },
-            html! { (writer.about(&own.tag("peak")).value(own.peak_si, &own.unit)) },
-            html! { (dominant_words(record, own, writer)) },
-        ])))
-        @if !without.is_empty() {
-            p.quiet {
-                "Without a spectrum: " (listed(&without))
-                ". Such a history does not come back, as the angle of a shaft, or has values that do not exist."
-            }
-        }
-        div.charts { @for own in &drawn { (spectrum_chart(own, drive, writer).figure()) } }
-    })
+    let without: Vec<String> = outputs.filter(has_none).map(str::to_owned).collect();
+    if !without.is_empty() {
+        let words = format!(
+            "Without a spectrum: {}. Such a history does not come back, as the angle of a shaft, or has values that do not exist.",
+            listed(&without)
+        );
+        section.push_on(Medium::Page, Content::Note(words.into()));
+    }
+    let drawn = || all.iter().filter(|own| own.is_drawn);
+    push_figure(&mut section, writer, || {
+        html! { div.charts { @for own in drawn() { (spectrum_chart(own, drive, writer).figure()) } } }
+    });
+    Some(section)
 }
 
 fn spectrum_chart(own: &Oscillation, drive: &str, writer: &NumberWriter) -> Chart {
     let label = format!("order of {drive}");
     let mut chart = Chart::over(name_of("spectrum", &own.name), &label, &own.spectrum.orders, &SiUnit::NONE, writer);
+    chart.set_vertical_axis("amplitude", &own.unit, writer);
     chart.height = 220;
-    chart.y_label = "amplitude".to_owned();
-    chart.y_symbol = writer.symbol(&own.unit);
     let line = |name: &str, role: Role, is_dashed: bool, spectrum: &Spectrum| {
         Entry::line(name, role, is_dashed, &spectrum.amplitudes_si, &own.unit, writer)
     };

@@ -1,0 +1,118 @@
+//! The answer of an ideal motion in sentences, the most important first; for pages and terminals alike.
+
+use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::tag::Tag;
+use crate::wording::listed;
+use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, SingularPosition};
+use loosepin_result::study::PathError;
+use loosepin_text::units::SiUnit;
+
+use super::angles::{largest, told_rad, turn_angle};
+use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
+use super::verdicts::{verdict_headline, verdict_sentences};
+
+/// Whether play moves an output.
+pub(super) fn has_clearance(output: &OutputMotion) -> bool {
+    output.clearance.first_order_si.iter().any(|value| *value != 0.0)
+}
+
+/// Whether the scatter of a part moves an output.
+pub(super) fn has_scatter(output: &OutputMotion) -> bool {
+    output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0)
+}
+
+/// All sentences of the answer.
+pub(crate) fn headline_sentences(record: &MotionRecord, writer: &NumberWriter) -> Vec<String> {
+    let judged = verdict_headline(record).map(|headline| format!("{headline}."));
+    let verdicts: Vec<String> = judged.into_iter().chain(verdict_sentences(record, writer)).collect();
+    let mut sentences: Vec<String> = record
+        .outputs
+        .iter()
+        .filter(|output| has_clearance(output))
+        .map(|output| {
+            let effect = play_effect(record, output);
+            format!(
+                "Play alone moves the {} by up to {} ({}). If every contact direction is equally likely, the standard deviation is at \
+                 most {}.",
+                moved_words(output),
+                effect.written(output, writer),
+                effect.words(record, output, writer),
+                spread_on_rims(record, output, writer),
+            )
+        })
+        .collect();
+    if sentences.is_empty() {
+        let is_ideal = !record.outputs.iter().any(has_scatter);
+        let words = if record.outputs.is_empty() {
+            "No output is a position or an angle: no effect of play is shown."
+        } else if is_ideal {
+            "No joint has play and no part scatters: the motion is ideal."
+        } else {
+            "No joint has play."
+        };
+        sentences.push(words.to_owned());
+    }
+    for output in record.outputs.iter().filter(|output| has_scatter(output)) {
+        let [most, place] = scatter_words(record, output, writer);
+        sentences.push(format!(
+            "Part scatter moves the {} with a standard deviation of at most {most} (at {place}).",
+            moved_words(output)
+        ));
+    }
+    for position in &record.singular_positions {
+        let place = singular_place(record, position, writer);
+        sentences.push(format!("Singular at {place} of {}: {}.", record.drive, position.words));
+    }
+    sentences.extend(unproven_sentences(record, writer));
+    sentences.extend(record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer)));
+    verdicts.into_iter().chain(sentences).collect()
+}
+
+/// The largest standard deviation of an output by the scatter of the parts, and the angle of the drive there.
+pub(super) fn scatter_words(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> [String; 2] {
+    let (angle_rad, deviation_si) = largest(record, &output.dimensional_standard_deviation_si);
+    let [most, at] = ["largest", "at"].map(|part| Tag::joint(&output.name, "scatter", part));
+    [
+        writer.about(&most).rounded(deviation_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        turn_angle(record, angle_rad, 3, &writer.about(&at)),
+    ]
+}
+
+/// The angle of the drive at which the mechanism is singular.
+pub(super) fn singular_place(record: &MotionRecord, position: &SingularPosition, writer: &NumberWriter) -> String {
+    let tag = Tag::whole("singular", &position.drive_angle_rad.to_string());
+    writer.about(&tag).value_trimmed(told_rad(record, position.drive_angle_rad), &SiUnit::ANGLE)
+}
+
+/// `Joint guide: the block may overhang an end of its guide at 20° to 50° of crank. …`
+fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &NumberWriter) -> String {
+    let spans: Vec<String> = overhang
+        .spans_rad
+        .iter()
+        .map(|[from_rad, to_rad]| {
+            let [from, to] = [from_rad, to_rad].map(|angle_rad| {
+                let tag = Tag::joint(&overhang.joint, "overhang", &angle_rad.to_string());
+                writer.about(&tag).value_trimmed(told_rad(record, *angle_rad), &SiUnit::ANGLE)
+            });
+            if from == to { from } else { format!("{from} to {to}") }
+        })
+        .collect();
+    format!(
+        "Joint {}: the block may overhang an end of its guide at {} of {}. It can tilt further there than the worst case assumes, so \
+         that the effect of play may be larger than stated.",
+        overhang.joint,
+        listed(&spans),
+        record.drive
+    )
+}
+
+/// What moves in words: the output, or for an error of a path the point along or across it.
+pub(crate) fn moved_words(output: &OutputMotion) -> String {
+    let Some(PathMotion { path, part }) = &output.path_error else { return output.name.clone() };
+    match part {
+        PathError::Along => format!("{path} along its path"),
+        PathError::Normal => format!("{path} across its path"),
+        // The quasi-static answer has no other parts.
+        PathError::Magnitude | PathError::Contour => output.name.clone(),
+    }
+}

@@ -1,0 +1,29 @@
+//! The ideal motion and the quasi-static answer: page and text for a terminal.
+//!
+//! | Said | File |
+//! |---|---|
+//! | the answer in sentences | `answer.rs`; how far play goes, and what of that is proven `play_effect.rs`; requirements `verdicts.rs` |
+//! | between what the outputs move, and how far play moves them | `ranges.rs` |
+//! | what each joint contributes | `contributors.rs` |
+//! | the effect of part scatter | `scatter.rs` |
+//! | what the drives must do | `efforts.rs` |
+//! | on the page alone: charts over the cycle | `charts.rs` |
+//!
+//! `page.rs` and `text.rs` put these together.
+
+mod angles;
+mod answer;
+mod charts;
+mod contributors;
+mod efforts;
+mod page;
+mod play_effect;
+mod ranges;
+mod scatter;
+mod text;
+mod verdicts;
+
+pub(crate) use angles::{angle_chart, largest, turn_angle};
+pub(crate) use answer::{headline_sentences, moved_words};
+pub use page::motion_page;
+pub use text::motion_text;

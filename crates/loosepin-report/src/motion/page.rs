@@ -1,0 +1,101 @@
+//! The page of the ideal motion: outputs, the quasi-static worst case and its contributors, the mechanism.
+
+use maud::{Markup, html};
+
+use crate::article_page::page_section;
+use crate::mechanism_figure::mechanism_figure;
+use crate::number::NumberWriter;
+use crate::page::{Page, Section, sentences};
+use crate::repeat_section::repeat_section;
+use crate::tag::Tag;
+use crate::wording::count;
+use loosepin_result::motion::MotionRecord;
+use loosepin_text::article::{self, Content, Fact};
+use loosepin_text::units::SiUnit;
+
+use super::answer::{has_clearance, has_scatter, headline_sentences, singular_place};
+use super::charts::{clearance, clearance_chart, ideal_motion};
+use super::contributors::contributors_section;
+use super::efforts::efforts_section;
+use super::ranges::ranges_section;
+use super::scatter::{scatter_chart, scatter_section};
+
+/// The page of an ideal motion as one HTML text that needs no network: position, velocity and acceleration of the
+/// outputs, the quasi-static worst case and standard deviations of the clearances, and what each joint contributes.
+/// Text from files is escaped.
+pub fn motion_page(record: &MotionRecord) -> String {
+    let writer = &NumberWriter::for_page(&record.display_units);
+    let play = record.outputs.iter().find(|output| has_clearance(output));
+    let scatter = record.outputs.iter().find(|output| play.is_none() && has_scatter(output));
+    let below = match (play, scatter) {
+        (Some(output), _) => clearance_chart(record, output, writer).figure(),
+        (None, Some(output)) => scatter_chart(record, output, writer).figure(),
+        (None, None) => Markup::default(),
+    };
+    let sections = [
+        page_section(ranges_section(record, writer)),
+        play.map(|_| Section::new("clearance", "Effect of play", clearance(record, writer))),
+        page_section(contributors_section(record, writer)),
+        page_section(scatter_section(record, scatter, writer)),
+        Some(Section::new("motion", "Ideal motion", ideal_motion(record, writer))),
+        page_section(efforts_section(record, writer)),
+        page_section(method(record, writer)),
+        repeat_section(&record.repeat),
+    ];
+    Page {
+        title: record.model.clone(),
+        kicker: "Ideal motion and quasi-static accuracy",
+        subtitle: html! {
+            (record.mobility)
+            @if let Some(speed) = record.drive_speed_rad_s {
+                " · " (record.drive) " at "
+                (writer.about(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY))
+            }
+            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+        },
+        answer: sentences(&headline_sentences(record, writer)),
+        is_answer_short: true,
+        beside: mechanism_figure(&record.drawing, &record.drive),
+        below,
+        sections: sections.into_iter().flatten().collect(),
+        identity: "motion".to_owned(),
+        version: record.version.clone(),
+    }
+    .into_html()
+}
+
+fn method(record: &MotionRecord, writer: &NumberWriter) -> article::Section {
+    let positions = count(record.drive_angle_rad.len() as u64, &writer.about(&Tag::Count("positions")));
+    let [two, four] = [2, 4].map(|divisor| writer.about(&Tag::Given("divisor")).count(divisor));
+    let first_order = format!(
+        "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own Jacobian: Σ c|g| at most; \
+         variance Σ c²|g|²/{four} (anywhere in the disc), Σ c²|g|²/{two} (on the rim)"
+    );
+    let mut facts = vec![
+        Fact::new("Mobility", [record.mobility.as_str()]),
+        Fact::new(
+            "Ideal motion",
+            [format!("loops closed at position, velocity and acceleration level, {positions} positions")],
+        ),
+        Fact::new("Effect of play", [first_order]),
+    ];
+    if record.outputs.iter().any(|output| !output.clearance.worst_case_si.is_empty()) {
+        facts.push(Fact::new("Worst case", [worst_case_method(record)]));
+    }
+    facts.extend(record.singular_positions.iter().map(|position| {
+        Fact::new("Singular position", [format!("{}: {}", singular_place(record, position, writer), position.words)])
+    }));
+    facts.push(Fact::new("Version", [format!("loosepin {}", record.version)]));
+    let mut section = article::Section::new("method", "How this was computed");
+    section.push(Content::Facts(facts));
+    section
+}
+
+fn worst_case_method(record: &MotionRecord) -> String {
+    let proven = if record.is_proven_between_angles { "at all angles of the drive" } else { "at the angles shown" };
+    format!(
+        "found: searches from several starts over all places of the joints, the loops closed exactly, at each angle shown. Proven: no place \
+         of rigid parts within their play leads beyond; Taylor's formula of second degree with its remainder on intervals that are rounded \
+         outwards, {proven}"
+    )
+}

@@ -1,0 +1,91 @@
+//! The page of one run: outputs over time, deviation, impacts, contact force, journal paths, energy, the mechanism.
+
+use maud::{Markup, html};
+
+use crate::answer::turns;
+use crate::article_page::page_section;
+use crate::mechanism_figure::mechanism_figure;
+use crate::number::NumberWriter;
+use crate::page::{Page, Section, sentences};
+use crate::repeat_section::repeat_section;
+use crate::still_figures::orbit_figure;
+use crate::tag::Tag;
+use loosepin_result::simulation::{SimulationRecord, StopReason};
+use loosepin_text::units::SiUnit;
+
+use super::answer::{headline_sentences, trusted_run};
+use super::charts::{controls, deviating, deviation_chart, energy, other_deviations, outputs};
+use super::contact::contact_section;
+use super::extremes::extremes_section;
+use super::kind::kind_section;
+use super::measured::measured_section;
+use super::method::method_section;
+use super::spectra::spectrum_section;
+use super::wear::wear_section;
+
+/// The page of one run as one HTML text that needs no network: outputs and their deviation over time, impacts, contact
+/// force, journal paths, the energy account, and the moving mechanism. Text from files is escaped.
+pub fn simulation_page(record: &SimulationRecord) -> String {
+    let writer = &NumberWriter::for_page(&record.display_units);
+    let first = deviating(record).next();
+    let own =
+        |id: &'static str, title: &'static str, body: Option<Markup>| body.map(|body| Section::new(id, title, body));
+    let sections = [
+        own("orbits", "The journal in its bearing", (!record.orbits.is_empty()).then(|| orbits(record, writer))),
+        // The numbers before the charts: on a narrow screen those are several screens high.
+        page_section(extremes_section(record, writer)),
+        own("outputs", "Outputs", Some(outputs(record, writer))),
+        own(
+            "deviation",
+            "Other deviations from the ideal motion",
+            (deviating(record).count() > 1).then(|| other_deviations(record, writer)),
+        ),
+        page_section(measured_section(record, writer)),
+        page_section(spectrum_section(record, writer)),
+        page_section(contact_section(record, writer)),
+        page_section(wear_section(record, writer)),
+        own("control", "Controls", (!record.controls.is_empty()).then(|| controls(record, writer))),
+        own("kind", "Kind of motion", kind_section(record, writer)),
+        own("trust", "How long the positions can be trusted", trusted_run(record).section(writer)),
+        own("energy", "Energy balance", Some(energy(record, writer))),
+        page_section(method_section(record, writer)),
+        repeat_section(&record.repeat),
+    ];
+    Page {
+        title: record.model.clone(),
+        kicker: "Simulation",
+        subtitle: html! {
+            @if let Some(speed) = record.settings.drive_speed_rad_s {
+                (record.settings.drive) " at "
+                (writer.about(&Tag::Given("speed of the drive")).value_shortest(speed, &SiUnit::ANGULAR_VELOCITY)) ", "
+            }
+            (turns(record.settings.recorded_turns, record.settings.drive_speed_rad_s, writer))
+            @for change in &record.overrides { " · " code { (change.path) " = " (change.written) } }
+        },
+        answer: answer(record, writer),
+        is_answer_short: true,
+        beside: mechanism_figure(&record.drawing, &record.settings.drive),
+        below: first.map(|output| deviation_chart(record, output, writer).figure()).unwrap_or_default(),
+        sections: sections.into_iter().flatten().collect(),
+        identity: "simulation".to_owned(),
+        version: record.version.clone(),
+    }
+    .into_html()
+}
+
+fn answer(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        @if let StopReason::Failed { words, .. } = &record.stop {
+            p.verdict.not-met { "The run failed" }
+            p { (words) ". This page shows what was computed." }
+        }
+        (sentences(&headline_sentences(record, writer)))
+    }
+}
+
+fn orbits(record: &SimulationRecord, writer: &NumberWriter) -> Markup {
+    html! {
+        p { "The path of the pin centre relative to the hole, in the frame of the part with the hole." }
+        div.orbits { @for orbit in &record.orbits { (orbit_figure(orbit, writer)) } }
+    }
+}
