@@ -90,7 +90,7 @@ fn rows(table: &Table) -> Markup {
                     @for row in &group.rows {
                         tr {
                             @for (place, column) in &columns {
-                                @if *place == 0 && !is_headed(group) { th scope="row" { (cell(&row[*place])) } }
+                                @if *place == 0 && !is_headed(group) { th class=[class(column)] scope="row" { (cell(&row[*place])) } }
                                 @else { td class=[class(column)] data-label=(label(column)) { (cell(&row[*place])) } }
                             }
                         }

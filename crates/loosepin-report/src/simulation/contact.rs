@@ -111,7 +111,10 @@ fn turn_table(record: &SimulationRecord, writer: &NumberWriter) -> Table {
 fn law_fact(joint: &JointSummary, writer: &NumberWriter) -> Fact {
     let law = ForcesOf::run(joint).laws(writer).pop().unwrap_or_else(|| joint.law.clone());
     let slow = floored_words(&joint.joint, joint.floored_contacts, writer);
-    Fact::new(&joint.joint, [law].into_iter().chain(slow.map(|words| format!("Very slow contacts: {words}"))))
+    Fact::new(
+        format!("Contact law in {}", joint.joint),
+        [law].into_iter().chain(slow.map(|words| format!("Very slow contacts: {words}"))),
+    )
 }
 
 /// The contact force of each joint, and the first impacts.
