@@ -86,7 +86,7 @@ pub struct IdealRows {
     pub holds_angle: bool,
 }
 
-/// What the first rows of an ideal joint keep together.
+/// What the first rows of an ideal joint keep together. How is in `mechanism/point_rows`, a file for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Keeps {
     /// Two rows: the points coincide.
@@ -95,15 +95,22 @@ pub enum Keeps {
     Line,
 }
 
+impl Keeps {
+    /// Number of its rows.
+    #[inline(always)]
+    pub const fn count(self) -> usize {
+        match self {
+            Self::Points => 2,
+            Self::Line => 1,
+        }
+    }
+}
+
 impl IdealRows {
     /// Number of scalar constraints.
     #[inline(always)]
     pub const fn count(self) -> usize {
-        let of_points = match self.keeps {
-            Keeps::Points => 2,
-            Keeps::Line => 1,
-        };
-        of_points + self.holds_angle as usize
+        self.keeps.count() + self.holds_angle as usize
     }
 
     /// Whether the first row keeps a point on a line; else two rows keep two points together.
