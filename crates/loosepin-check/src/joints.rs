@@ -170,13 +170,16 @@ fn stiffness_words(
                 Stiffness::Material { .. } => "from the materials",
                 Stiffness::Given { .. } | Stiffness::Linear { .. } => "as given",
             };
-            match numbers.shape.slot() {
-                Some(slot) if slot.end_stiffening > 0.0 => {
-                    let in_ends = point.stiffness_n_m_n * (1.0 + slot.end_stiffening);
-                    let in_ends = format_value(in_ends, Dimension::contact_stiffness(point.exponent));
-                    format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
+            match numbers.shape.wall_shares() {
+                Some(walls) => {
+                    let shown = |(wall, share): (&str, f64)| {
+                        let k =
+                            format_value(point.stiffness_n_m_n * share, Dimension::contact_stiffness(point.exponent));
+                        format!("{k} {wall}")
+                    };
+                    format!("stiffness {}, {origin}; ", walls.map(shown).join(" and "))
                 }
-                _ => format!("stiffness {k} {origin}; "),
+                None => format!("stiffness {k} {origin}; "),
             }
         }
         (NormalLaw::Linear(linear), _) => {

@@ -13,9 +13,11 @@ pub struct CutGeometry<T> {
     pub angles_rad: [T; 2],
     /// Revolute: second point minus first point, in the ground's frame, m.
     pub eccentricity_m: Vec2<T>,
+    /// Radius of the circle on which the second point stays, m; zero where there is none.
+    pub radius_m: T,
 }
 
-numbers!(struct CutGeometry { arms_m, angles_rad, eccentricity_m });
+numbers!(struct CutGeometry { arms_m, angles_rad, eccentricity_m, radius_m });
 
 impl<T: Real> CutGeometry<T> {
     /// Lays out the numbers that `number` gives for the quantities of `joint`, without a displacement.
@@ -25,6 +27,7 @@ impl<T: Real> CutGeometry<T> {
             arms_m: kind.points().map(|point| numbered_point_m(model, number, point)),
             angles_rad: line_angles_rad(kind, number),
             eccentricity_m: Vec2::zero(),
+            radius_m: kind.radius_m().map_or(T::zero(), number),
         }
     }
 }

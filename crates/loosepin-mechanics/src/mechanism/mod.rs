@@ -76,7 +76,7 @@ pub use nodal_geometry::NodalGeometry;
 pub use offset::StartOffset;
 pub use pin_pair::{pin_clearance, pin_pair};
 pub(crate) use play_shape::ask_shape;
-pub use play_shape::{PinShape, PlayForm, PlayFreedom, PlayShape, SliderBlock, SlotShape};
+pub use play_shape::{CircularSlotShape, PinShape, PlayForm, PlayFreedom, PlayShape, SliderBlock, SlotShape};
 pub use point_rows::KeptPoints;
 pub use points::{numbered_point_m, point_m};
 pub use sample::{PlayGeometry, Sample};

@@ -14,7 +14,7 @@ use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::offset::{StartOffset, start_offsets};
-use super::play_shape::{PinShape, PlayShape, SliderBlock, SlotShape};
+use super::play_shape::{CircularSlotShape, PinShape, PlayShape, SliderBlock, SlotShape, flank_radii_m};
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
@@ -252,12 +252,12 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let [bearing, journal] = kind.points();
     let clearance_m = values[clearance_m];
     let number = |id: QuantityId| T::from_f64(values[id]);
-    let (shape, normal) = match kind.play_parts()? {
+    let (shape, normal): (PlayShape<T>, _) = match kind.play_parts()? {
         PlayParts::Pin(clearance) => {
             let pair =
                 |compliances, damping_factor| pin_contact(contact, clearance, values, compliances, damping_factor);
-            let shape = PlayShape::Pin(PinShape { bearing_radius_m: number(clearance.bearing_radius_m) });
-            (shape, normal(contact, values, pair))
+            let shape = PinShape { bearing_radius_m: number(clearance.bearing_radius_m) };
+            (shape.into(), normal(contact, values, pair))
         }
         PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad } => {
             let block = SliderBlock {
@@ -269,7 +269,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
             };
             let radius_m = clearance.corner_radius_m.map_or(f64::NAN, |id| values[id]);
             let corner = |compliances, damping_factor| flat_contact(radius_m, compliances, damping_factor);
-            (PlayShape::Slider(block), normal(contact, values, corner))
+            (block.into(), normal(contact, values, corner))
         }
         PlayParts::Slot { clearance, slot_angle_rad } => {
             let end_radius_m = values[clearance.end_radius_m];
@@ -286,7 +286,19 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
             };
             let pin_radius_m = end_radius_m - clearance_m;
             let face = |compliances, damping_factor| flat_contact(pin_radius_m, compliances, damping_factor);
-            (PlayShape::Slot(slot), normal(contact, values, face))
+            (slot.into(), normal(contact, values, face))
+        }
+        PlayParts::CircularSlot { clearance, radius_m } => {
+            let half_width_m = clearance.half_width_m;
+            let [outer_m, inner_m] = flank_radii_m(values[radius_m], values[half_width_m], clearance_m);
+            let inner_share = match contact.stiffness {
+                Stiffness::Material { .. } => (inner_m / outer_m).sqrt(),
+                Stiffness::Given { .. } | Stiffness::Linear { .. } => 1.0,
+            };
+            let [radius_m, half_width_m] = [radius_m, half_width_m].map(number);
+            let slot = CircularSlotShape { radius_m, half_width_m, inner_share: T::from_f64(inner_share) };
+            let flank = |compliances, damping_factor| flat_contact(outer_m, compliances, damping_factor);
+            (slot.into(), normal(contact, values, flank))
         }
     };
     let friction = contact.friction.as_ref().map_or(FrictionLaw::None, |friction| {

@@ -50,6 +50,11 @@ pub trait PlayForm<T: Real> {
         [None; 2]
     }
 
+    /// Where its walls are, in words, with the stiffness there over that of the contact's law; none where it is the same everywhere.
+    fn wall_shares(&self) -> Option<[(&'static str, f64); 2]> {
+        None
+    }
+
     /// Whether a contact may go from one wall to another: a face and its end.
     fn has_walls(&self) -> bool {
         false

@@ -3,11 +3,13 @@
 //! How they touch is `dynamics`: a file a shape.
 
 mod block;
+mod circular_slot;
 mod form;
 mod pin;
 mod slot;
 
 pub use block::SliderBlock;
+pub use circular_slot::{CircularSlotShape, flank_radii_m};
 pub use form::{PlayForm, PlayFreedom};
 pub use pin::PinShape;
 pub use slot::SlotShape;
@@ -26,6 +28,12 @@ macro_rules! play_shapes {
 
         numbers!(enum PlayShape { $($name(own)),* });
 
+        $(impl<T> From<$shape<T>> for PlayShape<T> {
+            fn from(own: $shape<T>) -> Self {
+                Self::$name(own)
+            }
+        })*
+
         macro_rules! ask_shape {
             ($own:expr, $parts:ident => $answer:expr) => {
                 match $own { $($crate::mechanism::PlayShape::$name($parts) => $answer,)* }
@@ -41,6 +49,8 @@ play_shapes! {
     Slider(SliderBlock),
     /// A round pin in a straight slot with round ends: one contact.
     Slot(SlotShape),
+    /// A round pin in a slot along a circle: a contact at each flank.
+    CircularSlot(CircularSlotShape),
     /// Teeth of a coupling with backlash: a contact for each flank; or a follower on its cam: one contact.
     Flanks(Flanks),
 }
@@ -109,6 +119,11 @@ impl<T: Real> PlayShape<T> {
     /// See [`PlayForm::has_walls`].
     pub fn has_walls(&self) -> bool {
         ask_shape!(self, parts => parts.has_walls())
+    }
+
+    /// See [`PlayForm::wall_shares`].
+    pub fn wall_shares(&self) -> Option<[(&'static str, f64); 2]> {
+        ask_shape!(self, parts => parts.wall_shares())
     }
 
     /// Where the faces of a guide begin and end along its line, m; none where they have no ends, or there are none.

@@ -41,6 +41,11 @@ impl<T: Real> PlayForm<T> for SlotShape<T> {
         [Some(self.line), None]
     }
 
+    fn wall_shares(&self) -> Option<[(&'static str, f64); 2]> {
+        let end_stiffening = self.end_stiffening.to_f64();
+        (end_stiffening > 0.0).then_some([("at the faces", 1.0), ("in the ends", 1.0 + end_stiffening)])
+    }
+
     fn has_walls(&self) -> bool {
         true
     }

@@ -5,6 +5,7 @@
 
 mod coincident;
 mod form;
+mod on_circle;
 mod on_line;
 
 use super::cut_geometry::CutGeometry;
@@ -12,6 +13,7 @@ use crate::model::Keeps;
 use coincident::Coincident;
 use form::PointRows;
 use loosepin_math::{Real, Vec2};
+use on_circle::OnCircle;
 use on_line::OnLine;
 
 /// Makes the enum of all forms, and hands every question on to the form.
@@ -76,4 +78,5 @@ macro_rules! point_rows {
 point_rows! {
     Points => Coincident,
     Line => OnLine,
+    Circle => OnCircle,
 }
