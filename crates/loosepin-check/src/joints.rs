@@ -166,14 +166,13 @@ fn stiffness_words(
     match (numbers.normal.stiffness(), bearing_length_m) {
         (Some((stiffness, exponent)), _) => {
             let shown = |stiffness| format_value(stiffness, Dimension::contact_stiffness(exponent));
-            let k = shown(stiffness);
             let origin = if contact.law.materials().is_some() { "from the materials" } else { "as given" };
-            match numbers.shape.slot() {
-                Some(slot) if slot.end_stiffening > 0.0 => {
-                    let in_ends = shown(stiffness * (1.0 + slot.end_stiffening));
-                    format!("stiffness {k} at the faces and {in_ends} in the ends, {origin}; ")
+            match numbers.shape.wall_shares() {
+                Some(walls) => {
+                    let walls = walls.map(|(wall, share)| format!("{} {wall}", shown(stiffness * share)));
+                    format!("stiffness {}, {origin}; ", walls.join(" and "))
                 }
-                _ => format!("stiffness {k} {origin}; "),
+                None => format!("stiffness {} {origin}; ", shown(stiffness)),
             }
         }
         (None, Some(length)) => {

@@ -74,9 +74,9 @@ fn of_joint(play: &PlayGeometry<f64>, load: Vec2<f64>, change: f64, components: 
     let [least_n, most_n] = match play.shape.freedom() {
         PlayFreedom::InCircle => ends(load.length(), change),
         PlayFreedom::BetweenFaces => ends(load.x.abs(), components.x),
-        PlayFreedom::Tilting(block) => {
+        PlayFreedom::Tilting { half_length_m, .. } => {
             // One corner carries all of it, or two share it.
-            let force_n = f64::max(load.x.abs() + components.x, (load.y.abs() + components.y) / block.half_length_m);
+            let force_n = f64::max(load.x.abs() + components.x, (load.y.abs() + components.y) / half_length_m);
             return Some([0.0, penetration_m(play, force_n)?]);
         }
         PlayFreedom::AlongPitchLine => {

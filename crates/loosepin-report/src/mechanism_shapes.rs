@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use loosepin_result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPin, PointReference, PoseTable};
+use std::f64::consts::TAU;
 
 /// Millimetres, in which the picture is drawn.
 pub(super) const MM_PER_M: f64 = 1e3;
@@ -19,6 +20,8 @@ const SUPPORT_PINS: [f64; 3] = [2.2, 3.4, 3.2];
 
 /// Distance between the lines of a hatching and how far they reach, in pins.
 const HATCH_PINS: [f64; 2] = [1.3, 1.1];
+/// A rail along a circle is drawn in straight pieces of this turn, rad.
+const ROUND_PIECE_RAD: f64 = 0.1;
 /// Depth of a hatching, in pins.
 pub(super) const HATCH_DEPTH_PINS: f64 = HATCH_PINS[1];
 
@@ -135,38 +138,74 @@ pub(super) fn point_mm(drawing: &Drawing, end: PointReference) -> Option<(f64, f
     Some((point.x_m * MM_PER_M, point.y_m * MM_PER_M))
 }
 
-/// Whether a joint has a line along which it slides.
+/// Whether a joint has a line or a circle along which it slides.
 pub(super) fn has_rails(joint: &DrawnJoint) -> bool {
-    joint.kind.has_line()
+    joint.kind.has_faces()
 }
 
-/// How far a slider moves along its guide, mm from the guide's point, in all poses; none where the record names no such point.
-pub(super) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+/// Where the second point of a joint is from the first in all poses, mm, in the frame of the first one's body; none where the record names
+/// no such point.
+fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<Vec<(f64, f64)>> {
     let origin_mm = point_mm(drawing, joint.first)?;
     point_mm(drawing, joint.second)?;
-    let (sine, cosine) = joint.guide_angle_rad.sin_cos();
     let carrier = joint.first.body;
     let slider = &drawing.bodies[joint.second.body];
-    let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
-    for pose in 0..poses.drive_angle_rad.len() {
+    let gap_mm = |pose: usize| {
         let (x, y) = place_mm(slider, joint.second.body, joint.second.point, poses, pose);
         let (x, y) = (x - poses.x_m[carrier][pose] * MM_PER_M, y - poses.y_m[carrier][pose] * MM_PER_M);
         let (turn_sine, turn_cosine) = poses.angle_rad[carrier][pose].sin_cos();
         let (x, y) = (turn_cosine * x + turn_sine * y, turn_cosine * y - turn_sine * x);
-        let along = (x - origin_mm.0) * cosine + (y - origin_mm.1) * sine;
-        from = from.min(along);
-        to = to.max(along);
-    }
-    Some((from, to))
+        (x - origin_mm.0, y - origin_mm.1)
+    };
+    Some((0..poses.drive_angle_rad.len()).map(gap_mm).collect())
 }
 
-/// Both rails of a guide, `side` from its middle, in the frame of the body that carries it: from end to end along the guide, and back.
+/// How far a slider moves along its guide, mm from the guide's point, in all poses; none where the record names no such point.
+pub(super) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+    let (sine, cosine) = joint.guide_angle_rad.sin_cos();
+    let along = gaps_mm(drawing, joint, poses)?.into_iter().map(|(x, y)| x * cosine + y * sine);
+    Some(along.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), along| (from.min(along), to.max(along))))
+}
+
+/// Both rails of a circular slot: the outer one anticlockwise in short pieces, the inner one back; all round where the pin comes so far.
+fn round_rails(gaps_mm: &[(f64, f64)], (x, y): (f64, f64), margin: f64, side: f64) -> Vec<[(f64, f64); 2]> {
+    let Some(start) = gaps_mm.first() else { return Vec::new() };
+    let radius = start.0.hypot(start.1);
+    if !(radius > 0.0) {
+        return Vec::new();
+    }
+    let first = start.1.atan2(start.0);
+    let (mut angle, mut from, mut to) = (first, first, first);
+    for (x, y) in gaps_mm {
+        // The shorter way from pose to pose.
+        let step = y.atan2(*x) - angle;
+        angle += step - TAU * (step / TAU).round();
+        (from, to) = (from.min(angle), to.max(angle));
+    }
+    let (from, to) = (from - margin / radius, to + margin / radius);
+    let turn = (to - from).min(TAU);
+    let pieces = (turn / ROUND_PIECE_RAD).ceil();
+    let at = |piece: f64, side: f64| {
+        let (sine, cosine) = (from + turn * piece / pieces).sin_cos();
+        (x + (radius + side) * cosine, y + (radius + side) * sine)
+    };
+    let count = 0..pieces as usize;
+    let outer = count.clone().map(|piece| [at(piece as f64, side), at((piece + 1) as f64, side)]);
+    let inner = count.rev().map(|piece| [at((piece + 1) as f64, -side), at(piece as f64, -side)]);
+    outer.chain(inner).collect()
+}
+
+/// Both rails of a guide or slot, `side` from its middle, in the frame of the body that carries it: from end to end along it, and back.
 fn rails(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, side: f64) -> Vec<[(f64, f64); 2]> {
+    let margin = 0.06 * frame.diagonal();
     let (Some((from, to)), Some((x, y))) = (way(drawing, joint, poses), point_mm(drawing, joint.first)) else {
         return Vec::new();
     };
+    if joint.kind.has_circle() {
+        return round_rails(&gaps_mm(drawing, joint, poses).unwrap_or_default(), (x, y), margin, side);
+    }
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
-    let (from, to) = (from - 0.06 * frame.diagonal(), to + 0.06 * frame.diagonal());
+    let (from, to) = (from - margin, to + margin);
     let at = |along: f64, side: f64| (x + along * cosine - side * sine, y + along * sine + side * cosine);
     vec![[at(from, -side), at(to, -side)], [at(to, side), at(from, side)]]
 }
@@ -318,6 +357,30 @@ mod tests {
     fn analytic_hull_of_a_square_with_a_point_inside() {
         let hull = convex_hull(&[(0.0, 0.0), (2.0, 0.1), (1.0, 1.0), (2.1, 2.0), (-0.1, 1.9)]);
         assert_eq!(hull, vec![(-0.1, 1.9), (0.0, 0.0), (2.0, 0.1), (2.1, 2.0)]);
+    }
+
+    #[test]
+    fn analytic_rails_of_a_circular_slot_lie_on_both_sides_of_its_arc() {
+        /// Round-off of places of 60 mm.
+        const ROUND_OFF_MM: f64 = 1e-12;
+        // From 170° over the half turn, where the arc tangent jumps, to 230° and back to 200°.
+        let at = |degrees: f64| (50.0 * degrees.to_radians().cos(), 50.0 * degrees.to_radians().sin());
+        let rails = round_rails(&[170.0, 190.0, 230.0, 200.0].map(at), (3.0, -4.0), 5.0, 2.0);
+        let (outer, inner) = rails.split_at(rails.len() / 2);
+        assert_eq!((outer.len(), inner.len()), (13, 13), "1.25 rad in pieces of at most 0.1");
+        for (rail, radius) in [(outer, 52.0), (inner, 48.0)] {
+            for (x, y) in rail.iter().flatten() {
+                assert!(((x - 3.0).hypot(y + 4.0) - radius).abs() < ROUND_OFF_MM, "{x} {y}");
+            }
+            assert!(rail.windows(2).all(|pair| pair[0][1] == pair[1][0]), "they hang together");
+        }
+        // 5 mm on an arc of 50 mm is 0.1 rad.
+        let (x, y) = outer[0][0];
+        assert!(((y + 4.0).atan2(x - 3.0) - (170f64.to_radians() - 0.1)).abs() < ROUND_OFF_MM);
+        let all_round = round_rails(&[0.0, 120.0, 240.0, 360.0].map(at), (0.0, 0.0), 5.0, 2.0);
+        let ends = [all_round[0][0], all_round[all_round.len() / 2 - 1][1]];
+        assert!((ends[0].0 - ends[1].0).hypot(ends[0].1 - ends[1].1) < ROUND_OFF_MM, "{ends:?}");
+        assert!(round_rails(&[(0.0, 0.0)], (0.0, 0.0), 5.0, 2.0).is_empty());
     }
 
     #[test]

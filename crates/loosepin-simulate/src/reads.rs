@@ -39,7 +39,7 @@ impl ReadLayout {
             contacts: mechanism.contacts.len(),
             outputs,
             frictions: mechanism.model.joints.iter().filter(|joint| joint.friction.is_some()).count(),
-            has_shares: is_worn || has_ends || has_slots,
+            has_shares: is_worn || parts.iter().any(|parts| parts.has_shares()),
             has_ends,
             has_slots,
             turning: mechanism.real.turning_slots().count(),

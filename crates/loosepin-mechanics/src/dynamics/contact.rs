@@ -5,20 +5,8 @@ use super::contact_motion::{ContactForce, ContactMotion, ContactUnknowns, DepthR
 use super::play::PlayMotion;
 use super::{film, foundation_contact};
 use crate::contact::{NormalContact, NormalForce, NormalLaw, PlayState};
-use crate::mechanism::{PlayGeometry, PlayShape};
+use crate::mechanism::{PlayGeometry, ask_shape};
 use loosepin_math::{Real, Vec2};
-
-/// Asks the parts of a shape, whichever they are.
-macro_rules! ask {
-    ($shape:expr, $parts:ident => $answer:expr) => {
-        match $shape {
-            PlayShape::Pin($parts) => $answer,
-            PlayShape::Slider($parts) => $answer,
-            PlayShape::Slot($parts) => $answer,
-            PlayShape::Flanks($parts) => $answer,
-        }
-    };
-}
 
 impl<T: Real> PlayMotion<T> {
     /// How the two bodies come near each other at `place`.
@@ -28,7 +16,7 @@ impl<T: Real> PlayMotion<T> {
             return foundation_contact::contact(self, foundation);
         }
         let at = Touch { motion: self, play, place };
-        ask!(&play.shape, parts => parts.contact(at))
+        ask_shape!(&play.shape, parts => parts.contact(at))
     }
 
     /// δ at `place`, m, alone.
@@ -38,7 +26,7 @@ impl<T: Real> PlayMotion<T> {
             return foundation_contact::contact(self, foundation).penetration_m;
         }
         let at = Touch { motion: self, play, place };
-        ask!(&play.shape, parts => parts.penetration_m(at))
+        ask_shape!(&play.shape, parts => parts.penetration_m(at))
     }
 
     /// The elastic energy at `place` where the penetration is `penetration_m`, J.
@@ -48,7 +36,7 @@ impl<T: Real> PlayMotion<T> {
             return foundation_contact::stored_energy_j(self, foundation, penetration_m);
         }
         let stored_j = play.normal.stored_energy_j(penetration_m);
-        ask!(&play.shape, parts => parts.stored_energy_j(self, stored_j))
+        ask_shape!(&play.shape, parts => parts.stored_energy_j(self, stored_j))
     }
 
     /// The force at `place` with the penetration and the bristles read off the motion. In flight (`state.contact` zero)
@@ -73,7 +61,7 @@ impl<T: Real> PlayMotion<T> {
             return foundation_contact::force(self, foundation, state);
         }
         let at = Touch { motion: self, play, place };
-        ask!(&play.shape, parts => force_between(parts, at, state, unknowns))
+        ask_shape!(&play.shape, parts => force_between(parts, at, state, unknowns))
     }
 
     /// The gap function at `place` for the acceleration ë of P_j from P_i, m/s², in the ground's frame (of a coupling ẍ and zero),
@@ -90,7 +78,7 @@ impl<T: Real> PlayMotion<T> {
             return foundation_contact::gap(self, foundation, acceleration_m_s2, spin_rates_rad_s2);
         }
         let at = Touch { motion: self, play, place };
-        ask!(&play.shape, parts => parts.gap(at, acceleration_m_s2, spin_rates_rad_s2))
+        ask_shape!(&play.shape, parts => parts.gap(at, acceleration_m_s2, spin_rates_rad_s2))
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod beam;
 mod beam_room;
+mod circular_slot;
 mod contact;
 mod contact_motion;
 mod control;

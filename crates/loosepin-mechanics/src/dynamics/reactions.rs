@@ -3,8 +3,8 @@
 use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
 use super::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, acceleration_at};
-use crate::model::{JointId, Keeps, PlayId};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, KeptPoints, acceleration_at};
+use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
 impl<T: Real> Dynamics<'_, T> {
@@ -211,17 +211,14 @@ impl<T: Real> Dynamics<'_, T> {
             .iter()
             .zip(&self.sample.real.cuts)
             .map(|(cut, numbers)| {
-                let first = self.multipliers[row];
-                let force = match cut.rows.keeps {
-                    Keeps::Points => Vec2::new(first, self.multipliers[row + 1]),
-                    Keeps::Line => {
-                        let angle = self.kinematics.poses[cut.slots[0]].angle_rad + numbers.angles_rad[0];
-                        let (sine, cosine) = angle.sin_cos();
-                        Vec2::new(-sine, cosine) * first + self.guide_friction_n(cut.joint)
-                    }
-                };
+                let keeps = cut.rows.keeps;
+                let poses = cut.slots.map(|slot| &self.kinematics.poses[slot]);
+                let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
+                let mut multipliers_n = [T::zero(); 2];
+                multipliers_n[..keeps.count()].copy_from_slice(&self.multipliers[row..row + keeps.count()]);
                 row += cut.rows.count();
-                force
+                let force_n = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap_m).force_n(multipliers_n);
+                if cut.rows.is_on_line() { force_n + self.guide_friction_n(cut.joint) } else { force_n }
             })
             .collect()
     }

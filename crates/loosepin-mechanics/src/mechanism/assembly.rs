@@ -1,10 +1,11 @@
 //! Closing the loops for the first time: from hints to a configuration.
 
 use super::constraints::Opening;
+use super::cut_geometry::CutGeometry;
 use super::drive::Drives;
 use super::drive_place::drive_place;
 use super::error::MechanismError;
-use super::geometry::{CutGeometry, Geometry};
+use super::geometry::Geometry;
 use super::initial::StartEquations;
 use super::kinematics::{Kinematics, Pose};
 use super::tree::{Attachment, Cut, Tree};

@@ -2,6 +2,7 @@
 
 use super::geometry::Geometry;
 use super::kinematics::{Kinematics, acceleration_at, moved};
+use super::point_rows::KeptPoints;
 use super::tree::Tree;
 use crate::model::{JointId, Model, describe_path};
 use loosepin_math::{Real, Vec2};
@@ -16,14 +17,9 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        if cut.rows.is_on_line() {
-            let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
-            out[row] = Vec2::new(-sine, cosine).dot(gap);
-        } else {
-            let gap = gap - numbers.eccentricity_m;
-            out[row] = gap.x;
-            out[row + 1] = gap.y;
-        }
+        let keeps = cut.rows.keeps;
+        let residuals = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
+        out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
         if cut.rows.holds_angle {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             out[row + cut.rows.count() - 1] = turn.sin_cos().0;
@@ -45,8 +41,8 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-        let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
-        let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
+        let keeps = cut.rows.keeps;
+        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
         let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
         let turn_cosine = turn.sin_cos().1;
         for (side, sign) in [(0, -T::one()), (1, T::one())] {
@@ -59,15 +55,9 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
                 let column = dependence.coordinate;
                 let turning = T::from_f64(dependence.turning);
                 let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
-                if cut.rows.is_on_line() {
-                    out[row * columns + column] += normal.dot(velocity);
-                    if side == 0 {
-                        // The normal turns with the guide: dn/dt = -ω d.
-                        out[row * columns + column] -= turning * line.dot(gap);
-                    }
-                } else {
-                    out[row * columns + column] += velocity.x;
-                    out[(row + 1) * columns + column] += velocity.y;
+                let rates = kept.rates(velocity, (side == 0).then_some(turning));
+                for (k, rate) in rates.into_iter().enumerate().take(keeps.count()) {
+                    out[(row + k) * columns + column] += rate;
                 }
                 if cut.rows.holds_angle {
                     out[(row + cut.rows.count() - 1) * columns + column] += turning * sign * turn_cosine;
@@ -103,19 +93,11 @@ pub fn gradient<T: Real>(
             let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
             let (linear, spin) = motion(cut.slots[side]);
             let velocity = linear.plus(arms[side].turned(), spin) * sign;
-            if cut.rows.is_on_line() {
-                let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
-                let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
-                out[row] = normal.dot(velocity);
-                if side == 0 {
-                    // The normal turns with the guide: dn/dt = -ω d.
-                    let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-                    out[row] -= spin * line.dot(gap);
-                }
-            } else {
-                out[row] = velocity.x;
-                out[row + 1] = velocity.y;
-            }
+            let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+            let keeps = cut.rows.keeps;
+            let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+            let rates = kept.rates(velocity, (side == 0).then_some(spin));
+            out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
             if cut.rows.holds_angle {
                 let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
                 out[row + cut.rows.count() - 1] = spin * sign * turn.sin_cos().1;
@@ -159,21 +141,12 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let changes = cut.slots.map(|slot| kinematics.biases[slot]);
         let acceleration =
             acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
-        if cut.rows.is_on_line() {
-            let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-            let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
-            let (sine, cosine) = (poses[0].angle_rad + numbers.angles_rad[0]).sin_cos();
-            let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
-            let spin = twists[0].angular;
-            // Second derivative of n·gap with dn/dt = -ω d and dd/dt = ω n.
-            out[row] = normal.dot(acceleration)
-                - T::from_f64(2.0) * spin * line.dot(velocity)
-                - changes[0].angular * line.dot(gap)
-                - spin.squared() * normal.dot(gap);
-        } else {
-            out[row] = acceleration.x;
-            out[row + 1] = acceleration.y;
-        }
+        let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
+        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+        let keeps = cut.rows.keeps;
+        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+        let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
+        out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
         if cut.rows.holds_angle {
             let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
             let (sine, cosine) = turn.sin_cos();

@@ -2,6 +2,7 @@
 
 use super::coupling_geometry::CouplingGeometry;
 use super::kinematics::Kinematics;
+use super::play_shape::{PlayForm, PlayFreedom};
 use super::tree::CouplingPlace;
 use loosepin_math::{Real, numbers};
 
@@ -25,6 +26,21 @@ impl<T: Real> Flanks<T> {
     pub fn deviation_m(&self, kinematics: &Kinematics<T>) -> [T; 2] {
         let (coupling, places) = (&self.coupling, &self.places);
         [coupling.lever * coupling.residual(places, kinematics), coupling.lever * coupling.rate(places, kinematics)]
+    }
+}
+
+impl<T: Real> PlayForm<T> for Flanks<T> {
+    fn freedom(&self) -> PlayFreedom<T> {
+        PlayFreedom::AlongPitchLine
+    }
+
+    /// Nothing tells how thick a tooth is, or a cam.
+    fn thickness_m(&self, _clearance_m: T) -> T {
+        T::from_f64(f64::INFINITY)
+    }
+
+    fn may_lift(&self) -> bool {
+        self.is_one_sided
     }
 }
 

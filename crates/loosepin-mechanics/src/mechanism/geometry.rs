@@ -1,11 +1,13 @@
 //! The numbers of one sample, laid out for a tree: arms, angles, masses.
 
 use super::coupling_geometry::CouplingGeometry;
+use super::cut_geometry::{CutGeometry, line_angles_rad};
 use super::nodal_geometry::NodalGeometry;
+use super::point_rows::displace;
 use super::points::{direction, numbered_point_m};
 use super::tree::{Attachment, Tree};
 use super::tree_beam::{BeamPlace, TreeBeam};
-use crate::model::{BodyId, JointId, JointKind, Keeps, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
+use crate::model::{BodyId, JointId, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
 use loosepin_flexible::{Beam, HeldBeam, Lump};
 use loosepin_math::{Real, Vec2, numbers};
 
@@ -63,19 +65,6 @@ impl<T: Real> LinkGeometry<T> {
         }
     }
 }
-
-/// Numbers of a cut joint.
-#[derive(Debug, Clone, Copy)]
-pub struct CutGeometry<T> {
-    /// Joint points in the frames of the first and second body, m.
-    pub arms_m: [Vec2<T>; 2],
-    /// Angles, in both frames, of the direction that both bodies share, rad.
-    pub angles_rad: [T; 2],
-    /// Revolute: second point minus first point, in the ground's frame, m.
-    pub eccentricity_m: Vec2<T>,
-}
-
-numbers!(struct CutGeometry { arms_m, angles_rad, eccentricity_m });
 
 /// The numbers of one sample for one tree.
 #[derive(Debug, Clone)]
@@ -220,18 +209,7 @@ impl<T: Real> Geometry<T> {
                 geometry
             })
             .collect();
-        let cuts = tree
-            .cuts
-            .iter()
-            .map(|cut| {
-                let kind = &model.joints[cut.joint.0].kind;
-                CutGeometry {
-                    arms_m: kind.points().map(|point| numbered_point_m(model, number, point)),
-                    angles_rad: line_angles_rad(kind, number),
-                    eccentricity_m: Vec2::zero(),
-                }
-            })
-            .collect();
+        let cuts = tree.cuts.iter().map(|cut| CutGeometry::new(model, cut.joint, number)).collect();
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
         let coupling = |&index: &usize| CouplingGeometry::new(model, &model.couplings[index], number);
         let couplings = tree.coupling_indices.iter().map(coupling).collect();
@@ -321,22 +299,9 @@ impl<T: Real> Geometry<T> {
             }
         }
         for ((cut, geometry), centred) in tree.cuts.iter().zip(&mut self.cuts).zip(&centred.cuts) {
-            if cut.joint != joint {
-                continue;
-            }
-            match cut.rows.keeps {
-                Keeps::Line => {
-                    let normal = direction(geometry.angles_rad[0]).turned();
-                    geometry.arms_m[0] = centred.arms_m[0].plus(normal, ordinate_m);
-                    geometry.angles_rad[1] = centred.angles_rad[1] - tilt_rad;
-                }
-                Keeps::Points => geometry.eccentricity_m = displacement,
+            if cut.joint == joint {
+                displace(cut.rows.keeps, geometry, displacement, centred);
             }
         }
     }
-}
-
-/// [`JointKind::angles_rad`] as numbers.
-fn line_angles_rad<T: Real>(kind: &JointKind, number: &dyn Fn(QuantityId) -> T) -> [T; 2] {
-    kind.angles_rad().map(|id| id.map_or(T::zero(), number))
 }

@@ -14,7 +14,7 @@ use super::initial::initial_numbers;
 use super::joint_friction::JointFriction;
 use super::load::LoadGeometry;
 use super::offset::{StartOffset, start_offsets};
-use super::play_shape::{PinShape, PlayShape, SliderBlock, SlotShape};
+use super::play_shape::{CircularSlotShape, PinShape, PlayShape, SliderBlock, SlotShape, flank_radii_m};
 use super::points::{direction, point_m};
 use super::spring::SpringGeometry;
 use super::stressed::SectionNumbers;
@@ -246,12 +246,12 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
     let [bearing, journal] = kind.points();
     let clearance_m = values[clearance_m];
     let number = |id: QuantityId| T::from_f64(values[id]);
-    let (shape, parts) = match kind.play_parts()? {
+    let (shape, parts): (PlayShape<T>, _) = match kind.play_parts()? {
         PlayParts::Pin(clearance) => {
             let bearing_length_m = clearance.bearing_length_m.map(|id| values[id]);
             let bearing_radius_m = values[clearance.bearing_radius_m];
-            let shape = PlayShape::Pin(PinShape { bearing_radius_m: T::from_f64(bearing_radius_m) });
-            (shape, TouchingParts::Pin { bearing_radius_m, clearance_m, bearing_length_m })
+            let shape = PinShape { bearing_radius_m: T::from_f64(bearing_radius_m) };
+            (shape.into(), TouchingParts::Pin { bearing_radius_m, clearance_m, bearing_length_m })
         }
         PlayParts::Block { clearance, guide_angle_rad, slider_angle_rad } => {
             let block = SliderBlock {
@@ -262,7 +262,7 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
                 ends_m: clearance.ends_m.map(|ends| ends.map(number)),
             };
             let radius_m = clearance.corner_radius_m.map(|id| values[id]);
-            (PlayShape::Slider(block), TouchingParts::OnPlane { radius_m })
+            (block.into(), TouchingParts::OnPlane { radius_m })
         }
         PlayParts::Slot { clearance, slot_angle_rad } => {
             let end_radius_m = values[clearance.end_radius_m];
@@ -275,7 +275,16 @@ fn play<T: Real>(mechanism: &Mechanism, values: &Values, joint: JointId) -> Opti
                 end_stiffening: T::from_f64(end_stiffening),
             };
             let radius_m = Some(end_radius_m - clearance_m);
-            (PlayShape::Slot(slot), TouchingParts::OnPlane { radius_m })
+            (slot.into(), TouchingParts::OnPlane { radius_m })
+        }
+        PlayParts::CircularSlot { clearance, radius_m } => {
+            let half_width_m = clearance.half_width_m;
+            let [outer_m, inner_m] = flank_radii_m(values[radius_m], values[half_width_m], clearance_m);
+            // What is given is given for both flanks.
+            let inner_share = if contact.law.materials().is_some() { (inner_m / outer_m).sqrt() } else { 1.0 };
+            let [radius_m, half_width_m] = [radius_m, half_width_m].map(number);
+            let slot = CircularSlotShape { radius_m, half_width_m, inner_share: T::from_f64(inner_share) };
+            (slot.into(), TouchingParts::OnPlane { radius_m: Some(outer_m) })
         }
     };
     let normal = contact.law.normal(values, &parts)?;

@@ -377,7 +377,7 @@ impl Tree {
         for cut in &self.cuts {
             let first = scales.len();
             scales.extend((first..first + cut.rows.count()).map(|row| [row, row]));
-            if !cut.rows.is_on_line() {
+            if cut.rows.keeps.count() == 2 {
                 scales[first] = [first, first + 1];
                 scales[first + 1] = [first, first + 1];
             }

@@ -59,8 +59,8 @@ pub use function::{Changing, Function};
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 pub use joint::{
-    AtBeam, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay, Keeps, KindOfJoint, Line, NotDriven,
-    PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+    AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay,
+    Keeps, KindOfJoint, Line, NotDriven, PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
 };
 pub use keys::CYCLE_NUMBERS;
 pub use load::{

@@ -159,8 +159,8 @@ problems! {
             hint("keep one of the two; the diametral clearance is twice the radial one");
         LoadOnGround { entry: String } => Code::UnknownReference,
             says("{entry} acts on the ground, which does not move");
-        DoesNotMove { entry: String, joint: String } => Code::UnknownReference,
-            says("{entry}: joint '{joint}' is rigid; it has neither angle nor position");
+        DoesNotMove { entry: String, joint: String, why: &'static str } => Code::UnknownReference,
+            says("{entry}: joint '{joint}' {why}; it has neither angle nor position");
         JointNotRead { entry: String, key: &'static str } => Code::ConflictingKeys,
             says("{entry}: 'joint' has no effect here; '{key}' is no expression over its angle, position or speed");
         NotOfJoint { entry: String, word: &'static str, names: Vec<&'static str> } => Code::ConflictingKeys,

@@ -35,7 +35,7 @@ pub(super) fn headline_sentences(record: &SimulationRecord, writer: &NumberWrite
                 }
                 None => ("backlash", value("backlash", 2.0 * joint.radial_clearance_m)),
                 // In a guide or a slot it lies between faces.
-                Some(kind) if kind.has_line() => ("clearance", value("radial", joint.radial_clearance_m)),
+                Some(kind) if kind.has_faces() => ("clearance", value("radial", joint.radial_clearance_m)),
                 Some(_) => ("radial clearance", value("radial", joint.radial_clearance_m)),
             };
             format!("a {kind} of {clearance} in {}", joint.joint)

@@ -14,6 +14,8 @@ pub enum DrawnJointKind {
     Prismatic,
     /// A pin in a slot.
     Slot,
+    /// A pin in a slot along a circle.
+    CircularSlot,
     /// Rigid connection.
     Rigid,
     /// Any other: its two points.
@@ -37,6 +39,7 @@ impl DrawnJointKind {
             ("revolute", true) => Self::RevoluteWithClearance,
             ("prismatic", _) => Self::Prismatic,
             ("slot", _) => Self::Slot,
+            ("circular-slot", _) => Self::CircularSlot,
             ("rigid", _) => Self::Rigid,
             _ => Self::Other,
         }
@@ -47,6 +50,16 @@ impl DrawnJointKind {
         matches!(self, Self::Prismatic | Self::Slot)
     }
 
+    /// Whether it runs along a circle about its first point.
+    pub fn has_circle(self) -> bool {
+        self == Self::CircularSlot
+    }
+
+    /// Whether it runs between two faces.
+    pub fn has_faces(self) -> bool {
+        self.has_line() || self.has_circle()
+    }
+
     /// Whether a block slides along that line, and does not turn.
     pub fn has_block(self) -> bool {
         self == Self::Prismatic
@@ -55,7 +68,7 @@ impl DrawnJointKind {
     /// Its pin, where one is drawn.
     pub fn pin(self) -> Option<DrawnPin> {
         match self {
-            Self::Revolute | Self::Slot => Some(DrawnPin::Solid),
+            Self::Revolute | Self::Slot | Self::CircularSlot => Some(DrawnPin::Solid),
             Self::RevoluteWithClearance => Some(DrawnPin::InBearing),
             Self::Prismatic | Self::Rigid | Self::Other => None,
         }
@@ -73,6 +86,7 @@ impl DrawnJointKind {
             Self::RevoluteWithClearance => "revolute joint with play",
             Self::Prismatic => "sliding joint",
             Self::Slot => "pin in a slot",
+            Self::CircularSlot => "pin in a circular slot",
             Self::Rigid => "rigid connection",
             Self::Other => "joint",
         }

@@ -2,7 +2,7 @@
 
 use super::error::AccuracyError;
 use loosepin_math::{Vec2, sin_cos};
-use loosepin_mechanics::mechanism::{Mechanism, PlayFreedom, PlayGeometry, Sample, SliderBlock};
+use loosepin_mechanics::mechanism::{Mechanism, PlayFreedom, PlayGeometry, Sample};
 
 /// The displacements that the clearance of a joint allows.
 ///
@@ -60,7 +60,7 @@ impl PlayReach {
         Some(match play.shape.freedom() {
             PlayFreedom::InCircle => Self::Disc { radius_m: clearance_m },
             PlayFreedom::BetweenFaces | PlayFreedom::AlongPitchLine => Self::Slot { clearance_m },
-            PlayFreedom::Tilting(&SliderBlock { half_length_m, half_height_m, .. }) => {
+            PlayFreedom::Tilting { half_length_m, half_height_m } => {
                 let largest_tilt_rad = largest_tilt_rad(clearance_m, half_length_m, half_height_m)?;
                 Self::Guide { clearance_m, half_length_m, half_height_m, largest_tilt_rad }
             }

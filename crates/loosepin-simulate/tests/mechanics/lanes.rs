@@ -293,13 +293,15 @@ fn identity_runs_have_the_same_bits_in_every_lane_and_on_every_instruction_set()
     }
 }
 
-/// Pins at the faces and in the ends of their slots.
+/// Pins at the faces and in the ends of their slots, and at the flanks of circular ones.
 #[test]
 fn identity_pins_in_slots_have_the_same_bits_in_every_lane_and_on_every_instruction_set() {
     for (name, turns) in [
         ("scotch_yoke_with_play_in_its_slot.toml", 0.1),
         ("disc_in_a_turning_slot.toml", 0.12),
         ("disc_thrown_into_a_slot.toml", 0.02),
+        ("linkage_with_a_circular_slot.toml", 0.1),
+        ("disc_in_a_turning_circular_slot.toml", 0.12),
     ] {
         assert_same_bits(name, turns);
     }

@@ -6,6 +6,7 @@
 mod accuracy;
 mod balance;
 mod case;
+mod circular_slot;
 mod contact_laws;
 mod elements;
 mod films;

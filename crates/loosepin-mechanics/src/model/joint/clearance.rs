@@ -1,4 +1,4 @@
-//! What play consists of: a pin in a hole, a block in a guide, a pin in a slot.
+//! What play consists of: a pin in a hole, a block in a guide, a pin in a straight or a circular slot.
 
 use crate::model::ids::ContactId;
 use crate::model::quantity::QuantityId;
@@ -41,6 +41,17 @@ pub struct SlotClearance {
     /// Radius R_i of the ends, half the width of the slot, m, > 0.
     pub end_radius_m: QuantityId,
     /// Clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
+    pub clearance_m: QuantityId,
+    /// The contact between pin and slot.
+    pub contact: ContactId,
+}
+
+/// The play of a pin in a slot along a circle.
+#[derive(Debug, Clone)]
+pub struct CircularSlotClearance {
+    /// Half the width of the slot b, m, > 0 and < its radius.
+    pub half_width_m: QuantityId,
+    /// Clearance c = b - R_j, m, >= 0 and < b; zero makes the joint ideal.
     pub clearance_m: QuantityId,
     /// The contact between pin and slot.
     pub contact: ContactId,

@@ -1,6 +1,6 @@
 //! What every kind of joint says of itself, and the terms in which it says it.
 
-use super::clearance::{Clearance, GuideClearance, SlotClearance};
+use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
 use crate::model::ids::{ContactId, PointId};
 use crate::model::part_names::Names;
@@ -46,6 +46,11 @@ pub trait KindOfJoint: Sized {
         [None; 2]
     }
 
+    /// Radius of the circle about the first point on which the second one stays, m, where it has one.
+    fn radius_m(&self) -> Option<QuantityId> {
+        None
+    }
+
     /// The parts between which it has play, where it states any.
     fn play_parts(&self) -> Option<PlayParts<'_>> {
         None
@@ -86,24 +91,33 @@ pub struct IdealRows {
     pub holds_angle: bool,
 }
 
-/// What the first rows of an ideal joint keep together.
+/// What the first rows of an ideal joint keep together. How is in `mechanism/point_rows`, a file for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Keeps {
     /// Two rows: the points coincide.
     Points,
     /// One row: the second point stays on the line.
     Line,
+    /// One row: the second point stays on a circle about the first.
+    Circle,
+}
+
+impl Keeps {
+    /// Number of its rows.
+    #[inline(always)]
+    pub const fn count(self) -> usize {
+        match self {
+            Self::Points => 2,
+            Self::Line | Self::Circle => 1,
+        }
+    }
 }
 
 impl IdealRows {
     /// Number of scalar constraints.
     #[inline(always)]
     pub const fn count(self) -> usize {
-        let of_points = match self.keeps {
-            Keeps::Points => 2,
-            Keeps::Line => 1,
-        };
-        of_points + self.holds_angle as usize
+        self.keeps.count() + self.holds_angle as usize
     }
 
     /// Whether the first row keeps a point on a line; else two rows keep two points together.
@@ -170,6 +184,13 @@ pub enum PlayParts<'k> {
         /// Direction of the slot from the first body's x axis, rad.
         slot_angle_rad: QuantityId,
     },
+    /// A pin in a slot along a circle.
+    CircularSlot {
+        /// Sizes of pin and slot.
+        clearance: &'k CircularSlotClearance,
+        /// Radius of the middle of the slot, m.
+        radius_m: QuantityId,
+    },
 }
 
 impl PlayParts<'_> {
@@ -187,20 +208,25 @@ impl PlayParts<'_> {
             Self::Slot { clearance: own, .. } => {
                 JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: Some(own.end_radius_m) }
             }
+            Self::CircularSlot { clearance: own, .. } => {
+                JointPlay { clearance_m: own.clearance_m, contact: own.contact, radius_m: Some(own.half_width_m) }
+            }
         }
     }
 
     /// Whether the faces of a guide end.
     pub fn has_face_ends(self) -> bool {
-        match self {
-            Self::Block { clearance, .. } => clearance.ends_m.is_some(),
-            Self::Pin(_) | Self::Slot { .. } => false,
-        }
+        matches!(self, Self::Block { clearance, .. } if clearance.ends_m.is_some())
     }
 
-    /// Whether a pin has a place along a slot.
+    /// Whether a pin has a place along a slot with ends.
     pub fn is_in_slot(self) -> bool {
         matches!(self, Self::Slot { .. })
+    }
+
+    /// Whether the force differs from that of the contact's law from place to place.
+    pub fn has_shares(self) -> bool {
+        self.has_face_ends() || matches!(self, Self::Slot { .. } | Self::CircularSlot { .. })
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! A kind says of itself what the rest of the program asks ([`KindOfJoint`]), and reads its own table.
 
+mod circular_slot;
 mod clearance;
 mod kind;
 mod prismatic;
@@ -10,7 +11,8 @@ mod revolute;
 mod rigid;
 mod slot;
 
-pub use clearance::{Clearance, GuideClearance, SlotClearance};
+pub use circular_slot::CircularSlot;
+pub use clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, NotDriven, PlayParts};
 pub use prismatic::Prismatic;
 pub use reading::{ContactFacts, JointReader, PlayKeys};
@@ -81,6 +83,8 @@ joint_kinds! {
     Prismatic,
     /// A pin slides and turns in a slot.
     Slot,
+    /// A pin runs and turns in a slot along a circle.
+    CircularSlot,
     /// Two bodies are one.
     Rigid,
 }
@@ -144,6 +148,11 @@ impl JointKind {
     /// See [`KindOfJoint::angles_rad`].
     pub fn angles_rad(&self) -> [Option<QuantityId>; 2] {
         ask!(self, kind => kind.angles_rad())
+    }
+
+    /// See [`KindOfJoint::radius_m`].
+    pub fn radius_m(&self) -> Option<QuantityId> {
+        ask!(self, kind => kind.radius_m())
     }
 
     /// By how much the second body is turned from the first one, rad, where they do not turn against each other.

@@ -8,6 +8,7 @@ use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
 use crate::model::keys::control::{CONTROL_KEYS, INVERSE_DYNAMICS};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
+use crate::model::topology::Joint;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
@@ -75,11 +76,16 @@ impl ModelReader {
     pub(super) fn moving_joint(&mut self, entry: &Entry<'_>) -> Option<JointId> {
         let joint = self.joint(entry)?;
         if self.joints[joint.0].kind.coordinate().is_none() {
-            let name = self.joints[joint.0].name.clone();
-            let problem = ModelProblem::DoesNotMove { entry: entry.path.describe(), joint: name };
-            return self.reader.refuse(&problem, entry.span);
+            return self.reader.refuse(&self.does_not_move(entry.path.describe(), joint), entry.span);
         }
         Some(joint)
+    }
+
+    /// What is wrong where something needs the coordinate of a joint that has none.
+    pub(super) fn does_not_move(&self, entry: String, joint: JointId) -> ModelProblem {
+        let Joint { name, kind, .. } = &self.joints[joint.0];
+        let why = kind.why_not_driven(&|_| false).map_or("has no coordinate", |refused| refused.why);
+        ModelProblem::DoesNotMove { entry, joint: name.clone(), why }
     }
 
     fn feed_forward(

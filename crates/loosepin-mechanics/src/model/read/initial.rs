@@ -68,8 +68,7 @@ impl ModelReader {
         let (Some(table), Some(joint)) = (table, joint) else { return };
         offsets.extend(self.initial_offset(&table, joint));
         let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
-            let problem = ModelProblem::DoesNotMove { entry: "initial".to_owned(), joint: entry.name.to_owned() };
-            self.reader.complain(&problem, entry.key_span);
+            self.reader.complain(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
             return;
         };
         let of = InitialOf::joint(joint, coordinate);

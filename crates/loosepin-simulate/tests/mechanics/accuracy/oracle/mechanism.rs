@@ -16,6 +16,8 @@ pub(super) enum Joint {
     Guide { bodies: [usize; 2], points: [Point; 2], angle_rad: f64, block_m: Option<[f64; 3]> },
     /// A pin of the second body in a slot of the first.
     Slot { bodies: [usize; 2], points: [Point; 2], angle_rad: f64, clearance_m: f64 },
+    /// A pin of the second body in a slot along a circle about the point of the first.
+    CircularSlot { bodies: [usize; 2], points: [Point; 2], radius_m: f64, clearance_m: f64 },
     /// External gears on bodies that turn about points of the ground, with radii and half of the backlash.
     Gears { bodies: [usize; 2], radii_m: [f64; 2], half_backlash_m: f64 },
 }
@@ -37,10 +39,14 @@ pub(super) struct Rig {
 }
 
 impl Rig {
-    /// A random mechanism; body 1 is driven about the origin.
+    /// A random mechanism of one of six families.
     pub fn random(seed: u64) -> Self {
+        Self::of_family(["slider-crank", "four-bar", "six-bar", "slot", "gears", "guide"][seed as usize % 6], seed)
+    }
+
+    /// A random mechanism; body 1 is driven about the origin.
+    pub fn of_family(family: &'static str, seed: u64) -> Self {
         let random = &mut Random::new(seed);
-        let family = ["slider-crank", "four-bar", "six-bar", "slot", "gears", "guide"][seed as usize % 6];
         let crank_pin = {
             let (radius, angle) = (random.between(0.02, 0.045), random.between(-3.1, 3.1));
             [radius * angle.cos(), radius * angle.sin()]
@@ -62,6 +68,19 @@ impl Rig {
                     angle_rad,
                     clearance_m: clearance_m(random),
                 });
+            }
+            "circular slot" => {
+                let pivot = [random.between(-0.16, -0.09), random.between(-0.05, 0.05)];
+                let arm = rig.body(pivot);
+                rig.loose_pin(random, 0, arm, pivot);
+                // The pin pushes the arm nearly across, and the slot is so wide that the crank turns fully.
+                let way = (crank_pin[1] - pivot[1]).atan2(crank_pin[0] - pivot[0]);
+                let (s, c) = (way + std::f64::consts::FRAC_PI_2 + random.between(-0.05, 0.05)).sin_cos();
+                let radius_m = random.between(0.25, 0.35);
+                let centre = [crank_pin[0] + radius_m * c, crank_pin[1] + radius_m * s];
+                let points = [rig.local(arm, centre), rig.local(crank, crank_pin)];
+                let clearance_m = clearance_m(random);
+                rig.joints.push(Joint::CircularSlot { bodies: [arm, crank], points, radius_m, clearance_m });
             }
             "slider-crank" | "guide" => {
                 let rod = rig.body(crank_pin);
@@ -214,6 +233,17 @@ impl Rig {
                         row(angle(j) - angle(i) - tilt, &parts);
                     }
                 }
+                Joint::CircularSlot { bodies: [i, j], points, radius_m, .. } => {
+                    let [outwards_m, _] = *next.next().expect("one for each");
+                    let [(a, turn_a), (b, turn_b)] = [place(i, points[0]), place(j, points[1])];
+                    let gap = [b[0] - a[0], b[1] - a[1]];
+                    let distance_m = gap[0].hypot(gap[1]);
+                    let normal = gap.map(|component| component / distance_m);
+                    let mut parts = Vec::new();
+                    along(&mut parts, i, normal, turn_a, -1.0);
+                    along(&mut parts, j, normal, turn_b, 1.0);
+                    row(distance_m - radius_m - outwards_m, &parts);
+                }
                 Joint::Gears { bodies: [i, j], radii_m: [first, second], .. } => {
                     let [length, _] = *next.next().expect("one for each");
                     row(
@@ -268,7 +298,9 @@ impl Rig {
             .filter_map(|joint| match *joint {
                 Joint::Pin { clearance_m, .. } => (clearance_m > 0.0).then_some(Reach::Disc(clearance_m)),
                 Joint::Guide { block_m, .. } => block_m.map(Reach::Block),
-                Joint::Slot { clearance_m, .. } => (clearance_m > 0.0).then_some(Reach::Line(clearance_m)),
+                Joint::Slot { clearance_m, .. } | Joint::CircularSlot { clearance_m, .. } => {
+                    (clearance_m > 0.0).then_some(Reach::Line(clearance_m))
+                }
                 Joint::Gears { half_backlash_m, .. } => Some(Reach::Line(half_backlash_m)),
             })
             .collect()
@@ -284,7 +316,8 @@ impl Rig {
             let (bodies, places) = match joint {
                 Joint::Pin { bodies, points, .. }
                 | Joint::Guide { bodies, points, .. }
-                | Joint::Slot { bodies, points, .. } => (bodies, points),
+                | Joint::Slot { bodies, points, .. }
+                | Joint::CircularSlot { bodies, points, .. } => (bodies, points),
                 Joint::Gears { radii_m, half_backlash_m, .. } => {
                     let _ = write!(
                         joints,
@@ -325,6 +358,10 @@ impl Rig {
                 Joint::Slot { angle_rad, clearance_m, .. } => writeln!(
                     joints,
                     "kind = \"slot\"\nslot = {{ point = \"{first}\", angle = \"{angle_rad} rad\" }}\npin = \"{second}\"\nhalf_length = \"300 mm\"\nend_radius = \"9 mm\"\nclearance = \"{clearance_m} m\"\ncontact = \"steel\"\n"
+                ),
+                Joint::CircularSlot { radius_m, clearance_m, .. } => writeln!(
+                    joints,
+                    "kind = \"circular-slot\"\nslot = {{ point = \"{first}\", radius = \"{radius_m} m\" }}\npin = \"{second}\"\nhalf_width = \"9 mm\"\nclearance = \"{clearance_m} m\"\ncontact = \"steel\"\n"
                 ),
                 Joint::Gears { .. } => Ok(()),
             };

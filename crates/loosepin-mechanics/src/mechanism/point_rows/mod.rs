@@ -1,0 +1,82 @@
+//! The rows by which a cut joint keeps its two points together: a file for each form of them, and the list of them here.
+//!
+//! Nothing else knows a form of [`Keeps`] by its name: residuals, Jacobian and biases of the constraints, the force that the joint
+//! carries, and what a displacement by play changes are asked here.
+
+mod coincident;
+mod form;
+mod on_circle;
+mod on_line;
+
+use super::cut_geometry::CutGeometry;
+use crate::model::Keeps;
+use coincident::Coincident;
+use form::PointRows;
+use loosepin_math::{Real, Vec2};
+use on_circle::OnCircle;
+use on_line::OnLine;
+
+/// Makes the enum of all forms, and hands every question on to the form.
+macro_rules! point_rows {
+    ($($keeps:ident => $form:ident),* $(,)?) => {
+        /// The rows of a cut joint at a state.
+        pub enum KeptPoints<T> {
+            $(#[doc = concat!("Of [`Keeps::", stringify!($keeps), "`].")] $keeps($form<T>),)*
+        }
+
+        impl<T: Real> KeptPoints<T> {
+            /// At a state: the angle of the first point's body, rad, and the way from the first point to the second, m, in the ground's frame.
+            #[inline(always)]
+            pub fn at(keeps: Keeps, numbers: &CutGeometry<T>, first_angle_rad: T, gap_m: Vec2<T>) -> Self {
+                match keeps { $(Keeps::$keeps => Self::$keeps($form::at(numbers, first_angle_rad, gap_m)),)* }
+            }
+
+            /// Φ, m; zero for a second row that there is not, as below.
+            #[inline(always)]
+            pub fn residuals(&self) -> [T; 2] {
+                match self { $(Self::$keeps(form) => form.residuals(),)* }
+            }
+
+            /// dΦ for a `velocity` of the second point from the first, where the first body turns by `spin`.
+            #[inline(always)]
+            pub fn rates(&self, velocity: Vec2<T>, spin: Option<T>) -> [T; 2] {
+                match self { $(Self::$keeps(form) => form.rates(velocity, spin),)* }
+            }
+
+            /// d²Φ/dt² for velocity and acceleration of the second point from the first, and ω and α of the first body.
+            #[inline(always)]
+            pub fn biases(
+                &self,
+                velocity_m_s: Vec2<T>,
+                acceleration_m_s2: Vec2<T>,
+                [spin_rad_s, spin_rate_rad_s2]: [T; 2],
+            ) -> [T; 2] {
+                match self {
+                    $(Self::$keeps(form) => form.biases(velocity_m_s, acceleration_m_s2, spin_rad_s, spin_rate_rad_s2),)*
+                }
+            }
+
+            /// Force on the second body, N: λ times the gradient with respect to the second point.
+            #[inline(always)]
+            pub fn force_n(&self, multipliers_n: [T; 2]) -> Vec2<T> {
+                match self { $(Self::$keeps(form) => form.force_n(multipliers_n),)* }
+            }
+        }
+
+        /// Displaces the second body of a cut joint from where it is in `centred`, the same numbers without a displacement.
+        pub(super) fn displace<T: Real>(
+            keeps: Keeps,
+            numbers: &mut CutGeometry<T>,
+            displacement: Vec2<T>,
+            centred: &CutGeometry<T>,
+        ) {
+            match keeps { $(Keeps::$keeps => $form::displace(numbers, displacement, centred),)* }
+        }
+    };
+}
+
+point_rows! {
+    Points => Coincident,
+    Line => OnLine,
+    Circle => OnCircle,
+}
