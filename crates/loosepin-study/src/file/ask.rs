@@ -1,9 +1,9 @@
 //! Questions and requirements.
 
-use super::description::{Ask, Limit, RareMethod, Requirement, Where};
+use super::description::{Ask, Asked, Limit, RareMethod, Requirement, Where};
 use super::keys::{ASK_KEYS, LIMITS, REQUIRE_KEYS, STATISTIC_KEYS};
 use super::problem::StudyProblem;
-use super::reader::{Asked, StudyReader};
+use super::reader::StudyReader;
 use super::sizes::MOST_POSES;
 use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
@@ -30,22 +30,22 @@ pub fn furthest(statistic: Statistic) -> Reduction {
     }
 }
 
-/// A question about a curve without the small probabilities in it, and these: of leaving the limit anywhere in the cycle, which is what
+/// A question about a curve without the small probabilities in it, then these: of leaving the limit anywhere in the cycle, which is what
 /// the furthest value over the cycle does.
-fn anywhere_in_the_cycle(mut ask: Ask) -> (Option<Ask>, Vec<Ask>) {
-    if ask.location != Where::Cycle || ask.rare.is_empty() {
-        return (Some(ask), Vec::new());
+fn anywhere_in_the_cycle(mut ask: Ask) -> Vec<Ask> {
+    if ask.location != Where::Cycle {
+        return vec![ask];
     }
-    let rare = std::mem::take(&mut ask.rare);
-    let anywhere = rare.iter().map(|&(statistic, method)| Ask {
-        statistics: vec![statistic],
-        rare: vec![(statistic, method)],
-        ..Ask::of_values(ask.output, ask.deviation, Where::Reduced(furthest(statistic)))
-    });
-    let anywhere = anywhere.collect();
-    ask.statistics.retain(|statistic| rare.iter().all(|(own, _)| own != statistic));
-    let is_left = !ask.statistics.is_empty() || ask.contributors || !ask.simultaneous_bands.is_empty();
-    (is_left.then_some(ask), anywhere)
+    let anywhere: Vec<Ask> = ask
+        .by_method()
+        .map(|(statistic, method)| Ask {
+            asked: vec![Asked::Rare(statistic, method)],
+            ..Ask::of_values(ask.output, ask.deviation, Where::Reduced(furthest(statistic)))
+        })
+        .collect();
+    ask.asked.retain(|asked| !matches!(asked, Asked::Rare(..)));
+    let is_left = !ask.asked.is_empty();
+    is_left.then_some(ask).into_iter().chain(anywhere).collect()
 }
 
 impl StudyReader {
@@ -57,9 +57,8 @@ impl StudyReader {
             let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
             let written = self.accuracies(&table);
             if let Some(ask) = self.ask(&table) {
-                let (ask, anywhere) = anywhere_in_the_cycle(ask);
                 let place = asks.len();
-                asks.extend(ask.into_iter().chain(anywhere));
+                asks.extend(anywhere_in_the_cycle(ask));
                 accuracy.extend(self.targets(written, &asks, Some(place)));
             }
         }
@@ -83,8 +82,7 @@ impl StudyReader {
         let location = location.and_then(|location| self.place_of_wear(table, output, location));
         // Without the output the dimension of limits is not known.
         let output = output?;
-        let statistics = self.statistics(table, self.outputs[output].dimension);
-        let entries = statistics?;
+        let entries = self.statistics(table, self.outputs[output].dimension)?;
         let (deviation, location) = (deviation?, location?);
         // Of two places one is wrong, and which is not known.
         if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
@@ -92,31 +90,13 @@ impl StudyReader {
         }
         self.warn_of_moments_of_a_life(output, &entries);
         let promised = self.promised_ends(table, &entries);
-        let asked: Vec<Asked> = entries.into_iter().map(|(_, asked)| asked).collect();
-        let contributors = asked.contains(&Asked::Contributors);
-        let rare: Vec<(Statistic, RareMethod)> = asked
-            .iter()
-            .filter_map(|asked| match asked {
-                Asked::Rare(statistic, method) => Some((*statistic, *method)),
-                _ => None,
-            })
-            .collect();
-        let bands: Vec<f64> = asked
-            .iter()
-            .filter_map(|asked| if let Asked::SimultaneousBand(share) = asked { Some(*share) } else { None })
-            .collect();
-        if location != Where::Cycle && !bands.is_empty() {
-            if let Some(entry) = table.get("statistics") {
-                self.complain(&StudyProblem::BandOfPoint { entry: table.path.describe() }, &entry);
-            }
-            return None;
+        let asked = entries.into_iter().map(|(_, asked)| asked).collect();
+        let ask = Ask { asked, promised, ..Ask::of_values(output, deviation, location) };
+        if ask.location != Where::Cycle && ask.bands().next().is_some() {
+            let entry = table.get("statistics")?;
+            return self.refused(&StudyProblem::BandOfPoint { entry: table.path.describe() }, entry.span);
         }
-        let statistics = asked.into_iter().filter_map(|asked| match asked {
-            Asked::Statistic(statistic) | Asked::Rare(statistic, _) => Some(statistic),
-            Asked::Contributors | Asked::SimultaneousBand(_) => None,
-        });
-        let statistics = statistics.collect();
-        Some(Ask { output, deviation, location, statistics, contributors, rare, simultaneous_bands: bands, promised })
+        Some(ask)
     }
 
     /// Reads the requirements.
@@ -174,7 +154,8 @@ impl StudyReader {
             let problem = StudyProblem::LifeBeyondCycles { entry: table.path.describe(), least, cycles };
             return self.refused(&problem, span);
         }
-        Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised })
+        let columns = Vec::new();
+        Some(Requirement { output, deviation, limit, location, probability_at_least, is_promised, columns })
     }
 
     /// The output that a table names, by its place in [`Self::outputs`].

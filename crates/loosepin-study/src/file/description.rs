@@ -347,31 +347,72 @@ pub struct Ask {
     pub deviation: Deviation,
     /// Where in the cycle.
     pub location: Where,
-    /// Which statistics; limits in the SI unit of the output. At least one, or contributors, or a band.
-    pub statistics: Vec<Statistic>,
-    /// Whether it is asked what contributes to the answer.
-    pub contributors: bool,
-    /// Probabilities among the statistics that are not only counted.
-    pub rare: Vec<(Statistic, RareMethod)>,
-    /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
-    pub simultaneous_bands: Vec<f64>,
+    /// What is asked of it, in file order; limits in the SI unit of the output.
+    pub asked: Vec<Asked>,
     /// Ends of the statistics that are promised for a share of the box.
     pub promised: Vec<Side>,
+    /// Columns of a run that hold its numbers, in the order of the poses; empty until the columns of the study are laid out.
+    pub columns: Vec<usize>,
+}
+
+/// One thing that is asked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Asked {
+    /// A statistic, counted by the double loop.
+    Statistic(Statistic),
+    /// A probability that is not only counted.
+    Rare(Statistic, RareMethod),
+    /// What contributes to the answer.
+    Contributors,
+    /// A band in which this share of mechanisms stays for the whole cycle.
+    SimultaneousBand(f64),
+}
+
+impl Asked {
+    /// The statistic, however it is estimated; `None` if it is of no single column.
+    pub fn statistic(self) -> Option<Statistic> {
+        match self {
+            Self::Statistic(statistic) | Self::Rare(statistic, _) => Some(statistic),
+            Self::Contributors | Self::SimultaneousBand(_) => None,
+        }
+    }
 }
 
 impl Ask {
     /// A question for the values of runs alone, without a statistic of them.
     pub fn of_values(output: usize, deviation: Deviation, location: Where) -> Self {
-        Self {
-            output,
-            deviation,
-            location,
-            statistics: Vec::new(),
-            contributors: false,
-            rare: Vec::new(),
-            simultaneous_bands: Vec::new(),
-            promised: Vec::new(),
-        }
+        Self { output, deviation, location, asked: Vec::new(), promised: Vec::new(), columns: Vec::new() }
+    }
+
+    /// Every statistic of each of its columns, in file order.
+    pub fn statistics(&self) -> impl Iterator<Item = Statistic> {
+        self.asked.iter().filter_map(|asked| asked.statistic())
+    }
+
+    /// Probabilities that are not only counted, with how they are estimated.
+    pub fn by_method(&self) -> impl Iterator<Item = (Statistic, RareMethod)> {
+        self.asked.iter().filter_map(|asked| match *asked {
+            Asked::Rare(statistic, method) => Some((statistic, method)),
+            _ => None,
+        })
+    }
+
+    /// Whether `statistic` is a probability that is not only counted.
+    pub fn is_by_method(&self, statistic: Statistic) -> bool {
+        self.by_method().any(|(own, _)| own == statistic)
+    }
+
+    /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
+    pub fn bands(&self) -> impl Iterator<Item = f64> {
+        self.asked.iter().filter_map(|asked| match *asked {
+            Asked::SimultaneousBand(share) => Some(share),
+            _ => None,
+        })
+    }
+
+    /// Whether it is asked what contributes to the answer.
+    pub fn is_for_contributors(&self) -> bool {
+        self.asked.contains(&Asked::Contributors)
     }
 }
 
@@ -441,6 +482,8 @@ pub struct Requirement {
     pub probability_at_least: f64,
     /// Whether a promise for a share of the box decides it.
     pub is_promised: bool,
+    /// Columns of a run that hold its numbers, one or one for each pose; empty until the columns of the study are laid out.
+    pub columns: Vec<usize>,
 }
 
 /// What may be loosened as far as the requirements allow.

@@ -45,8 +45,8 @@ use std::sync::Arc;
 pub use accuracy::AccuracyProblem;
 use accuracy::WrittenAccuracies;
 pub use description::{
-    Allowance, AllowedFit, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, SpecimenRows,
+    Allowance, AllowedFit, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure, Deviation,
+    EpistemicInput, EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, SpecimenRows,
     StatedCorrelation, Study, StudySurrogate, UncertainParameter, Where,
 };
 pub use keys::takes_mean_of_model;
