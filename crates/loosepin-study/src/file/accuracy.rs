@@ -3,10 +3,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::description::{Ask, Study};
+use super::ask::Ask;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::sizes::MOST_RUNS;
+use super::study::Study;
 use super::target::AccuracyTarget;
 use super::words::{NUMBERS, statistic_name};
 use loosepin_result::study::Budget;

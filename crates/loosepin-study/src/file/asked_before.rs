@@ -1,7 +1,7 @@
 //! Questions that are asked twice: the results would name two numbers alike.
 
-use super::ask::furthest;
-use super::description::{Asked, Where};
+use super::ask::{Asked, furthest};
+use super::location::Where;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_result::study::Deviation;

@@ -1,6 +1,7 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
-use super::description::{Ask, EpistemicInput, StudySurrogate};
+use super::ask::Ask;
+use super::description::{EpistemicInput, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;

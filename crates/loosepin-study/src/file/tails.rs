@@ -1,6 +1,7 @@
 //! Warns of what a distribution reaches with a small probability, and of quantiles that the samples do not reach.
 
-use super::description::{Ask, RandomInput, Sampling};
+use super::ask::Ask;
+use super::description::{RandomInput, Sampling};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_bounds::Statistic;
