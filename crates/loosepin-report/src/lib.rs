@@ -7,7 +7,7 @@
 //! | Sentences on | File |
 //! |---|---|
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
-//! | each output: one sentence | `told.rs` |
+//! | each output: one sentence | `output_summary.rs` |
 //! | a study: its bounds, treatments, sensitivity, surrogates, promises, required accuracy; tables and sentences at once | `study_sections`, shown by `study_page` and `study_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
@@ -61,6 +61,7 @@ mod motion_kind_section;
 mod motion_page;
 mod motion_verdicts;
 mod number;
+mod output_summary;
 mod page;
 mod percentile_words;
 mod play_effect;
@@ -83,7 +84,6 @@ mod terminal;
 mod terminal_table;
 mod ticks;
 mod together;
-mod told;
 mod trust_words;
 mod turn_words;
 mod wear_picture;
