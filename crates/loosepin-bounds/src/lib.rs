@@ -18,12 +18,13 @@
 //! [`DoubleLoop::results`] turns the finished table into [`Bounds`]. [`evaluate()`] does all of it in one call. [`Refinement`] makes
 //! the samples larger until the bounds are as near as they are asked to be.
 //!
-//! Five floors, each of which knows those below it only:
+//! Six floors, each of which knows those below it only:
 //!
 //! ```text
 //! data         questions, runs, bounds
 //! estimators   statistics at one u, with their errors
-//! search       models of statistics over u, what they leave open, and the next points
+//! search       models of quantities over u, what they leave open, and the next points
+//! measures     statistics at all u, and what is searched for their extremes: a file for each estimator
 //! readings     answers: interval, evidence, fuzzy numbers, random sets, second-order probability
 //! plan         which runs are made;   by_surrogate: the same with runs replaced by what was learned from a few
 //! ```
@@ -33,6 +34,7 @@
 mod by_surrogate;
 mod data;
 mod estimators;
+mod measures;
 mod plan;
 mod readings;
 mod search;
@@ -46,10 +48,9 @@ pub use data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee, Treatm
 pub use data::defaults::{BAND_PROBABILITY, CUT_STANDARD_DEVIATIONS, PERCENTILES};
 pub use data::problem::{Problem, Reading, Request, Sampling};
 pub use data::scratch::Scratch;
-pub use data::statistic::{Event, Statistic};
 pub use data::table::{Failure, Purpose, RunInputs, SampleTable, TableError};
 pub use estimators::probability::least_counted_runs;
-pub use loosepin_terms::{NumberKind, Side, between_order_statistics};
+pub use loosepin_terms::{Event, NumberKind, Side, Statistic, between_order_statistics};
 pub use plan::check::{MOST_OUTER, ProblemError};
 pub use plan::double_loop::DoubleLoop;
 pub use plan::error::PlanError;

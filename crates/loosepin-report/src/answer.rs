@@ -3,8 +3,8 @@
 use super::error_words::error_sentence;
 use super::force_words::{ForcesOf, study_sentences};
 use super::number::{NumberWriter, Rounding, plain_name};
+use super::output_summary::{SENTENCE_DIGITS, between, largest, output_summaries, smallest};
 use super::tag::Tag;
-use super::told::{SENTENCE_DIGITS, between, largest, smallest, told};
 use super::turn_words::turns_sentence;
 use super::wording::{
     band_error, capitalised, counted, deviation_of, failed_words, is_by_surrogate, listed, output_unit, path_part,
@@ -36,8 +36,8 @@ pub(super) struct Answer {
 /// the band over the cycle otherwise.
 pub(super) fn answer(result: &StudyResult, writer: &NumberWriter) -> Answer {
     let curve = main_curve(result);
-    let answers = told(result);
-    let mut sentences = answers.iter().map(|told| told.sentence(result, writer));
+    let answers = output_summaries(result);
+    let mut sentences = answers.iter().map(|summary| summary.sentence(result, writer));
     let headline = sentences.next().unwrap_or_else(|| {
         let empty = result.requirements.is_empty();
         let said = if empty {

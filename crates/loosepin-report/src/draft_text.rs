@@ -1,7 +1,7 @@
 //! What is known of a study before it is finished, in a line.
 
 use super::number::{NumberWriter, Rounding};
-use super::told::main_bound;
+use super::output_summary::main_bound;
 use super::wording::{statistic_words, verdict_words};
 use loosepin_result::study::{BoundRecord, Draft};
 

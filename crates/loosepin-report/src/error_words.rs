@@ -1,8 +1,8 @@
 //! The numerical error of an answer: how large it is, where it comes from, and how many runs would halve it.
 
 use super::number::NumberWriter;
+use super::output_summary::{OutputSummary, largest, smallest};
 use super::tag::Tag;
-use super::told::{Told, largest, smallest};
 use super::wording::{count, is_by_surrogate};
 use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
 
@@ -11,14 +11,14 @@ const LARGE_SHARE: f64 = 0.1;
 /// Random samples that are advised are so many times as many, at most: beyond it nobody would wait.
 const MAX_TIMES: f64 = 100.0;
 
-pub(super) fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer: &NumberWriter) -> String {
+pub(super) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> String {
     let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
     let headline = answers.first();
-    let error_text = headline.and_then(|told| {
-        let (error_si, unit) = told.error_si()?;
-        let error = writer.about(&told.error_tag()).error(error_si, unit);
-        let halved = halving_words(result, *told, writer).unwrap_or_default();
-        Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", told.limit_words()))
+    let error_text = headline.and_then(|summary| {
+        let (error_si, unit) = summary.error_si()?;
+        let error = writer.about(&summary.error_tag()).error(error_si, unit);
+        let halved = halving_words(result, *summary, writer).unwrap_or_default();
+        Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", summary.limit_words()))
     });
     let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
     let mut sentence = match error_text {
@@ -29,7 +29,7 @@ pub(super) fn error_sentence(result: &StudyResult, answers: &[Told<'_>], writer:
         None => "The table shows the numerical error of each bound.".to_owned(),
     };
     if inner > 0 {
-        let is_answer = headline.is_some_and(|told| told.is_unconfirmed());
+        let is_answer = headline.is_some_and(|summary| summary.is_unconfirmed());
         let some = count(inner as u64, &writer.about(&Tag::Count("unconfirmed bounds")));
         let all = count(mixed().count() as u64, &writer.about(&Tag::Count("bounds")));
         let subject = match (is_answer, mixed().count()) {
@@ -63,15 +63,15 @@ fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
 
 /// What would halve a large error: random samples, or nothing that more runs do. An answer here is a quantile, and its sampling error falls as
 /// 1/sqrt(inner); that of the search over the unknown values falls with `outer` as the statistic is smooth, which is not known beforehand.
-fn halving_words(result: &StudyResult, told: Told<'_>, writer: &NumberWriter) -> Option<String> {
+fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &NumberWriter) -> Option<String> {
     // Where an accuracy was stated, the record of it tells.
     if is_by_surrogate(result) || result.accuracy.is_some() || result.counts.inner < 2 {
         return None;
     }
-    let (bound, end, error) = furthest(result, told)?;
-    let answer_si = match told {
-        Told::Largest(bound, _) | Told::Bound(bound) => bound.upper.widened_si.abs(),
-        Told::Curve(curve) => largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)),
+    let (bound, end, error) = furthest(result, summary)?;
+    let answer_si = match summary {
+        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => bound.upper.widened_si.abs(),
+        OutputSummary::Curve(curve) => largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)),
     };
     let total_si = error.total_si();
     let is_large = total_si.is_finite() && total_si > LARGE_SHARE * answer_si;
@@ -115,10 +115,13 @@ fn two_digits(runs: f64) -> u64 {
 }
 
 /// The bound whose error is told, which end of it, and the error.
-fn furthest<'r>(result: &'r StudyResult, told: Told<'r>) -> Option<(&'r BoundRecord, &'static str, NumericalError)> {
-    match told {
-        Told::Largest(bound, _) | Told::Bound(bound) => Some((bound, "upper", bound.upper.error)),
-        Told::Curve(curve) => {
+fn furthest<'r>(
+    result: &'r StudyResult,
+    summary: OutputSummary<'r>,
+) -> Option<(&'r BoundRecord, &'static str, NumericalError)> {
+    match summary {
+        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => Some((bound, "upper", bound.upper.error)),
+        OutputSummary::Curve(curve) => {
             let is_of_curve = |bound: &&BoundRecord| {
                 (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
                     && matches!(bound.at, ResponsePoint::Curve { .. })

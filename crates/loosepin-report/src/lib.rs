@@ -7,7 +7,7 @@
 //! | Sentences on | File |
 //! |---|---|
 //! | the answer: headline, requirements, numerical error, number of runs; the three treatments | `answer.rs` |
-//! | each output: one sentence | `told.rs` |
+//! | each output: one sentence | `output_summary.rs` |
 //! | a study: its bounds, treatments, sensitivity, surrogates, promises, required accuracy; tables and sentences at once | `study_sections`, shown by `study_page` and `study_text.rs` |
 //! | the loosest values that meet the requirements; small probabilities | `inverse.rs`; several inputs together: `together.rs` |
 //! | two studies beside each other | `compare` |
@@ -51,6 +51,7 @@ mod mechanism_shapes;
 mod mechanism_signs;
 mod motion;
 mod number;
+mod output_summary;
 mod page;
 mod repeat_section;
 mod rounding;
@@ -68,7 +69,6 @@ mod tag;
 mod terminal_table;
 mod ticks;
 mod together;
-mod told;
 mod trust_words;
 mod turn_words;
 mod witness_words;

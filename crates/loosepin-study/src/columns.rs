@@ -39,24 +39,6 @@ pub struct StudyColumn {
     pub spot: Spot,
 }
 
-/// What an ask became.
-#[derive(Debug, Clone)]
-pub struct PlannedAsk {
-    /// The ask.
-    pub ask: Ask,
-    /// Its columns, in the order of the poses.
-    pub columns: Vec<usize>,
-}
-
-/// What a requirement became.
-#[derive(Debug, Clone)]
-pub struct PlannedRequirement {
-    /// The requirement.
-    pub requirement: Requirement,
-    /// Its columns: one, or one for each pose.
-    pub columns: Vec<usize>,
-}
-
 /// All columns of a study, and which ask uses which.
 #[derive(Debug, Clone)]
 pub struct ColumnPlan {
@@ -64,10 +46,10 @@ pub struct ColumnPlan {
     pub outputs: Vec<StudyOutput>,
     /// The numbers of a run.
     pub columns: Vec<StudyColumn>,
-    /// The asks.
-    pub asks: Vec<PlannedAsk>,
-    /// The requirements.
-    pub requirements: Vec<PlannedRequirement>,
+    /// The asks, with their columns.
+    pub asks: Vec<Ask>,
+    /// The requirements, with their columns.
+    pub requirements: Vec<Requirement>,
     /// Columns of the largest deviations that limit those at poses.
     pub largest: Vec<usize>,
     /// Index of each of the columns.
@@ -137,13 +119,13 @@ impl ColumnPlan {
         };
         for ask in &study.asks {
             let columns = plan.add(ask.output, ask.deviation, &spots(&ask.location));
-            plan.asks.push(PlannedAsk { ask: ask.clone(), columns });
+            plan.asks.push(Ask { columns, ..ask.clone() });
         }
         // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
         let whole = [Spot::Reduced(Reduction::MaximumAbsolute)];
         for k in 0..plan.asks.len() {
-            let (output, deviation) = (plan.asks[k].ask.output, plan.asks[k].ask.deviation);
-            let is_at_poses = !matches!(plan.asks[k].ask.location, Where::Reduced(_));
+            let Ask { output, deviation, ref location, .. } = plan.asks[k];
+            let is_at_poses = !matches!(location, Where::Reduced(_));
             if is_at_poses && deviation != Deviation::Value {
                 let columns = plan.add(output, deviation, &whole);
                 plan.largest.extend(columns);
@@ -155,7 +137,7 @@ impl ColumnPlan {
                 other => spots(other),
             };
             let columns = plan.add(requirement.output, requirement.deviation, &spots);
-            plan.requirements.push(PlannedRequirement { requirement: requirement.clone(), columns });
+            plan.requirements.push(Requirement { columns, ..requirement.clone() });
         }
         plan
     }
@@ -184,20 +166,16 @@ impl ColumnPlan {
             }
         };
         let [middle, lower, upper] = Statistic::of_curve_point(BAND);
-        for planned in &self.asks {
-            let is_curve = planned.ask.location == Where::Cycle;
-            for &column in &planned.columns {
-                for &statistic in &planned.ask.statistics {
-                    push(column, statistic);
-                }
+        for ask in &self.asks {
+            let is_curve = ask.location == Where::Cycle;
+            for &column in &ask.columns {
+                ask.statistics().for_each(|statistic| push(column, statistic));
                 if is_curve {
                     push(column, middle);
                 }
                 // A band for whole curves has the form of the band for each point.
-                for statistic in planned.ask.simultaneous_bands.iter().flat_map(|&share| pointwise_ends(share)) {
-                    push(column, statistic);
-                }
-                if is_curve || planned.ask.contributors {
+                ask.bands().flat_map(pointwise_ends).for_each(|statistic| push(column, statistic));
+                if is_curve || ask.is_for_contributors() {
                     push(column, lower);
                     push(column, upper);
                 }
@@ -209,10 +187,8 @@ impl ColumnPlan {
         for &column in &self.largest {
             [middle, lower, upper].into_iter().for_each(|statistic| push(column, statistic));
         }
-        for planned in &self.requirements {
-            for &column in &planned.columns {
-                push(column, planned.requirement.limit.broken());
-            }
+        for required in &self.requirements {
+            required.columns.iter().for_each(|&column| push(column, required.limit.broken()));
         }
         requests
     }
@@ -221,8 +197,8 @@ impl ColumnPlan {
     pub fn compared_columns(&self) -> Vec<usize> {
         let mut compared: Vec<usize> = Vec::new();
         let mut is_compared = vec![false; self.columns.len()];
-        for planned in self.asks.iter().filter(|planned| planned.ask.location != Where::Cycle) {
-            for &column in &planned.columns {
+        for ask in self.asks.iter().filter(|ask| ask.location != Where::Cycle) {
+            for &column in &ask.columns {
                 if !std::mem::replace(&mut is_compared[column], true) {
                     compared.push(column);
                 }

@@ -47,10 +47,10 @@ impl<'s> Drafting<'s> {
     /// `plan` for what a draft tells; nothing where there is nothing of it.
     fn told(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
         let asks = || self.response.shared.plan.asks.iter();
-        let curve = asks().find(|planned| planned.ask.location == Where::Cycle);
+        let curve = asks().find(|ask| ask.location == Where::Cycle);
         // A curve alone needs the runs, but no bound of any of its points.
         let [middle, ..] = Statistic::of_curve_point(BAND);
-        let pose = curve.and_then(|planned| planned.columns.first()).copied();
+        let pose = curve.and_then(|ask| ask.columns.first()).copied();
         plan.draft(|request| self.is_told(request))
             .or_else(|| plan.draft(|request| Some(request.column) == pose && request.statistic == middle))
     }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::columns::{BAND, PlannedAsk, Spot};
-use super::file::Where;
+use super::columns::{BAND, Spot};
+use super::file::{Ask, Where};
 use super::response::StudyResponse;
 use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
 use loosepin_result::study::{CurveRange, DraftCurve};
@@ -24,21 +24,14 @@ pub(super) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec
     }
     let runs_at: Vec<Vec<usize>> = runs_at.into_values().collect();
     let asks = response.shared.plan.asks.iter();
-    asks.filter(|planned| planned.ask.location == Where::Cycle)
-        .map(|planned| draft_curve(response, table, planned, &runs_at))
-        .collect()
+    asks.filter(|ask| ask.location == Where::Cycle).map(|ask| draft_curve(response, table, ask, &runs_at)).collect()
 }
 
-fn draft_curve(
-    response: &StudyResponse,
-    table: &SampleTable,
-    planned: &PlannedAsk,
-    runs_at: &[Vec<usize>],
-) -> DraftCurve {
+fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at: &[Vec<usize>]) -> DraftCurve {
     let plan = &response.shared.plan;
-    let output = &plan.outputs[planned.ask.output];
-    let step = planned.columns.len().div_ceil(MOST_POSES).max(1);
-    let columns: Vec<usize> = planned.columns.iter().copied().step_by(step).collect();
+    let output = &plan.outputs[ask.output];
+    let step = ask.columns.len().div_ceil(MOST_POSES).max(1);
+    let columns: Vec<usize> = ask.columns.iter().copied().step_by(step).collect();
     let angle = |&column: &usize| match plan.columns[column].spot {
         Spot::Pose { angle_rad, .. } => angle_rad,
         Spot::Reduced(_) => f64::NAN,
@@ -48,7 +41,7 @@ fn draft_curve(
     let band = CurveRange { lower_si, upper_si };
     DraftCurve {
         output: output.name.clone(),
-        of: planned.ask.deviation,
+        of: ask.deviation,
         unit: output.unit.clone(),
         probabilities: BAND,
         pose_rad,

@@ -66,7 +66,7 @@ impl<'s> FurtherOutputs<'s> {
                 recorded.push(RecordedOutput { name, unit: plan.outputs[output].unit.clone(), pose_rad, columns });
             }
         };
-        let asked = plan.asks.iter().map(|ask| (ask.ask.location == Where::Cycle, &ask.columns));
+        let asked = plan.asks.iter().map(|ask| (ask.location == Where::Cycle, &ask.columns));
         let required = plan.requirements.iter().map(|requirement| (false, &requirement.columns));
         for (is_curve, columns) in asked.chain(required) {
             if is_curve {

@@ -1,22 +1,22 @@
 //! Goals of a study: how near its bounds are to be, and how its steps towards that ended.
 
-use super::columns::{ColumnPlan, PlannedAsk};
-use super::file::{AccuracyTarget, Budget, Study, statistic_name};
+use super::columns::ColumnPlan;
+use super::file::{AccuracyTarget, Ask, Budget, Study, statistic_name};
 use loosepin_bounds::{Assessment, Goal, Refinement, Request, Standing, Statistic, SurrogateRounds};
 use loosepin_text::units::Dimension;
 
 /// The accuracy that `statistic` of question `place` is to have.
-fn target(study: &Study, place: usize, planned: &PlannedAsk, statistic: Statistic) -> Option<f64> {
+fn target(study: &Study, place: usize, ask: &Ask, statistic: Statistic) -> Option<f64> {
     let name = statistic_name(statistic)?;
-    if planned.ask.rare.iter().any(|(rare, _)| *rare == statistic) {
+    if ask.is_by_method(statistic) {
         return None;
     }
-    let of_output = study.outputs[planned.ask.output].dimension;
+    let of_output = study.outputs[ask.output].dimension;
     let dimension = if statistic.is_probability() { Dimension::NUMBER } else { of_output };
     let concerns = |target: &&AccuracyTarget| {
         target.dimension == dimension
-            && target.ask.is_none_or(|ask| ask == place)
-            && target.output.is_none_or(|output| output == planned.ask.output)
+            && target.ask.is_none_or(|own| own == place)
+            && target.output.is_none_or(|output| output == ask.output)
             && target.statistic.is_none_or(|of| of == name)
     };
     let named = |target: &AccuracyTarget| {
@@ -28,22 +28,18 @@ fn target(study: &Study, place: usize, planned: &PlannedAsk, statistic: Statisti
 }
 
 /// Every bound with an accuracy: its question, by its place, and what its statistic may be widened by.
-pub(super) fn targets<'p>(
-    study: &'p Study,
-    plan: &'p ColumnPlan,
-) -> impl Iterator<Item = (&'p PlannedAsk, Statistic, f64)> {
-    plan.asks.iter().enumerate().flat_map(move |(place, planned)| {
-        let of_statistic =
-            move |&statistic: &Statistic| Some((planned, statistic, target(study, place, planned, statistic)?));
-        planned.ask.statistics.iter().filter_map(of_statistic)
+pub(super) fn targets<'p>(study: &'p Study, plan: &'p ColumnPlan) -> impl Iterator<Item = (&'p Ask, Statistic, f64)> {
+    plan.asks.iter().enumerate().flat_map(move |(place, ask)| {
+        let of_statistic = move |statistic: Statistic| Some((ask, statistic, target(study, place, ask, statistic)?));
+        ask.statistics().filter_map(of_statistic)
     })
 }
 
 /// The goals of the double loop, column by column.
 pub(super) fn goals(study: &Study, plan: &ColumnPlan) -> Vec<Goal> {
     let mut goals: Vec<Goal> = Vec::new();
-    for (planned, statistic, most) in targets(study, plan) {
-        for &column in &planned.columns {
+    for (ask, statistic, most) in targets(study, plan) {
+        for &column in &ask.columns {
             let request = Request { column, statistic };
             match goals.iter_mut().find(|goal| goal.request == request) {
                 Some(goal) => goal.most = goal.most.min(most),

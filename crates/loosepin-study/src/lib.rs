@@ -59,12 +59,12 @@ pub use elsewhere::{AskedRuns, RunMaker};
 pub use error::{StudyError, TooManyFailed};
 pub use export::{ExportError, export_networks};
 pub use file::{
-    AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation,
-    EpistemicInput, EpistemicSubject, LEAST_SPECIMEN_ROWS, Limit, MOST_POSES, MOST_RUNS, Measured, MeasuredMotion,
-    MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem, RareMethod,
-    ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
-    Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit, says_study,
-    signed_parts, states_nominal, study_schema, takes_mean_of_model,
+    AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
+    Deviation, EpistemicInput, EpistemicSubject, LEAST_SPECIMEN_ROWS, Limit, MOST_POSES, MOST_RUNS, Measured,
+    MeasuredMotion, MeasuredProblem, MotionError, MotionProblem, MotionSubject, Push, RandomInput, RandomProblem,
+    RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
+    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, named_model, number_and_unit,
+    says_study, signed_parts, states_nominal, study_schema, takes_mean_of_model,
 };
 pub use folder::{Begun, Concluded, begin_in_folder, conclude, store_identity};
 pub use foresee::foresee;

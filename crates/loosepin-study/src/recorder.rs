@@ -620,7 +620,7 @@ mod tests {
     fn identity_numbers_of_a_path_error_over_the_cycle_are_those_of_its_poses() {
         let (response, rows) = rows_of_path(1600, Execution::best());
         for ask in response.shared.plan.asks.chunks(5) {
-            let name = &response.shared.plan.outputs[ask[0].ask.output].name;
+            let name = &response.shared.plan.outputs[ask[0].output].name;
             for row in &rows {
                 let poses: Vec<f64> = ask[0].columns.iter().map(|&column| row[column]).collect();
                 let [high, low, rms, mean] = [1, 2, 3, 4].map(|k| row[ask[k].columns[0]]);
@@ -631,7 +631,7 @@ mod tests {
                 let poses_rms = (poses.iter().map(|own| own * own).sum::<f64>() / count).sqrt();
                 // Between poses an error changes by some hundredths of the play; the sums are those of rectangles.
                 let (within, least) = (0.02 * (high - low), -1e-9);
-                let told = format!("{name} {:?}: {high} {largest}, {low} {smallest}", ask[0].ask.deviation);
+                let told = format!("{name} {:?}: {high} {largest}, {low} {smallest}", ask[0].deviation);
                 assert!((least..within).contains(&(high - largest)), "{told}");
                 assert!((least..within).contains(&(smallest - low)), "{told}");
                 assert!((mean - poses_mean).abs() < within && (rms - poses_rms).abs() < within, "{told}: {mean} {rms}");

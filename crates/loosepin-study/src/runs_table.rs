@@ -132,9 +132,8 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
 
 /// Whether `column` is one number a run that was asked for, and no point of a curve.
 fn is_scalar(plan: &ColumnPlan, column: usize) -> bool {
-    let is_asked =
-        plan.asks.iter().any(|planned| planned.ask.location != Where::Cycle && planned.columns.contains(&column));
-    is_asked || plan.requirements.iter().any(|planned| planned.columns.contains(&column))
+    let is_asked = plan.asks.iter().any(|ask| ask.location != Where::Cycle && ask.columns.contains(&column));
+    is_asked || plan.requirements.iter().any(|required| required.columns.contains(&column))
 }
 
 /// Extras of all runs, column by column.

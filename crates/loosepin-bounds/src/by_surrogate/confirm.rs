@@ -9,9 +9,10 @@ use super::search::{FIRST_REACH, Searched, search_group};
 use super::settings::MOST_WITNESSES;
 use crate::data::bound::Bound;
 use crate::data::direction::Direction;
-use crate::data::statistic::{Statistic, function_averaged};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::estimate::{Confidence, replicate_error};
+use crate::measures::of_statistic::estimator;
+use loosepin_terms::Statistic;
 
 /// ŝ for the runs of a replicate; nothing where the surrogate gave no answer.
 type Answers = Vec<Option<Vec<f64>>>;
@@ -233,7 +234,7 @@ impl Confirmed {
         known: Option<(f64, f64)>,
         confidence: &Confidence,
     ) -> Option<Corrected> {
-        let of = function_averaged(statistic)?;
+        let of = estimator(statistic)?.averaged()?;
         let of_replicate = |(surrogate, direct): (&Answers, &DirectAnswers)| {
             let differences = direct.iter().map(|row| {
                 let [direct, surrogate, _] = row.as_ref()?;

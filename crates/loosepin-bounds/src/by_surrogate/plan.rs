@@ -7,13 +7,13 @@ use thiserror::Error;
 use super::settings::{MOST_WITNESSES, SurrogateSettings};
 use super::space::{SurrogateInput, TrainingSpace};
 use crate::data::problem::{Problem, Reading, Request};
-use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, RunInputs};
 use crate::plan::double_loop::DoubleLoop;
 use crate::plan::error::PlanError;
 use crate::plan::evaluate::EvaluateError;
 use crate::plan::refinement::Goal;
 use loosepin_surrogate::FEWEST_RUNS;
+use loosepin_terms::Statistic;
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Why there are no bounds by surrogates.

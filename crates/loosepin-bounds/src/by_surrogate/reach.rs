@@ -9,8 +9,7 @@
 
 use super::confirm::Confirmed;
 use super::plan::SurrogatePlan;
-use crate::data::statistic::{Estimation, Statistic};
-use loosepin_terms::MovedBy;
+use loosepin_terms::{Estimation, MovedBy, Statistic};
 
 /// k is at least so many times the largest error that direct runs have shown, in σ.
 pub(crate) const MARGIN: f64 = 1.5;

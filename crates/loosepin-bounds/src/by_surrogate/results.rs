@@ -10,10 +10,10 @@ use super::treatments::{LearnedTreatments, extreme_runs, largest_ratio, treatmen
 use crate::data::bound::{Bound, BoundError, BoundPair, CutBounds, Guarantee};
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::data::statistic::{Estimation, Statistic};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::readings::bounds::Bounds;
 use crate::readings::probability_box::ProbabilityBox;
+use loosepin_terms::{Estimation, Statistic};
 
 /// Bounds of one requested statistic by a surrogate.
 #[derive(Debug, Clone)]

@@ -6,13 +6,12 @@ use super::response::{Aspect, BandResponse, LearnedFunction};
 use crate::data::bound::BoundPair;
 use crate::data::direction::Direction;
 use crate::data::problem::{Problem, Request};
-use crate::data::statistic::Statistic;
 use crate::data::table::SampleTable;
 use crate::plan::evaluate::{EvaluateError, evaluate, execute};
 use crate::plan::refinement::{Goal, Refinement};
 use crate::readings::bounds::Bounds;
 use loosepin_surrogate::Surrogate;
-use loosepin_terms::MovedBy;
+use loosepin_terms::{MovedBy, Statistic};
 
 /// Places of a curve that go through the double loop together, so that its table stays small.
 const MOST_PLACES: usize = 64;

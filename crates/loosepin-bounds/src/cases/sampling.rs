@@ -3,12 +3,12 @@
 
 use crate::data::points::inner_points;
 use crate::data::problem::Sampling;
-use crate::data::statistic::Event;
 use crate::estimators::estimate::{Confidence, Estimate, standard_deviation};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::probability::{ShareLimits, probability};
 use crate::estimators::quantile::quantile;
 use crate::estimators::sample::Sample;
+use loosepin_terms::Event;
 use loosepin_uncertainty::{ScrambledSobol, hash, normal_quantile, uniform};
 use rayon::prelude::*;
 

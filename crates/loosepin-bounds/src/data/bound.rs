@@ -3,8 +3,8 @@
 pub use loosepin_terms::{Guarantee, Treatment};
 
 use super::direction::Direction;
-use super::statistic::Statistic;
 use super::table::Purpose;
+use loosepin_terms::Statistic;
 
 /// Numerical error of a bound, in its own unit, each part >= 0; infinite where the runs do not tell.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

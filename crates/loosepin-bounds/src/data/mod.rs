@@ -9,5 +9,4 @@ pub(crate) mod problem;
 pub(crate) mod random_inputs;
 mod rows;
 pub(crate) mod scratch;
-pub(crate) mod statistic;
 pub(crate) mod table;

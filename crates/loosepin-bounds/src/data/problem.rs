@@ -2,7 +2,7 @@
 
 pub use loosepin_terms::Reading;
 
-use super::statistic::Statistic;
+use loosepin_terms::Statistic;
 use loosepin_uncertainty::{Copula, EpistemicParameter, EpistemicVariable, RandomVariable};
 
 /// One statistic of one column of the response.

@@ -4,7 +4,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use super::estimate::{Confidence, EitherWay};
-use crate::data::statistic::Statistic;
+use loosepin_terms::Statistic;
 
 /// What is asked of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,14 +41,8 @@ impl Known {
         found
     }
 
-    /// Whether all that is asked has been found before.
-    pub fn has(&self, mut asked: impl Iterator<Item = Asked>, confidence: &Confidence) -> bool {
-        let list = self.list();
-        asked.all(|asked| list.iter().any(|(own, at, _)| *own == asked && at == confidence))
-    }
-
     /// What has been found before.
-    pub fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
+    fn get(&self, asked: Asked, confidence: &Confidence) -> Option<Found> {
         let list = self.list();
         let own = list.iter().find(|(own, at, _)| *own == asked && at == confidence);
         own.map(|(.., found)| *found)

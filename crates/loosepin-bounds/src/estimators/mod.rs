@@ -22,4 +22,3 @@ pub(crate) mod sample;
 pub(crate) mod sampled;
 pub(crate) mod smooth;
 pub(crate) mod smoothness;
-pub(crate) mod together;

@@ -12,7 +12,7 @@ pub(crate) fn mean(sample: &Sample, confidence: &Confidence) -> Estimate {
 }
 
 /// [`mean`]
-pub(super) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+pub(crate) fn mean_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     once(ordered, Asked::Mean, confidence, find_mean)
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn variance(sample: &Sample, confidence: &Confidence) -> Estimate {
 }
 
 /// [`variance`]
-pub(super) fn variance_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
+pub(crate) fn variance_of_ordered(ordered: &Ordered<'_>, confidence: &Confidence) -> Estimate {
     once(ordered, Asked::Variance, confidence, find_variance)
 }
 

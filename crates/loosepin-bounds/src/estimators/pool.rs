@@ -5,15 +5,11 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::estimate::Confidence;
 use super::gathered::{Gathered, OfPoint};
 use super::inner_basis::InnerBasis;
 use super::sample::Sample;
 use super::smoothness::smooth;
-use super::together::work_out;
 use crate::data::bound::Witness;
-use crate::data::problem::Request;
-use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 
 /// The runs of one purpose, point by point, for some of the columns.
@@ -82,18 +78,6 @@ impl Pool {
             }
         }
         Self { slots, points }
-    }
-
-    /// Works out what `requests` need of every sample, column by column: what is asked of the same sample shares the order of its values.
-    pub fn work_out(&self, requests: &[Request], confidence: &Confidence) {
-        let mut columns: BTreeMap<usize, Vec<Statistic>> = BTreeMap::new();
-        for request in requests {
-            columns.entry(request.column).or_default().push(request.statistic);
-        }
-        let columns: Vec<(usize, Vec<Statistic>)> = columns.into_iter().collect();
-        columns.par_iter().for_each(|(column, statistics)| {
-            self.samples(*column).into_iter().for_each(|sample| work_out(sample, statistics, confidence));
-        });
     }
 
     /// This pool with polynomials of `basis`, column by column, where the response is smooth in the random inputs. The runs at each

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use super::estimate::{Confidence, EitherWay, Estimate, variance_of_mean};
 use super::sample::Sample;
 use crate::data::problem::Sampling;
-use crate::data::statistic::Event;
+use loosepin_terms::Event;
 use loosepin_uncertainty::clopper_pearson;
 
 /// Below this many hits or misses a replicate the spread of the replicates says nothing.

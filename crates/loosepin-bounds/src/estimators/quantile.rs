@@ -34,7 +34,7 @@ pub(crate) fn quantile_and_slope(sample: &Sample, confidence: &Confidence, proba
 }
 
 /// [`quantile_and_slope`]
-pub(super) fn quantile_of_ordered(
+pub(crate) fn quantile_of_ordered(
     ordered: &Ordered<'_>,
     confidence: &Confidence,
     probability: f64,

@@ -20,7 +20,7 @@ use super::known::{Asked, Found};
 use super::mean_error::one_beyond;
 use super::ordered::Ordered;
 use super::sample::Sample;
-use crate::data::statistic::Statistic;
+use loosepin_terms::Statistic;
 
 /// Gaps across which a value is moved.
 const MOST_GAPS: usize = 64;
@@ -31,7 +31,7 @@ pub(crate) fn sampled(sample: &Sample, statistic: Statistic, confidence: &Confid
 }
 
 /// [`sampled`]
-pub(super) fn sampled_of_ordered(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) -> Estimate {
+pub(crate) fn sampled_of_ordered(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) -> Estimate {
     let find = || Found { estimate: EitherWay::both(find(ordered, statistic, confidence)), slope: 0.0 };
     ordered.sample.known().or_find(Asked::Sampled(statistic), confidence, find).estimate.low
 }
@@ -102,7 +102,7 @@ mod tests {
     use super::super::moments::mean;
     use super::super::sample::Sample;
     use super::sampled;
-    use crate::data::statistic::Statistic;
+    use loosepin_terms::Statistic;
     use loosepin_uncertainty::{hash, normal_quantile, uniform};
 
     const REPLICATES: usize = 4;

@@ -9,7 +9,7 @@ use super::index::{Index, compressed};
 use super::inner_basis::{CrossFit, DesignMatrix};
 use super::orthogonal::Axis;
 use super::preintegration::{AtValue, Conditional};
-use crate::data::statistic::Event;
+use loosepin_terms::Event;
 use loosepin_uncertainty::normal_quantile;
 
 /// Factor by which residuals between the runs may exceed those at the runs.

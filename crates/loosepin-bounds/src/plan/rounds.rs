@@ -12,9 +12,10 @@ use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::data::table::{Purpose, RunInputs, SampleTable};
 use crate::estimators::pool::{Pool, PoolPoint};
+use crate::measures::measure::Measure;
+use crate::measures::of_statistic::{estimator, work_out};
 use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
-use crate::search::measure::Measure;
 use crate::search::models::{MOST_LOCATED_TARGETS, Search};
 use crate::search::search_box::Place;
 use crate::search::shared_grids::SharedGrids;
@@ -118,12 +119,13 @@ impl DoubleLoop {
                 && self.problem().requests.contains(request)
         };
         let requests: Vec<Request> = searched.iter().map(|(request, _)| *request).collect();
-        pool.work_out(&requests, &self.setup.confidence);
+        work_out(pool, &requests, &self.setup.confidence);
         let mut targets: Vec<(Target, Vec<Direction>)> = searched
             .par_iter()
             .filter(|(request, _)| !is_joint(request))
             .flat_map_iter(|(request, directions)| {
-                let measure = Measure::new(&pool.samples(request.column), request.statistic, &self.setup.confidence);
+                let samples = pool.samples(request.column);
+                let measure = estimator(request.statistic).map(|of| of.measure(&samples, &self.setup.confidence));
                 let targets = measure.into_iter().flat_map(Measure::into_targets);
                 targets.map(|target| (target, directions.clone()))
             })

@@ -9,7 +9,8 @@ use super::steering::Searched;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
-use crate::search::measure::Measure;
+use crate::measures::mean::Mean;
+use crate::measures::measure::Estimator;
 use crate::search::models::Search;
 use crate::search::prediction::Allowance;
 use crate::search::scouts::{Observed, ends_by_chance};
@@ -42,7 +43,7 @@ impl DoubleLoop {
         let columns: BTreeSet<usize> = searched.iter().map(|(request, _)| request.column).collect();
         let step = columns.len().div_ceil(MOST_COLUMNS).max(1);
         let columns: Vec<usize> = columns.into_iter().step_by(step).collect();
-        let mean = |&column: &usize| Measure::mean(&pool.samples(column), &self.setup.confidence).target;
+        let mean = |&column: &usize| Mean.measure(&pool.samples(column), &self.setup.confidence).target;
         let means: Vec<Target> = columns.iter().map(mean).collect();
         let points = self.setup.outer_places(pool);
         let at: Vec<Vec<f64>> = places.iter().map(|place| place.at.clone()).collect();

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::data::statistic::Statistic;
 use crate::search::models::MOST_LOCATED_TARGETS;
+use loosepin_terms::Statistic;
 
 /// A statistic, and which of its extremes are sought.
 pub(super) type Searched = (Request, Vec<Direction>);
@@ -44,7 +44,7 @@ mod tests {
     use super::{LEAST_OF_CURVES, Searched, in_turn};
     use crate::data::direction::Direction;
     use crate::data::problem::Request;
-    use crate::data::statistic::Statistic;
+    use loosepin_terms::Statistic;
     use std::collections::BTreeSet;
 
     const OF_A_POSE: [Statistic; 3] = [Statistic::Mean, Statistic::StandardDeviation, Statistic::Quantile(0.9)];

@@ -8,10 +8,13 @@ use super::experiment::{Experiment, Focal};
 use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::Direction;
-use crate::data::statistic::Event;
 use crate::estimators::sample::Sample;
-use crate::search::measure::{Measure, MeasureKind};
+use crate::measures::mean::Mean;
+use crate::measures::measure::{Estimator, Measure};
+use crate::measures::probability::Probability;
+use crate::measures::quantile::Quantile;
 use crate::search::target::Target;
+use loosepin_terms::Event;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
 const MOST_ATTEMPTS: usize = 6;
@@ -177,7 +180,7 @@ impl Experiment<'_> {
                 .map(|&job| {
                     let samples = self.pool.samples(jobs[job].column);
                     let event = quantile_event(attempts[job].at, jobs[job].direction);
-                    Measure::probability(&samples, event, &self.setup.confidence)
+                    Probability(event).measure(&samples, &self.setup.confidence)
                 })
                 .collect();
             let search = self.search(measures.iter());
@@ -235,7 +238,7 @@ impl Experiment<'_> {
             let of_end = |(elements, direction): (&Vec<Focal<'_>>, Direction)| {
                 let value = sorted.quantile(&samples, elements, probability, direction);
                 let event = quantile_event(value, direction);
-                let measure = value.is_finite().then(|| Measure::probability(&samples, event, &self.setup.confidence));
+                let measure = value.is_finite().then(|| Probability(event).measure(&samples, &self.setup.confidence));
                 let targets = measure.map_or_else(Vec::new, Measure::into_targets);
                 targets.into_iter().map(move |target| (target, vec![direction.opposite()])).collect::<Vec<_>>()
             };
@@ -247,7 +250,7 @@ impl Experiment<'_> {
     /// Where nothing scatters, each element gives a range with its mass: its ends, sorted, are the added distribution functions.
     fn quantile_without_scatter(&self, job: &QuantileJob, elements: &[Focal<'_>]) -> Bound {
         let samples = self.pool.samples(job.column);
-        let measure = Measure::mean(&samples, &self.setup.confidence);
+        let measure = Mean.measure(&samples, &self.setup.confidence);
         let search = self.search([&measure].into_iter());
         let modelled = Modelled::new(&search, &measure, &samples);
         let ends: Vec<(f64, Bound)> = elements
@@ -293,6 +296,6 @@ impl Experiment<'_> {
         let optimisation = if total.is_finite() { total - sampling } else { 0.0 };
         let error = BoundError::of_runs(sampling, optimisation);
         let bound = Bound::without_witness(attempt.value, attempt.value + sign * total, error, self.guarantee());
-        bound.within_responses(MeasureKind::Plain, &samples, job.direction)
+        bound.within_responses(&Quantile(job.probability), &samples, job.direction)
     }
 }

@@ -17,12 +17,14 @@ use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Reading;
-use crate::data::statistic::Estimation;
 use crate::estimators::estimate::{Confidence, Estimate};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::sample::Sample;
-use crate::search::measure::Measure;
+use crate::measures::mean::Mean;
+use crate::measures::measure::Estimator;
+use crate::measures::standard_deviation::StandardDeviation;
 use crate::search::target::Target;
+use loosepin_terms::Estimation;
 
 /// Steps of the searches along c, and the ratio of golden sections.
 const GOLDEN_STEPS: usize = 80;
@@ -43,12 +45,12 @@ impl Experiment<'_> {
         let Some(members) = points.members(elements) else {
             return Direction::BOTH.map(|direction| self.unknown(direction));
         };
-        let (mean, deviation) = (Measure::mean(&samples, confidence), Measure::deviation(&samples, confidence));
+        let (mean, deviation) = (Mean.measure(&samples, confidence), StandardDeviation.measure(&samples, confidence));
         let masses: Vec<f64> = elements.iter().map(|element| element.mass).collect();
         let centre = points.minimax_centre(&members, &masses);
         let squares = squares_about(&samples, centre);
         let squares: Vec<&Sample> = squares.iter().collect();
-        let square = Measure::mean(&squares, confidence);
+        let square = Mean.measure(&squares, confidence);
         let search = self.search([&mean, &deviation, &square].into_iter());
         let [mean, deviation] = [&mean, &deviation].map(|measure| Modelled::new(&search, measure, &samples));
         let square = Modelled::new(&search, &square, &squares);
@@ -105,7 +107,7 @@ impl Experiment<'_> {
                 // An element without a finished run has no bound, wherever one looks.
                 let Some(members) = points.members(&elements) else { continue };
                 let squares = squares_about(&samples, points.minimax_centre(&members, &masses));
-                let measure = Measure::mean(&squares.iter().collect::<Vec<_>>(), confidence);
+                let measure = Mean.measure(&squares.iter().collect::<Vec<_>>(), confidence);
                 targets.extend(measure.into_targets().into_iter().map(|target| (target, vec![Direction::Maximum])));
             }
         }

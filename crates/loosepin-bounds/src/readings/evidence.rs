@@ -8,10 +8,10 @@ use super::interval::Modelled;
 use crate::data::bound::{Bound, BoundPair};
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::data::statistic::Estimation;
 use crate::estimators::estimate::Estimate;
-use crate::search::measure::Measure;
+use crate::measures::measure::Measure;
 use crate::search::models::Search;
+use loosepin_terms::Estimation;
 
 impl Experiment<'_> {
     /// Bounds of all `requests` over `elements`, together.

@@ -3,14 +3,14 @@
 use super::setup::Setup;
 use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
-use crate::data::statistic::Statistic;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
-use crate::search::measure::Measure;
+use crate::measures::measure::Measure;
 use crate::search::models::Search;
 use crate::search::parts::{Cut, Element};
 use crate::search::search_box::{Place, Region};
 use crate::search::shared_grids::SharedGrids;
+use loosepin_terms::Statistic;
 use loosepin_uncertainty::EpistemicVariable;
 
 /// A value of the plan that differs from the middle by less than this share of it differs by round-off.

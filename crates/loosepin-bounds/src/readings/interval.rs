@@ -4,14 +4,13 @@ use super::experiment::{Experiment, Focal};
 use super::limits::{can_change, furthest_conceded};
 use crate::data::bound::{Bound, BoundError};
 use crate::data::direction::{Direction, extreme_among};
-use crate::data::statistic::Event;
-use crate::estimators::index::probability_of_index;
 use crate::estimators::pool::PoolPoint;
 use crate::estimators::sample::Sample;
-use crate::search::measure::{Measure, MeasureKind};
+use crate::measures::measure::Measure;
 use crate::search::models::{Branch, Search, smoothed};
 use crate::search::search_box::Region;
 use crate::search::target::Target;
+use loosepin_terms::Event;
 
 /// A model of a probability itself says something where at least this share of the points is strictly between 0 and 1.
 const LEAST_SHARE_BETWEEN: f64 = 0.5;
@@ -46,7 +45,7 @@ impl Experiment<'_> {
         let guarantee = self.guarantee();
         let Some(Attained { point, sampling }) = modelled.attained(direction, focal) else {
             let unknown = Bound::unknown(direction, guarantee);
-            return Bound { widened: measure.kind.limited(unknown.widened), ..unknown };
+            return Bound { widened: measure.of.limited(unknown.widened), ..unknown };
         };
         let value = measure.estimates(direction)[point].value;
         let sign = direction.sign();
@@ -58,17 +57,17 @@ impl Experiment<'_> {
         };
         // What the search concedes ends where no response goes; the sampling error keeps what it needs.
         let is_of_rough_curves = modelled.search.is_of_curves() && modelled.branches.iter().any(Branch::is_rough);
-        let possible = furthest_conceded(measure.kind, is_of_rough_curves, modelled.samples, direction);
-        let room = (sign * (measure.kind.limited(possible) - value)).max(0.0);
+        let possible = furthest_conceded(&*measure.of, is_of_rough_curves, modelled.samples, direction);
+        let room = (sign * (measure.of.limited(possible) - value)).max(0.0);
         let error = BoundError::of_runs(sampling, optimisation.min((room - sampling).max(0.0)));
         let bound = Bound {
             value,
-            widened: measure.kind.limited(error.widen(value, direction)),
+            widened: measure.of.limited(error.widen(value, direction)),
             witness: self.pool.points.get(point).map(PoolPoint::witness),
             error,
             guarantee,
         };
-        bound.within_responses(measure.kind, modelled.samples, direction)
+        bound.within_responses(&*measure.of, modelled.samples, direction)
     }
 
     /// The extreme of a mean or of a probability over `elements`: the sum of mass times extreme.
@@ -117,12 +116,7 @@ impl<'a> Modelled<'a> {
 
     /// The statistic at a point as it is compared with all others in `direction`: no bound over a box that holds the point is narrower.
     fn compared(&self, direction: Direction, point: usize) -> f64 {
-        let score = self.scores(direction)[point];
-        match self.measure.kind {
-            MeasureKind::Plain | MeasureKind::Sampled(_) | MeasureKind::Probability(_) => score,
-            MeasureKind::Deviation => score.max(0.0).sqrt(),
-            MeasureKind::SmoothProbability(_) => self.measure.estimates(direction)[point].value,
-        }
+        self.measure.of.compared(self.scores(direction)[point], self.measure.estimates(direction)[point].value)
     }
 
     /// [`Modelled::compared`] in both directions.
@@ -167,36 +161,20 @@ impl<'a> Modelled<'a> {
 
     /// How far the statistic may go in `direction` where `value` is attained at `point`.
     fn furthest(&self, direction: Direction, (point, value): (usize, f64), focal: &Focal<'_>) -> f64 {
-        let target = &self.measure.target;
-        let is_probability =
-            matches!(self.measure.kind, MeasureKind::Probability(_) | MeasureKind::SmoothProbability(_));
+        let Measure { of, target, .. } = self.measure;
+        let event = of.event();
         // What is certain at a point is no more than certain between the points.
-        if is_probability && direction.of(value <= 0.0, value >= 1.0) {
+        let is_certain = direction.of(value <= 0.0, value >= 1.0);
+        if event.is_some_and(|event| is_certain || !can_change(event, self.samples)) {
             return value;
         }
         let least = target.values[point] + target.conceded(direction);
-        let most = || {
-            let reach = self.search.furthest_reach(target, &self.branches, direction, focal.region);
-            direction.further(least, reach)
-        };
-        match self.measure.kind {
-            MeasureKind::Plain | MeasureKind::Sampled(_) => direction.further(value, most()),
-            MeasureKind::Deviation => direction.further(value, most().max(0.0).sqrt()),
-            MeasureKind::SmoothProbability(event) => {
-                if !can_change(event, self.samples) {
-                    return value;
-                }
-                let further = probability_of_index(most()) - probability_of_index(target.values[point]);
-                direction.further(value, value + further).clamp(0.0, 1.0)
-            }
-            MeasureKind::Probability(event) => {
-                if !can_change(event, self.samples) {
-                    return value;
-                }
-                let by_shares = self.furthest_by_shares(direction, value, least, focal.region);
-                self.furthest_by_margins(direction, by_shares, event, focal).clamp(0.0, 1.0)
-            }
+        if let Some(event) = event.filter(|_| of.is_counted()) {
+            let by_shares = self.furthest_by_shares(direction, value, least, focal.region);
+            return self.furthest_by_margins(direction, by_shares, event, focal).clamp(0.0, 1.0);
         }
+        let reach = self.search.furthest_reach(target, &self.branches, direction, focal.region);
+        direction.further(value, of.reached(value, target.values[point], direction.further(least, reach)))
     }
 
     /// How far the models of a counted probability let it go, where enough points lie between 0 and 1.

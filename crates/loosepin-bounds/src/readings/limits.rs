@@ -2,9 +2,9 @@
 
 use crate::data::bound::{Bound, BoundError, Guarantee};
 use crate::data::direction::{Direction, range_of};
-use crate::data::statistic::Event;
 use crate::estimators::sample::Sample;
-use crate::search::measure::MeasureKind;
+use crate::measures::measure::Measured;
+use loosepin_terms::Event;
 
 /// By this share of the range of all responses an order statistic beyond the last run may lie beyond the furthest of them; and a rough
 /// statistic among those of curves.
@@ -20,28 +20,20 @@ const LEAST_RUNS_FOR_RANGE: usize = 8;
 /// and a margin, deviations within half of it, others where they state that they do. Infinite where the runs at a point are too few to show that range. A model of many inputs
 /// on few points would concede what no mechanism does.
 pub(crate) fn furthest_conceded(
-    kind: MeasureKind,
+    of: &dyn Measured,
     is_of_rough_curves: bool,
     samples: &[&Sample],
     direction: Direction,
 ) -> f64 {
-    furthest(kind, samples, direction, if is_of_rough_curves { RESPONSE_MARGIN } else { HALF_SEEN_MARGIN })
+    furthest(of, samples, direction, if is_of_rough_curves { RESPONSE_MARGIN } else { HALF_SEEN_MARGIN })
 }
 
 /// The same with a margin that is a share of that range.
-fn furthest(kind: MeasureKind, samples: &[&Sample], direction: Direction, margin: f64) -> f64 {
+fn furthest(of: &dyn Measured, samples: &[&Sample], direction: Direction, margin: f64) -> f64 {
     let unlimited = direction.sign() * f64::INFINITY;
     let Some((low, high)) = responses(samples) else { return unlimited };
-    let margin = margin * (high - low);
-    match kind {
-        MeasureKind::Plain => direction.of(low - margin, high + margin),
-        MeasureKind::Deviation => direction.of(0.0, 0.5 * (high - low) + margin),
-        MeasureKind::Sampled(statistic) => {
-            let [least, greatest] = statistic.range_within([low, high]);
-            direction.of(least - margin, greatest + margin)
-        }
-        MeasureKind::Probability(_) | MeasureKind::SmoothProbability(_) => unlimited,
-    }
+    let [least, greatest] = of.furthest([low, high], margin * (high - low));
+    direction.of(least, greatest)
 }
 
 /// Whether `event` happens, or would where responses went beyond the furthest run as far as a search concedes it to them: otherwise its
@@ -64,8 +56,8 @@ impl Bound {
     /// Where fewer samples lie beyond a quantile than a confidence takes, no finite error of it holds. What is known then is how
     /// far responses have been seen to go: the bound ends there, and says that this is not confirmed. Failed runs may have gone
     /// anywhere, and stay infinite.
-    pub(crate) fn within_responses(self, kind: MeasureKind, samples: &[&Sample], direction: Direction) -> Self {
-        let possible = kind.limited(furthest(kind, samples, direction, RESPONSE_MARGIN));
+    pub(crate) fn within_responses(self, of: &dyn Measured, samples: &[&Sample], direction: Direction) -> Self {
+        let possible = of.limited(furthest(of, samples, direction, RESPONSE_MARGIN));
         let has_failed = samples.iter().any(|sample| sample.failed() > 0);
         if self.widened.is_finite() || !self.value.is_finite() || !possible.is_finite() || has_failed {
             return self;
@@ -80,8 +72,8 @@ impl Bound {
 #[cfg(test)]
 mod tests {
     use super::can_change;
-    use crate::data::statistic::Event;
     use crate::estimators::sample::Sample;
+    use loosepin_terms::Event;
 
     #[test]
     fn analytic_an_event_within_the_range_of_all_responses_beyond_the_last_can_happen() {

@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use super::experiment::Experiment;
 use crate::data::direction::{Direction, extreme_point};
-use crate::search::measure::Measure;
+use crate::measures::measure::{Estimator, Measure};
+use crate::measures::quantile::Quantile;
 use crate::search::models::Branch;
 use crate::search::prediction::Allowance;
 use crate::search::target::Target;
@@ -66,7 +67,7 @@ impl Experiment<'_> {
             .map(|&column| {
                 let samples = self.pool.samples(column);
                 let quantiles = self.setup.band_quantiles();
-                quantiles.map(|(probability, _)| Measure::quantile(&samples, probability, &self.setup.confidence))
+                quantiles.map(|(probability, _)| Quantile(probability).measure(&samples, &self.setup.confidence))
             })
             .collect();
         let search = self.search(measures.iter().flatten());

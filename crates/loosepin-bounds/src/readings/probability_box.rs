@@ -8,13 +8,14 @@ use super::random_set::RandomSet;
 use crate::data::bound::Bound;
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Reading;
-use crate::data::statistic::Event;
 use crate::data::table::Purpose;
 use crate::estimators::estimate::Estimate;
 use crate::estimators::pool::Pool;
 use crate::estimators::probability::{ShareLimits, probability};
-use crate::search::measure::Measure;
+use crate::measures::measure::Measure;
+use crate::measures::probability::Probability;
 use crate::search::models::TARGETS_AT_ONCE;
+use loosepin_terms::Event;
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.
 const GRID_VALUES: usize = 101;
@@ -56,7 +57,7 @@ impl ProbabilityBox {
         let limits = ShareLimits::default();
         let measures: Vec<Measure> = values
             .par_iter()
-            .map(|&value| Measure::probability_with(&samples, Event::UpTo(value), &setup.confidence, &limits))
+            .map(|&value| Probability(Event::UpTo(value)).measure_with(&samples, &setup.confidence, &limits))
             .collect();
         let search = experiment.search(measures.iter());
         let elements = experiment.focal_elements(setup.structure.widest());

@@ -8,8 +8,7 @@
 //! design", IEEE Transactions on Automatic Control 51 (2006) 742-753.
 
 use crate::data::direction::Direction;
-use crate::data::statistic::{Estimation, Event, Statistic};
-use loosepin_terms::Side;
+use loosepin_terms::{Event, Side, Statistic};
 use loosepin_uncertainty::{binomial_tail, clopper_pearson};
 
 /// Runs at the values of u, and how probably the limit that they give fails.
@@ -80,11 +79,12 @@ impl OneSidedLimit {
     /// run. Nothing where the runs are too few, or where no runs bound the statistic: a mean without a known range has no limit at
     /// all (R. R. Bahadur and L. J. Savage, Annals of Mathematical Statistics 27 (1956) 1115-1122).
     pub fn new(statistic: Statistic, side: Side, runs: usize, miss: f64) -> Option<Self> {
-        let kind = match statistic.estimation()? {
-            Estimation::Counted(event) => LimitKind::Hits { event, runs: runs as u64, miss },
-            Estimation::Ordered(_) if miss == 0.0 => LimitKind::Rank(1),
-            Estimation::Ordered(probability) => LimitKind::Rank(rank(probability, side, runs as u64, miss)?),
-            Estimation::Mean | Estimation::RootOfVariance | Estimation::Sampled => return None,
+        let kind = match statistic.event() {
+            Some(event) => LimitKind::Hits { event, runs: runs as u64, miss },
+            None => {
+                let probability = statistic.probability_of_quantile()?;
+                LimitKind::Rank(if miss == 0.0 { 1 } else { rank(probability, side, runs as u64, miss)? })
+            }
         };
         Some(Self { direction: side.into(), kind, range: statistic.range() })
     }

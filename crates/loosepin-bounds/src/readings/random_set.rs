@@ -21,15 +21,15 @@ use super::experiment::{Experiment, Focal};
 use crate::data::bound::{Bound, BoundError, BoundPair};
 use crate::data::direction::{Direction, range_of};
 use crate::data::problem::Request;
-use crate::data::statistic::{Estimation, Event, Statistic};
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::estimate::{Confidence, EitherWay, Estimate};
 use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
-use crate::search::measure::MeasureKind;
+use crate::measures::quantile::Quantile;
 use crate::search::noise::Noise;
 use crate::search::target::{Target, TargetKind};
+use loosepin_terms::{Estimation, Event, Statistic};
 
 /// The ends of the response in one part, sample by sample: as attained, and as far as the models let them go.
 struct Ends {
@@ -257,7 +257,7 @@ impl RandomSet {
         let error = BoundError::with_optimisation(total, optimisation);
         let bound = Bound::without_witness(value, value + direction.sign() * total, error, experiment.guarantee());
         let ends: Vec<&Sample> = self.elements.iter().flat_map(|ends| &ends.widened).collect();
-        bound.within_responses(MeasureKind::Plain, &ends, direction)
+        bound.within_responses(&Quantile(probability), &ends, direction)
     }
 
     fn deviation(&self, experiment: &Experiment<'_>, direction: Direction) -> Bound {

@@ -20,17 +20,18 @@ use super::experiment::Experiment;
 use crate::data::bound::{Bound, BoundError, Guarantee, Witness};
 use crate::data::direction::{Direction, extreme, extreme_point};
 use crate::data::problem::Request;
-use crate::data::statistic::Statistic;
 use crate::data::table::Purpose;
 use crate::estimators::estimate::{Confidence, replicate_error};
+use crate::measures::measure::Measure;
+use crate::measures::of_statistic::estimator;
 use crate::search::design::{first_points, structural_point_count};
-use crate::search::measure::Measure;
 use crate::search::models::{Branch, Search};
 use crate::search::noise::Noise;
 use crate::search::prediction::Allowance;
 use crate::search::search_box::{Axes, Place, Region};
 use crate::search::target::{Target, TargetKind};
 use crate::search::target_model::Forecast;
+use loosepin_terms::Statistic;
 use loosepin_uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
 
 /// Independent scramblings of the parameters, and points of each: alone, and for each of several values of the other inputs.
@@ -93,7 +94,7 @@ impl Experiment<'_> {
             .into_iter()
             .filter_map(|request| {
                 let samples = self.pool.samples(request.column);
-                Some((request, Measure::new(&samples, request.statistic, confidence)?))
+                Some((request, estimator(request.statistic)?.measure(&samples, confidence)))
             })
             .collect();
         let inside: Vec<Vec<f64>> = grid.places.iter().flatten().cloned().collect();
@@ -205,13 +206,13 @@ impl Experiment<'_> {
         let Some(best) = extreme_point(&values, direction) else { return self.unknown(direction) };
         let conceded: Vec<f64> = found.iter().map(|found| found.conceded).collect();
         let further = self.further_over_others(grid, &points, conceded, direction);
-        let of = |target: f64| measure.kind.statistic_of(target);
+        let of = |target: f64| measure.of.statistic_of(target);
         let value = of(values[best]);
         let optimisation = (sign * (of(further) - value)).max(0.0);
         let spread = (of(values[best] + sign * found[best].spread) - value).abs();
         let sampling = spread + sampling_error(measure, values[best], direction, of);
         let error = BoundError::of_runs(sampling, optimisation);
-        let widened = measure.kind.limited(error.widen(value, direction));
+        let widened = measure.of.limited(error.widen(value, direction));
         let mut at = vec![f64::NAN; self.setup.epistemic_box.dimensions()];
         for (axis, fraction) in grid.other_inputs.iter().zip(&points[best].at) {
             at[*axis] = *fraction;

@@ -6,17 +6,17 @@ use std::sync::{Arc, OnceLock};
 use crate::data::direction::Direction;
 use crate::data::points::{inner_points, mixture_points};
 use crate::data::problem::{Problem, Reading, Request};
-use crate::data::statistic::Statistic;
 use crate::estimators::estimate::{Confidence, Estimate};
 use crate::estimators::inner_basis::InnerBasis;
 use crate::estimators::moments::mean;
 use crate::estimators::orthogonal::Axis;
 use crate::estimators::pool::{Pool, PoolPoint};
+use crate::measures::targets::target;
 use crate::search::design::candidates;
-use crate::search::measure::target;
 use crate::search::parts::Structure;
 use crate::search::search_box::{Place, SearchBox};
 use crate::search::target::Target;
+use loosepin_terms::Statistic;
 use loosepin_uncertainty::{Copula, Distribution, EpistemicVariable, RandomVariable, ScrambledSobol, SobolError, hash};
 
 /// Probabilities of the quantiles by which a whole distribution function is searched.

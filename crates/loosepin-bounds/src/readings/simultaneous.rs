@@ -18,7 +18,8 @@ use crate::data::bound::{Bound, Guarantee};
 use crate::data::direction::Direction;
 use crate::data::problem::Reading;
 use crate::data::table::SampleTable;
-use crate::search::measure::Measure;
+use crate::measures::measure::Estimator;
+use crate::measures::quantile::Quantile;
 
 /// A half-width below this share of the largest is made as wide, so that round-off where a curve does not scatter is no excess.
 const LEAST_HALF_WIDTH: f64 = 1e-3;
@@ -121,7 +122,7 @@ impl Experiment<'_> {
             return self.quantiles(&jobs, &elements).swap_remove(0);
         };
         let samples = self.pool.samples(0);
-        let measure = Measure::quantile(&samples, probability, &self.setup.confidence);
+        let measure = Quantile(probability).measure(&samples, &self.setup.confidence);
         let search = self.search([&measure].into_iter());
         self.bound(&Modelled::new(&search, &measure, &samples), DIRECTION, whole)
     }

@@ -9,7 +9,8 @@ use crate::data::direction::Direction;
 use crate::data::problem::{Reading, Request};
 use crate::estimators::estimate::Estimate;
 use crate::estimators::sample::Sample;
-use crate::search::measure::Measure;
+use crate::measures::measure::Measure;
+use crate::measures::of_statistic::{estimator, work_out};
 use crate::search::models::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
@@ -17,10 +18,11 @@ impl Experiment<'_> {
     /// The bounds over every α-cut, what is possible at all first; those over a cut hold those over the cuts within it.
     pub fn cuts(&self) -> Vec<CutBounds> {
         let requests = self.setup.single_statistics();
-        self.pool.work_out(&requests, &self.setup.confidence);
+        let confidence = &self.setup.confidence;
+        work_out(self.pool, &requests, confidence);
         let measures: Vec<Option<Measure>> = requests
             .par_iter()
-            .map(|request| Measure::new(&self.pool.samples(request.column), request.statistic, &self.setup.confidence))
+            .map(|request| Some(estimator(request.statistic)?.measure(&self.pool.samples(request.column), confidence)))
             .collect();
         let search = self.search(measures.iter().flatten());
         let of_cut = |cut: &Cut| CutBounds { alpha: cut.alpha, pairs: self.pairs(&requests, &measures, &search, cut) };

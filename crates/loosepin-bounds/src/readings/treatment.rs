@@ -13,7 +13,8 @@ use crate::data::problem::Reading;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::estimators::quantile::quantile;
-use crate::search::measure::Measure;
+use crate::measures::measure::{Estimator, Measure};
+use crate::measures::quantile::Quantile;
 use crate::search::models::Search;
 use crate::search::search_box::Region;
 use crate::search::shared_grids::SharedGrids;
@@ -117,7 +118,7 @@ fn mixed_ends(experiment: &Experiment<'_>, columns: &[usize]) -> Vec<[Bound; 2]>
         .par_iter()
         .map(|&column| {
             let samples = experiment.pool.samples(column);
-            quantiles.map(|(probability, _)| Measure::quantile(&samples, probability, &setup.confidence))
+            quantiles.map(|(probability, _)| Quantile(probability).measure(&samples, &setup.confidence))
         })
         .collect();
     let search = experiment.search(measures.iter().flatten());

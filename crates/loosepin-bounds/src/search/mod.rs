@@ -11,7 +11,6 @@ mod grid;
 mod index_model;
 mod kinks;
 mod local;
-pub(crate) mod measure;
 pub(crate) mod models;
 mod next;
 pub(crate) mod noise;

@@ -9,8 +9,8 @@
 //!
 //! The functions stand out of line, as those of a straight slot do.
 
+use super::contact::{Parts, Pressed, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
-use super::parts::{Parts, Pressed, Touch};
 use super::play::PlayMotion;
 use crate::contact::NormalForce;
 use crate::mechanism::{CircularSlotShape, PlayGeometry};

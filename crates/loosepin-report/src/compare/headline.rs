@@ -4,7 +4,7 @@ use super::outputs::SharedOutputs;
 use super::sides::in_both;
 use super::statistics::{Weight, is_same};
 use crate::number::{NumberWriter, Rounding};
-use crate::told::{Told, told};
+use crate::output_summary::{OutputSummary, output_summaries};
 use crate::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
@@ -24,7 +24,8 @@ struct Main<'r> {
 
 /// The answer that A puts first of those that B has as well.
 pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &NumberWriter) -> String {
-    let Some(main) = told(pair[0]).into_iter().find_map(|told| main(told, pair, outputs, writer)) else {
+    let Some(main) = output_summaries(pair[0]).into_iter().find_map(|summary| main(summary, pair, outputs, writer))
+    else {
         return NOTHING_IN_COMMON.to_owned();
     };
     let [before, after] = main.values_si;
@@ -43,17 +44,17 @@ pub fn headline(pair: [&StudyResult; 2], outputs: &SharedOutputs, writer: &Numbe
 }
 
 fn main<'r>(
-    told: Told<'r>,
+    summary: OutputSummary<'r>,
     pair: [&'r StudyResult; 2],
     outputs: &SharedOutputs,
     writer: &NumberWriter,
 ) -> Option<Main<'r>> {
-    if !outputs.has(told.output()) {
+    if !outputs.has(summary.output()) {
         return None;
     }
     let [before, after] = pair;
-    match told {
-        Told::Largest(bound, probability) => {
+    match summary {
+        OutputSummary::Largest(bound, probability) => {
             let other = after.bounds.iter().find(|other| is_same(bound, other))?;
             let ends = [&bound.upper, &other.upper];
             Some(Main {
@@ -67,7 +68,7 @@ fn main<'r>(
                 unit: &bound.unit,
             })
         }
-        Told::Curve(curve) => {
+        OutputSummary::Curve(curve) => {
             let other = after.curves.iter().find(|other| is_same_curve(curve, other))?;
             let share = writer.percent(curve.probabilities[1] - curve.probabilities[0], Rounding::Nearest);
             let subject = deviation_of(&curve.output, curve.of, &before.outputs);
@@ -78,7 +79,7 @@ fn main<'r>(
                 unit: &curve.unit,
             })
         }
-        Told::Bound(_) => None,
+        OutputSummary::Bound(_) => None,
     }
 }
 

@@ -7,9 +7,9 @@ use crate::answer::requirement_words;
 use crate::chart::{Chart, Entry, EntryValues, Mark, Role, scaled};
 use crate::figure::name_of;
 use crate::number::{NumberWriter, Rounding};
+use crate::output_summary::main_bound;
 use crate::script_data::round_to_digits;
 use crate::tag::{Tag, read_the_same};
-use crate::told::main_bound;
 use crate::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use crate::zone_figure::zone_figure;
 use loosepin_result::study::{

@@ -1,12 +1,10 @@
 //! How near the bounds came to what was asked.
 
-use super::material::{Material, unknown_ends};
-use crate::columns::PlannedAsk;
-use crate::file::Where;
+use super::material::Material;
+use crate::file::{Ask, Where};
 use crate::goals::{Ended, targets};
 use loosepin_bounds::{Assessment, Standing, Statistic};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
-use loosepin_text::units::SiUnit;
 
 /// Errors fall at least with this power of the number of runs where anything is to be foreseen, and at most with the other one.
 const LEAST_PACE: f64 = 0.1;
@@ -19,7 +17,7 @@ pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord
     let budget = ended.budget?;
     let plan = &material.response.shared.plan;
     let outcomes: Vec<AccuracyOutcome> = targets(material.study, plan)
-        .filter_map(|(planned, statistic, asked)| outcome(material, planned, statistic, asked, ended))
+        .filter_map(|(ask, statistic, asked)| outcome(material, ask, statistic, asked, ended))
         .collect();
     let stop = match (ended.standing, ended.left) {
         (_, Some(_)) => AccuracyStop::Budget,
@@ -55,7 +53,7 @@ pub fn accuracy(material: &Material<'_>, ended: &Ended) -> Option<AccuracyRecord
 /// The bounds of a statistic against what was asked: the pose that is furthest from it.
 fn outcome(
     material: &Material<'_>,
-    planned: &PlannedAsk,
+    ask: &Ask,
     statistic: Statistic,
     asked_si: f64,
     ended: &Ended,
@@ -65,17 +63,16 @@ fn outcome(
         if widening_si.is_nan() { f64::INFINITY } else { widening_si }
     };
     // What has no bound is as far from the target as can be.
-    let known = |column: usize| material.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic));
-    let ends = planned.columns.iter().map(|&column| (column, known(column)));
+    let ends = ask.columns.iter().map(|&column| (column, material.ends_or_unknown(column, statistic)));
     let ends = ends.flat_map(|(column, ends)| ends.map(|end| (column, end)));
     let (column, end) = ends.max_by(|(_, a), (_, b)| widening(a).total_cmp(&widening(b)))?;
     let reached_si = widening(&end);
     Some(AccuracyOutcome {
         output: material.name_of(column),
-        of: planned.ask.deviation,
-        at: material.point_of(column, planned.ask.location == Where::Cycle),
+        of: ask.deviation,
+        at: material.point_of(column, ask.location == Where::Cycle),
         statistic,
-        unit: if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) },
+        unit: material.unit_of_statistic(column, statistic),
         asked_si,
         reached_si,
         sampling_si: end.error.sampling_si,

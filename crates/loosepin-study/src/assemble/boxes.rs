@@ -1,17 +1,17 @@
 //! Probability boxes.
 
 use super::material::Material;
-use crate::file::Where;
-use loosepin_bounds::{Bound, Event};
+use crate::file::{Ask, Where};
+use loosepin_bounds::{Bound, Event, Statistic};
 use loosepin_result::study::ProbabilityBox;
 
 /// The distribution functions of single numbers.
 pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
     let asked = |column: usize| {
-        material.plan().asks.iter().any(|planned| {
-            let is_shown = planned.ask.location != Where::Cycle;
-            let is_stated = || planned.ask.statistics.iter().any(|statistic| statistic.is_distribution_function());
-            planned.columns.contains(&column) && (is_shown || is_stated())
+        material.plan().asks.iter().any(|ask| {
+            let is_shown = ask.location != Where::Cycle;
+            let is_stated = || ask.statistics().any(Statistic::is_distribution_function);
+            ask.columns.contains(&column) && (is_shown || is_stated())
         })
     };
     material
@@ -21,8 +21,8 @@ pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
         .filter(|found| asked(found.column))
         .map(|found| {
             let column = found.column;
-            let limits = material.plan().asks.iter().filter(|planned| planned.columns.contains(&column));
-            let events = limits.flat_map(|planned| &planned.ask.statistics).filter_map(|statistic| statistic.event());
+            let limits = material.plan().asks.iter().filter(|ask| ask.columns.contains(&column));
+            let events = limits.flat_map(Ask::statistics).filter_map(Statistic::event);
             let limit_si = events.map(Event::limit).next();
             // The search error of a single share is larger where the curve is steep: there it belongs to the size, not to the
             // share.

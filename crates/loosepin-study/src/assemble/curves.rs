@@ -1,10 +1,10 @@
 //! Deviation curves over the cycle with their bands.
 
 use super::drawing::Pictures;
-use super::material::{Material, unknown_ends};
+use super::material::Material;
 use super::value_bands::value_bands;
-use crate::columns::{BAND, PlannedAsk, Spot};
-use crate::file::{Deviation, Where};
+use crate::columns::{BAND, Spot};
+use crate::file::{Ask, Deviation, Where};
 use crate::outputs::Seen;
 use crate::question::CurveBand;
 use loosepin_bounds::Statistic;
@@ -14,17 +14,15 @@ use loosepin_simulate::Reading;
 /// One curve for each ask for the whole cycle.
 pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {
     let asks = material.plan().asks.iter();
-    asks.filter(|planned| planned.ask.location == Where::Cycle)
-        .map(|planned| curve(material, pictures, bands, planned))
-        .collect()
+    asks.filter(|ask| ask.location == Where::Cycle).map(|ask| curve(material, pictures, bands, ask)).collect()
 }
 
-fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], planned: &PlannedAsk) -> DeviationCurve {
-    let output = &material.plan().outputs[planned.ask.output];
+fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask: &Ask) -> DeviationCurve {
+    let output = &material.plan().outputs[ask.output];
     let centre_inputs: Vec<f64> = material.study.epistemic.iter().map(|input| input.variable.middle()).collect();
     let mut curve = DeviationCurve {
         output: output.name.clone(),
-        of: planned.ask.deviation,
+        of: ask.deviation,
         unit: output.unit.clone(),
         probabilities: BAND,
         centre: material.witness(&centre_inputs),
@@ -35,14 +33,14 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         nominal_si: Vec::new(),
         random: CurveRange::default(),
         mixed: CurveRange::default(),
-        simultaneous: simultaneous(material, bands, planned),
+        simultaneous: simultaneous(material, bands, ask),
         at_values: Vec::new(),
-        path: path(material, planned),
+        path: path(material, ask),
     };
-    for &column in &planned.columns {
+    for &column in &ask.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
         curve.ideal_si.push(material.response.shared.nominal_at_pose[column]);
-        curve.nominal_si.push(match planned.ask.deviation {
+        curve.nominal_si.push(match ask.deviation {
             Deviation::Dimensional => 0.0,
             _ => pictures.nominal_row[column],
         });
@@ -51,10 +49,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         curve.random.lower_si.push(lower[0]);
         curve.random.upper_si.push(upper[1]);
         // A pose without a bound may be anywhere; it keeps its place among the others.
-        let ends = BAND.map(|probability| {
-            let statistic = Statistic::quantile_at(probability);
-            material.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic))
-        });
+        let ends = BAND.map(|probability| material.ends_or_unknown(column, Statistic::quantile_at(probability)));
         let [[low, _], [_, high]] = &ends;
         curve.mixed.lower_si.push(low.widened_si);
         curve.mixed.upper_si.push(high.widened_si);
@@ -62,21 +57,20 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], plan
         curve.confidence = confidence.into_iter().chain(curve.confidence).min_by(f64::total_cmp);
         curve.numerical_error_si = curve.numerical_error_si.max(low.error.total_si()).max(high.error.total_si());
     }
-    curve.at_values = value_bands(material, planned, &curve.mixed);
+    curve.at_values = value_bands(material, ask, &curve.mixed);
     curve
 }
 
 /// The ideal path, where an ask is for a distance from it.
-fn path(material: &Material<'_>, planned: &PlannedAsk) -> Option<PathCurve> {
-    let Seen::Path(readings, PathError::Normal | PathError::Contour) = material.plan().outputs[planned.ask.output].seen
-    else {
+fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
+    let Seen::Path(readings, PathError::Normal | PathError::Contour) = material.plan().outputs[ask.output].seen else {
         return None;
     };
     let shared = &material.response.shared;
     let place = |own: Reading| shared.follow.readings.iter().position(|reading| *reading == own);
     let (x, y) = place(readings[0]).zip(place(readings[1]))?;
     let mut path = PathCurve::default();
-    for &column in &planned.columns {
+    for &column in &ask.columns {
         let Spot::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
         let share = turns / material.response.recorded_turns;
         // The time has no part in a direction.
@@ -91,11 +85,11 @@ fn path(material: &Material<'_>, planned: &PlannedAsk) -> Option<PathCurve> {
 }
 
 /// The bands for the whole curve that were asked for.
-fn simultaneous(material: &Material<'_>, bands: &[CurveBand], planned: &PlannedAsk) -> Vec<SimultaneousCurve> {
-    let of_share = |&share: &f64| {
-        let own = bands.iter().find(|band| band.columns == planned.columns && band.share == share);
+fn simultaneous(material: &Material<'_>, bands: &[CurveBand], ask: &Ask) -> Vec<SimultaneousCurve> {
+    let of_share = |share: f64| {
+        let own = bands.iter().find(|band| band.columns == ask.columns && band.share == share);
         let found = own.and_then(|own| own.found.as_ref());
-        let ends = found.map_or_else(Vec::new, |found| (0..planned.columns.len()).map(|k| found.ends(k)).collect());
+        let ends = found.map_or_else(Vec::new, |found| (0..ask.columns.len()).map(|k| found.ends(k)).collect());
         SimultaneousCurve {
             share,
             factor: found.map_or(f64::NAN, |found| found.factor.widened.max(1.0)),
@@ -109,7 +103,7 @@ fn simultaneous(material: &Material<'_>, bands: &[CurveBand], planned: &PlannedA
             },
         }
     };
-    planned.ask.simultaneous_bands.iter().map(of_share).collect()
+    ask.bands().map(of_share).collect()
 }
 
 #[cfg(test)]

@@ -37,6 +37,17 @@ impl Limit {
         [Self { value_si: f64::NEG_INFINITY, rests_on: 0 }, Self { value_si: f64::INFINITY, rests_on: 0 }];
 }
 
+impl<'m> Material<'m> {
+    /// The same with other bounds. A small probability that was not counted belongs to what is possible at all, by the first reading: here runs
+    /// are counted.
+    pub fn with_pairs<'p>(&self, pairs: &'p [BoundPair]) -> Material<'p>
+    where
+        'm: 'p,
+    {
+        Material { pairs, rare: &[], ..*self }
+    }
+}
+
 impl Material<'_> {
     /// The columns.
     pub fn plan(&self) -> &ColumnPlan {
@@ -81,6 +92,11 @@ impl Material<'_> {
     /// [`Material::limits`]. This is the one place where bounds become what is shown and stored.
     pub fn ends(&self, column: usize, statistic: Statistic) -> Option<[BoundEnd; 2]> {
         self.ends_and_narrowings(column, statistic).map(|(ends, _)| ends)
+    }
+
+    /// [`Self::ends`], or those of a number that may be anything.
+    pub fn ends_or_unknown(&self, column: usize, statistic: Statistic) -> [BoundEnd; 2] {
+        self.ends(column, statistic).unwrap_or_else(|| unknown_ends(statistic))
     }
 
     /// Confidence in the sampling errors of the bounds of `statistic` of `column`: where other bounds have narrowed them all must hold, and
@@ -160,8 +176,7 @@ impl Material<'_> {
     /// Whether somebody asked for `statistic` of `column`.
     fn is_asked(&self, column: usize, statistic: Statistic) -> bool {
         let asks = self.plan().asks.iter();
-        asks.filter(|planned| planned.columns.contains(&column))
-            .any(|planned| planned.ask.statistics.contains(&statistic))
+        asks.filter(|ask| ask.columns.contains(&column)).any(|ask| ask.statistics().any(|own| own == statistic))
     }
 
     fn within_range(&self, pair: &BoundPair) -> [BoundEnd; 2] {
@@ -238,6 +253,11 @@ impl Material<'_> {
         self.plan().outputs[self.plan().columns[column].output].unit.clone()
     }
 
+    /// The unit of a statistic of a column.
+    pub fn unit_of_statistic(&self, column: usize, statistic: Statistic) -> SiUnit {
+        if statistic.is_probability() { SiUnit::NONE } else { self.unit_of(column) }
+    }
+
     /// The output of a column.
     pub fn name_of(&self, column: usize) -> String {
         self.plan().outputs[self.plan().columns[column].output].name.clone()
@@ -259,7 +279,7 @@ impl Material<'_> {
 }
 
 /// Both ends of a statistic of which nothing is known.
-pub fn unknown_ends(statistic: Statistic) -> [BoundEnd; 2] {
+fn unknown_ends(statistic: Statistic) -> [BoundEnd; 2] {
     let range = if statistic.is_probability() { [0.0, 1.0] } else { [f64::NEG_INFINITY, f64::INFINITY] };
     let error = NumericalError { sampling_si: f64::INFINITY, ..NumericalError::default() };
     range.map(|widened_si| BoundEnd { value_si: f64::NAN, widened_si, witness: Witness::new(), error })

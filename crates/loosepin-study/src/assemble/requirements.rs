@@ -1,24 +1,22 @@
 //! Requirements against the bounds of the shares that keep their limits.
 
-use super::material::{Material, unknown_ends};
-use crate::columns::PlannedRequirement;
-use crate::file::Where;
+use super::material::Material;
+use crate::file::{Requirement, Where};
 use loosepin_bounds::{BoundPair, Statistic};
 use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, ResponsePoint, Verdict, Witness};
 
 /// One outcome for each pose of each requirement, or for the whole cycle. A share without a bound may be anything: such a requirement
 /// is undecided.
 pub fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
-    let planned = material.plan().requirements.iter();
-    planned.flat_map(|planned| planned.columns.iter().map(|&column| outcome(material, planned, column))).collect()
+    let required = material.plan().requirements.iter();
+    required.flat_map(|required| required.columns.iter().map(|&column| outcome(material, required, column))).collect()
 }
 
-fn outcome(material: &Material<'_>, planned: &PlannedRequirement, column: usize) -> RequirementOutcome {
-    let requirement = &planned.requirement;
+fn outcome(material: &Material<'_>, requirement: &Requirement, column: usize) -> RequirementOutcome {
     let broken = requirement.limit.broken();
     let pair = material.pair(column, broken);
     // The ends that the bounds of the same probability have elsewhere.
-    let ends = material.ends(column, broken).unwrap_or_else(|| unknown_ends(broken));
+    let ends = material.ends_or_unknown(column, broken);
     let [fewest, most] = ends.each_ref().map(|end| end.widened_si);
     let share = pair.map_or(KnownShare::NOTHING, |pair| known_share(pair, most));
     let [lower_si, upper_si] = requirement.limit.ends();

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::material::Material;
-use crate::columns::{BAND, PlannedAsk};
-use crate::file::EpistemicInput;
+use crate::columns::BAND;
+use crate::file::{Ask, EpistemicInput};
 use loosepin_bounds::{Purpose, between_order_statistics};
 use loosepin_result::study::{CurveRange, ValueBand};
 use loosepin_uncertainty::EpistemicVariable;
@@ -19,7 +19,7 @@ const DIGITS: usize = 6;
 
 /// Quantiles of the finished runs at each value, counted pose by pose, within `mixed`, which holds for all of them. Nothing where no input is
 /// epistemic, or where one has masses: there `mixed` holds for the shares of its values, not at each.
-pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveRange) -> Vec<ValueBand> {
+pub fn value_bands(material: &Material<'_>, ask: &Ask, mixed: &CurveRange) -> Vec<ValueBand> {
     let epistemic = &material.study.epistemic;
     let has_masses = |input: &EpistemicInput| {
         matches!(input.variable, EpistemicVariable::Evidence(_) | EpistemicVariable::SecondOrder(_))
@@ -49,7 +49,7 @@ pub fn value_bands(material: &Material<'_>, planned: &PlannedAsk, mixed: &CurveR
     let of_value = |&(epistemic, own): &(&[f64], &Vec<usize>)| {
         let mut band = CurveRange::default();
         let mut values = Vec::with_capacity(own.len());
-        for (pose, &column) in planned.columns.iter().enumerate() {
+        for (pose, &column) in ask.columns.iter().enumerate() {
             values.clear();
             values.extend(own.iter().map(|&run| material.table.values(run)[column]).filter(|value| value.is_finite()));
             // What is counted at one value cannot leave what holds for all of them but by chance.

@@ -3,10 +3,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::description::{Ask, Study};
+use super::ask::Ask;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::sizes::MOST_RUNS;
+use super::study::Study;
 use super::target::AccuracyTarget;
 use super::words::{NUMBERS, statistic_name};
 use loosepin_result::study::Budget;
@@ -81,8 +82,8 @@ struct Askable {
 /// Statistics of `asks` that the double loop counts, with what their bounds measure.
 fn askable(asks: &[Ask], dimension_of: impl Fn(usize) -> Dimension) -> Vec<Askable> {
     let of_ask = |(place, ask): (usize, &Ask)| {
-        let counted = ask.statistics.iter().filter(|asked| ask.rare.iter().all(|(rare, _)| rare != *asked));
-        let known = counted.filter_map(|&statistic| {
+        let counted = ask.statistics().filter(|statistic| !ask.is_by_method(*statistic));
+        let known = counted.filter_map(|statistic| {
             let name = statistic_name(statistic)?;
             let dimension = if statistic.is_probability() { Dimension::NUMBER } else { dimension_of(ask.output) };
             Some(Askable { ask: place, output: ask.output, statistic: name, dimension })

@@ -1,9 +1,10 @@
 //! What may be loosened: the unknowns of the inverse question.
 
-use super::description::{Allowance, AllowedInput, Requirement};
+use super::description::{Allowance, AllowedInput};
 use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::requirement::Requirement;
 use super::words::TOGETHER;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_result::study::Together;

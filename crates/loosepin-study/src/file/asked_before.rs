@@ -1,9 +1,9 @@
 //! Questions that are asked twice: the results would name two numbers alike.
 
-use super::ask::furthest;
-use super::description::Where;
+use super::ask::{Asked, furthest};
+use super::location::Where;
 use super::problem::StudyProblem;
-use super::reader::{Asked, KnownQuestion, StudyReader};
+use super::reader::StudyReader;
 use loosepin_result::study::Deviation;
 use loosepin_text::document::Entry;
 
@@ -31,8 +31,9 @@ impl StudyReader {
                 (Asked::Rare(statistic, _), location) => (Asked::Statistic(statistic), location.clone()),
                 (asked, location) => (asked, location.clone()),
             };
-            let of_place = |location| KnownQuestion { output: of.0, deviation: of.1, location, asked };
-            let questions: Vec<String> = places(&location).into_iter().map(of_place).map(|q| q.name()).collect();
+            // Two questions of the same name are the same question.
+            let name = |location: Where| format!("{of:?} {location:?} {asked:?}");
+            let questions: Vec<String> = places(&location).into_iter().map(name).collect();
             if questions.iter().any(|question| self.questions.contains(question)) {
                 let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
                 self.complain(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);

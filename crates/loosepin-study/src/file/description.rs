@@ -1,90 +1,12 @@
-//! What a study file says, checked and in SI.
+//! What a study file says of inputs and runs, checked and in SI.
 
-use std::path::PathBuf;
-use std::sync::Arc;
-
-use super::measurement::{Measured, MeasuredMotion};
-use super::question_settings::QuestionSettings;
-use super::target::AccuracyTarget;
-use crate::outputs::StudyOutput;
-use loosepin_bounds::{PromiseSettings, Reading, Statistic};
-use loosepin_mechanics::model::{ContactId, Cycle, Model, NormalDescription, QuantityId};
+use loosepin_mechanics::model::{ContactId, Model, NormalDescription, QuantityId};
 pub use loosepin_result::study::{Budget, Deviation, Reduction};
-use loosepin_result::study::{Side, Together};
 use loosepin_surrogate::Choice;
-use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::units::{Dimension, SiUnit, format_value};
 use loosepin_uncertainty::{
     Copula, Distribution, EpistemicParameter, EpistemicVariable, Interval, Parameter, RandomVariable,
 };
-
-/// A study: what is uncertain in a model, and what is asked.
-#[derive(Debug, Clone)]
-pub struct Study {
-    /// Name of the study.
-    pub name: String,
-    /// The model with its nominal values.
-    pub model: Model,
-    /// Where the model was read from.
-    pub model_path: PathBuf,
-    /// Seed of the random numbers; the same seed gives the same results.
-    pub seed: u64,
-    /// What is run and recorded: that of the model with the numbers that the study overrides.
-    pub cycle: Cycle,
-    /// How many runs, and how accurate.
-    pub sampling: Sampling,
-    /// The surrogate whose bounds stand beside the direct ones; nothing where none is asked for.
-    pub surrogate: Option<StudySurrogate>,
-    /// The promise for a share of the box; nothing where nothing is promised.
-    pub promise: Option<PromiseSettings>,
-    /// How an interval is read: first the reading of everything that has one, then those whose bounds stand beside; never empty.
-    pub readings: Vec<Reading>,
-    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
-    pub percentiles: Vec<f64>,
-    /// Random inputs in file order.
-    pub random: Vec<RandomInput>,
-    /// How the random inputs go together; nothing where they are independent.
-    pub correlation: Option<Correlation>,
-    /// The rows that take the place of the distributions of all random inputs; nothing where these are as stated.
-    pub specimen: Option<SpecimenRows>,
-    /// Epistemic inputs in file order.
-    pub epistemic: Vec<EpistemicInput>,
-    /// What can be asked about, in file order.
-    pub outputs: Vec<StudyOutput>,
-    /// What is asked, in file order.
-    pub asks: Vec<Ask>,
-    /// What is required, in file order.
-    pub requirements: Vec<Requirement>,
-    /// Readings of a backlash test, in file order: what `loosepin identify` narrows intervals by. A study does not look at them.
-    pub measured: Vec<Measured>,
-    /// Features of measured motions, in file order. A study does not look at them.
-    pub motion: Vec<MeasuredMotion>,
-    /// What may be loosened as far as the requirements allow, in file order.
-    pub allowances: Vec<Allowance>,
-    /// How they are loosened together; nothing where each is by itself, the others as stated.
-    pub together: Option<Together>,
-    /// What the tables of single questions state.
-    pub(crate) questions: QuestionSettings,
-    /// How near the bounds are to be; empty where the samples are as stated.
-    pub accuracy: Vec<AccuracyTarget>,
-    /// Where the study ends although its bounds are not yet as near.
-    pub budget: Option<Budget>,
-    /// What the command line states beside the file.
-    pub(super) stated: Vec<String>,
-    /// Where the budget is written.
-    pub(super) budget_place: Option<Place>,
-    /// What is allowed in model and study and yet looks like an oversight.
-    pub warnings: Vec<Complaint>,
-    pub(super) source: Arc<Source>,
-    pub(super) tables: Vec<Arc<Source>>,
-}
-
-impl Study {
-    /// Parameters of distributions that are epistemic inputs.
-    pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
-        RandomInput::epistemic_parameters(&self.random)
-    }
-}
 
 impl RandomInput {
     /// The unit of its values.
@@ -323,57 +245,6 @@ impl EpistemicInput {
     }
 }
 
-/// Where in the cycle.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Where {
-    /// Everywhere: the curve over the cycle.
-    Cycle,
-    /// At angles of the cycle's input.
-    Poses {
-        /// The angles, rad, in file order.
-        angles_rad: Vec<f64>,
-    },
-    /// One number of the whole curve.
-    Reduced(Reduction),
-}
-
-/// A question.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ask {
-    /// Index in [`Study::outputs`].
-    pub output: usize,
-    /// Which deviation of it.
-    pub deviation: Deviation,
-    /// Where in the cycle.
-    pub location: Where,
-    /// Which statistics; limits in the SI unit of the output. At least one, or contributors, or a band.
-    pub statistics: Vec<Statistic>,
-    /// Whether it is asked what contributes to the answer.
-    pub contributors: bool,
-    /// Probabilities among the statistics that are not only counted.
-    pub rare: Vec<(Statistic, RareMethod)>,
-    /// Shares of mechanisms for which a band is wanted that they stay in for the whole cycle.
-    pub simultaneous_bands: Vec<f64>,
-    /// Ends of the statistics that are promised for a share of the box.
-    pub promised: Vec<Side>,
-}
-
-impl Ask {
-    /// A question for the values of runs alone, without a statistic of them.
-    pub fn of_values(output: usize, deviation: Deviation, location: Where) -> Self {
-        Self {
-            output,
-            deviation,
-            location,
-            statistics: Vec::new(),
-            contributors: false,
-            rare: Vec::new(),
-            simultaneous_bands: Vec::new(),
-            promised: Vec::new(),
-        }
-    }
-}
-
 /// How a small probability is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RareMethod {
@@ -383,63 +254,6 @@ pub enum RareMethod {
     Subset,
     /// As by importance, where the double loop counts too few.
     Automatic,
-}
-
-/// What a requirement allows, in the SI unit of the output.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Limit {
-    /// A magnitude of at most this, > 0.
-    Within(f64),
-    /// A value of at most this.
-    Below(f64),
-    /// A value of at least this.
-    Above(f64),
-}
-
-impl Limit {
-    /// The probability of breaking it.
-    pub fn broken(self) -> Statistic {
-        match self {
-            Self::Within(limit) => Statistic::ProbabilityBeyond(limit),
-            Self::Below(limit) => Statistic::ProbabilityAbove(limit),
-            Self::Above(limit) => Statistic::ProbabilityBelow(limit),
-        }
-    }
-
-    /// The number of a whole curve that breaks it where any point of the curve does.
-    pub fn reduction(self) -> Reduction {
-        match self {
-            Self::Within(_) => Reduction::MaximumAbsolute,
-            Self::Below(_) => Reduction::Maximum,
-            Self::Above(_) => Reduction::Minimum,
-        }
-    }
-
-    /// The least and the largest value allowed.
-    pub fn ends(self) -> [f64; 2] {
-        match self {
-            Self::Within(limit) => [-limit, limit],
-            Self::Below(limit) => [f64::NEG_INFINITY, limit],
-            Self::Above(limit) => [limit, f64::INFINITY],
-        }
-    }
-}
-
-/// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Requirement {
-    /// Index in [`Study::outputs`].
-    pub output: usize,
-    /// Which deviation of it.
-    pub deviation: Deviation,
-    /// What is allowed.
-    pub limit: Limit,
-    /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
-    pub location: Where,
-    /// The least probability, in (0, 1].
-    pub probability_at_least: f64,
-    /// Whether a promise for a share of the box decides it.
-    pub is_promised: bool,
 }
 
 /// What may be loosened as far as the requirements allow.

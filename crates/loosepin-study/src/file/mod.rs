@@ -12,11 +12,13 @@ mod evidence;
 mod fit;
 mod input;
 mod keys;
+mod location;
 mod measured;
 mod measured_keys;
 mod measurement;
 mod motion;
 mod motion_keys;
+mod output;
 mod parameter;
 mod parameter_keys;
 mod plausible;
@@ -26,11 +28,13 @@ mod question_settings;
 mod random;
 mod random_problem;
 mod reader;
+mod requirement;
 mod requirement_runs;
 mod resolution;
 mod sizes;
 mod specimen;
 mod specimen_problem;
+mod study;
 mod study_keys;
 mod surrogate;
 mod tails;
@@ -44,13 +48,15 @@ use std::sync::Arc;
 
 pub use accuracy::AccuracyProblem;
 use accuracy::WrittenAccuracies;
+pub use ask::{Ask, Asked};
 pub use description::{
-    Allowance, AllowedFit, AllowedInput, Ask, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
-    EpistemicSubject, Limit, RandomInput, RareMethod, Reduction, Requirement, Sampling, SpecimenRows,
-    StatedCorrelation, Study, StudySurrogate, UncertainParameter, Where,
+    Allowance, AllowedFit, AllowedInput, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
+    EpistemicSubject, RandomInput, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
+    UncertainParameter,
 };
 pub use keys::takes_mean_of_model;
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS};
+pub use location::Where;
 pub use measured::MeasuredProblem;
 pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
 pub use motion::MotionProblem;
@@ -59,9 +65,11 @@ pub use question_settings::QuestionSettings;
 pub use random_problem::RandomProblem;
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
+pub use requirement::{Limit, Requirement};
 pub use sizes::{MOST_POSES, MOST_RUNS};
 pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
 pub use specimen_problem::SpecimenProblem;
+pub use study::Study;
 use study_keys::STUDY_KEYS;
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts, states_nominal};

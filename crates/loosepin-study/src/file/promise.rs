@@ -1,9 +1,10 @@
 //! The promise for a share of the box: how large it is, and what is promised.
 
-use super::description::{Ask, Requirement};
+use super::ask::{Ask, Asked};
 use super::keys::PROMISE_KEYS;
 use super::problem::StudyProblem;
-use super::reader::{Asked, StudyReader};
+use super::reader::StudyReader;
+use super::requirement::Requirement;
 use super::words::{DECIDED_BY, PROMISED_ENDS};
 use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
 use loosepin_result::study::Side;

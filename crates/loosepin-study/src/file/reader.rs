@@ -1,9 +1,9 @@
 //! A study in the making: what was read so far, and what of it must be remembered until the end.
 
-use super::description::{EpistemicInput, RandomInput, RareMethod, Where};
+use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
 use crate::outputs::StudyOutput;
-use loosepin_bounds::{PromiseSettings, Reading, Statistic};
+use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
@@ -30,7 +30,7 @@ pub struct StudyReader {
     pub poses: HashMap<((usize, Deviation), u64), Vec<f64>>,
     /// How large a promise is, where something is promised.
     pub promise: PromiseSettings,
-    /// What is asked so far, by [`KnownQuestion::name`].
+    /// What is asked so far, by its name.
     pub questions: HashSet<String>,
     /// Whether rows of a joint sample take the place of distributions.
     pub has_rows: bool,
@@ -56,33 +56,6 @@ pub fn adopt(reader: &mut Reader, complaints: &Complaints, span: Span) {
         let place = complaint.place.clone().unwrap_or_else(|| reader.place(span));
         reader.complaints.push(Complaint { place: Some(place), ..complaint.clone() });
     }
-}
-
-/// One number, or one curve, that is asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KnownQuestion {
-    pub output: usize,
-    pub deviation: Deviation,
-    /// With one angle at most.
-    pub location: Where,
-    pub asked: Asked,
-}
-
-impl KnownQuestion {
-    /// Two questions with the same name are the same question.
-    pub fn name(&self) -> String {
-        format!("{self:?}")
-    }
-}
-
-/// An entry of the list of statistics.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Asked {
-    Statistic(Statistic),
-    Contributors,
-    Rare(Statistic, RareMethod),
-    /// A band that a share of whole curves stays in.
-    SimultaneousBand(f64),
 }
 
 /// Which values stand for the uncertain parameters while a distribution is read.

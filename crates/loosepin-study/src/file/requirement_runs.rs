@@ -1,8 +1,9 @@
 //! Whether the runs at each value of the epistemic inputs suffice for the requirements.
 
-use super::description::{Requirement, Sampling};
+use super::description::Sampling;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::requirement::Requirement;
 use loosepin_bounds::least_counted_runs;
 use loosepin_text::diagnostics::{Complaint, Place};
 use loosepin_text::document::Table;

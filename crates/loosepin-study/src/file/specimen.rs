@@ -1,10 +1,11 @@
 //! The mechanism that was measured: rows of a joint sample in place of the distributions of the random inputs.
 
-use super::description::{Correlation, RandomInput, SpecimenRows, Study};
+use super::description::{Correlation, RandomInput, SpecimenRows};
 use super::keys::SPECIMEN_KEYS;
 use super::problem::StudyProblem;
 use super::reader::{StudyReader, adopt};
 use super::specimen_problem::SpecimenProblem;
+use super::study::Study;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_simulate::measured::{JointColumn, JointSample};

@@ -1,6 +1,7 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
-use super::description::{Ask, EpistemicInput, StudySurrogate};
+use super::ask::Ask;
+use super::description::{EpistemicInput, StudySurrogate};
 use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
@@ -59,9 +60,9 @@ impl StudyReader {
         let is_asked = |of: fn(&Ask) -> bool| asks.iter().any(of);
         let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
         let questions = [
-            ("contributors", is_asked(|ask| ask.contributors)),
-            ("small probabilities by a method", is_asked(|ask| !ask.rare.is_empty())),
-            ("simultaneous bands", is_asked(|ask| !ask.simultaneous_bands.is_empty())),
+            ("contributors", is_asked(Ask::is_for_contributors)),
+            ("small probabilities by a method", is_asked(|ask| ask.by_method().next().is_some())),
+            ("simultaneous bands", is_asked(|ask| ask.bands().next().is_some())),
             ("bounds by a second reading of intervals", self.readings.len() > 1),
             ("percentiles over a parameter with a distribution", self.epistemic.iter().any(is_second_order)),
         ];

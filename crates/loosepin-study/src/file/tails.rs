@@ -1,6 +1,7 @@
 //! Warns of what a distribution reaches with a small probability, and of quantiles that the samples do not reach.
 
-use super::description::{Ask, RandomInput, Sampling};
+use super::ask::Ask;
+use super::description::{RandomInput, Sampling};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_bounds::Statistic;
@@ -59,10 +60,8 @@ impl StudyReader {
     pub(super) fn warn_of_quantiles(&mut self, root: &Table<'_>, asks: &[Ask], sampling: &Sampling) {
         let Some(written) = root.get("ask") else { return };
         let far = |ask: &Ask| {
-            let beyond = |statistic: &Statistic| {
-                statistic.probability_of_quantile().filter(|p| none_beyond(*p, sampling.inner) > 0.5)
-            };
-            ask.statistics.iter().find_map(beyond)
+            let mut quantiles = ask.statistics().filter_map(Statistic::probability_of_quantile);
+            quantiles.find(|p| none_beyond(*p, sampling.inner) > 0.5)
         };
         for p in asks.iter().filter_map(far) {
             let inside = p.max(1.0 - p);

@@ -24,20 +24,20 @@ pub struct CurveBand {
 /// [`PlanError`] where the table lacks runs.
 pub fn curve_bands(material: &Material<'_>, plan: &DoubleLoop) -> Result<Vec<CurveBand>, PlanError> {
     let asks = material.response.shared.plan.asks.iter();
-    let asked = asks.flat_map(|planned| planned.ask.simultaneous_bands.iter().map(move |&share| (planned, share)));
+    let asked = asks.flat_map(|ask| ask.bands().map(move |share| (ask, share)));
     asked
-        .map(|(planned, share)| {
-            let shape = planned.columns.iter().map(|&column| {
+        .map(|(ask, share)| {
+            let shape = ask.columns.iter().map(|&column| {
                 let [lower, upper] = pointwise_ends(share).map(|statistic| material.ends(column, statistic));
                 Some([lower?[0].widened_si, upper?[1].widened_si])
             });
             let shape: Option<Vec<[f64; 2]>> = shape.collect();
             let found = match shape {
-                Some(shape) => plan.simultaneous_band(material.table, &planned.columns, &shape, share)?,
+                Some(shape) => plan.simultaneous_band(material.table, &ask.columns, &shape, share)?,
                 None => None,
             };
-            let is_promised = !planned.ask.promised.is_empty();
-            Ok(CurveBand { columns: planned.columns.clone(), share, is_promised, found })
+            let is_promised = !ask.promised.is_empty();
+            Ok(CurveBand { columns: ask.columns.clone(), share, is_promised, found })
         })
         .collect()
 }

@@ -181,7 +181,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyErr
     longer.requirements.clear();
     // More turns than a run may have.
     let Ok(response) = StudyResponse::new(&longer) else { return Ok(Err(CANNOT_GO_ON)) };
-    let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|planned| planned.columns[0]).collect();
+    let later_column: Vec<usize> = response.shared.plan.asks.iter().map(|ask| ask.columns[0]).collect();
     let rows = runs.make_again(&response, &continuing)?;
     let continued: Vec<(&[f64], Vec<f64>)> = continuing
         .iter()
@@ -207,11 +207,12 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyErr
         }
     });
     // As the outcomes of requirements are listed: one for the whole cycle, or for each pose.
-    let outcomes = plan.requirements.iter().flat_map(|planned| planned.columns.iter().map(move |own| (planned, *own)));
-    let broken_later = outcomes.map(|(planned, own)| {
-        let is_whole = planned.requirement.location == Where::Cycle;
+    let outcomes =
+        plan.requirements.iter().flat_map(|required| required.columns.iter().map(move |own| (required, *own)));
+    let broken_later = outcomes.map(|(required, own)| {
+        let is_whole = required.location == Where::Cycle;
         let place = columns.iter().position(|(column, _)| is_whole && *column == own)?;
-        let is_kept = |value: f64| keeps(planned.requirement.limit, value);
+        let is_kept = |value: f64| keeps(required.limit, value);
         let breaks = continued.iter().filter(|(recorded, later)| is_kept(recorded[own]) && !is_kept(later[place]));
         Some(breaks.count() as u64)
     });

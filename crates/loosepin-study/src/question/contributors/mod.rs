@@ -8,6 +8,7 @@ use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
+use crate::file::Ask;
 use crate::runs::Runs;
 use loosepin_bounds::{RunInputs, SampleTable};
 use plan::ContributorPlan;
@@ -20,7 +21,7 @@ struct ContributorQuestion {
 
 /// Planned where an ask wants contributors.
 pub fn planned(basis: &Basis<'_>) -> Planned {
-    if basis.is_surrogate_alone || !basis.study.asks.iter().any(|ask| ask.contributors) {
+    if basis.is_surrogate_alone || !basis.study.asks.iter().any(Ask::is_for_contributors) {
         return Ok(None);
     }
     Ok(Some(Box::new(ContributorQuestion { plan: ContributorPlan::new(basis.study, basis.double_loop)? })))

@@ -2,8 +2,8 @@
 
 use super::plan::{ContributorPlan, groups};
 use crate::assemble::Material;
-use crate::columns::{PlannedAsk, Spot};
-use crate::file::{Deviation, EpistemicInput, Study, Where};
+use crate::columns::Spot;
+use crate::file::{Ask, Deviation, EpistemicInput, Study, Where};
 use crate::outputs::Seen;
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
@@ -21,17 +21,15 @@ pub fn contributors(
     double_loop: &DoubleLoop,
     plan: Option<&ContributorPlan>,
 ) -> Vec<Contributors> {
-    let asks = material.response.shared.plan.asks.iter().filter(|planned| planned.ask.contributors);
+    let asks = material.response.shared.plan.asks.iter().filter(|ask| ask.is_for_contributors());
     let quasi_static = quasi_static(material);
-    asks.flat_map(|planned| {
+    asks.flat_map(|ask| {
         // A curve is answered as a whole, poses one by one.
-        let parts: Vec<&[usize]> = match planned.ask.location {
-            Where::Cycle => vec![&planned.columns[..]],
-            _ => planned.columns.chunks(1).collect(),
+        let parts: Vec<&[usize]> = match ask.location {
+            Where::Cycle => vec![&ask.columns[..]],
+            _ => ask.columns.chunks(1).collect(),
         };
-        parts
-            .into_iter()
-            .map(|columns| of_columns(material, double_loop, plan, planned, columns, quasi_static.as_ref()))
+        parts.into_iter().map(|columns| of_columns(material, double_loop, plan, ask, columns, quasi_static.as_ref()))
     })
     .collect()
 }
@@ -40,14 +38,14 @@ fn of_columns(
     material: &Material<'_>,
     double_loop: &DoubleLoop,
     plan: Option<&ContributorPlan>,
-    planned: &PlannedAsk,
+    ask: &Ask,
     columns: &[usize],
     quasi_static: Option<&MotionRecord>,
 ) -> Contributors {
     let study = material.study;
     let indices = plan.map(|plan| plan.indices(material.table, columns)).unwrap_or_default();
     let pinching = double_loop.pinching(material.table, columns).ok().flatten();
-    let at = match planned.ask.location {
+    let at = match ask.location {
         Where::Cycle => ResponsePoint::Whole,
         _ => material.point_of(columns[0], false),
     };
@@ -66,7 +64,7 @@ fn of_columns(
         Some(Still {
             record,
             output: record.outputs.iter().find(|own| own.name == still_name)?,
-            spot: spot(material, planned, columns),
+            spot: spot(material, ask, columns),
         })
     });
     let share_of_scatter = pinching.as_ref().map_or(f64::NAN, |p| (p.scatter / p.width).clamp(0.0, 1.0));
@@ -80,7 +78,7 @@ fn of_columns(
             let shares = still
                 .as_ref()
                 // Shares of a variance add up to 1 only where the inputs are independent.
-                .filter(|_| planned.ask.deviation != Deviation::Clearance && study.correlation.is_none())
+                .filter(|_| ask.deviation != Deviation::Clearance && study.correlation.is_none())
                 .and_then(|still| paths.iter().map(|path| still.variance_share(path)).sum::<Option<f64>>());
             RandomContributor {
                 paths,
@@ -104,7 +102,7 @@ fn of_columns(
                 error,
                 quasi_static_share: still
                     .as_ref()
-                    .filter(|_| planned.ask.deviation != Deviation::Dimensional)
+                    .filter(|_| ask.deviation != Deviation::Dimensional)
                     .and_then(|still| still.play_share(&play_from(study, input))),
             }
         })
@@ -113,7 +111,7 @@ fn of_columns(
     let per_pose = 1.0 / columns.len() as f64;
     Contributors {
         output,
-        of: planned.ask.deviation,
+        of: ask.deviation,
         at,
         unit: material.unit_of(columns[0]),
         band_width_si: pinching.as_ref().map_or(f64::NAN, |p| per_pose * p.width),
@@ -172,9 +170,9 @@ fn play_from<'s>(study: &'s Study, input: &EpistemicInput) -> Vec<&'s str> {
 }
 
 /// The pose of a question at a single one.
-fn spot(material: &Material<'_>, planned: &PlannedAsk, columns: &[usize]) -> Option<f64> {
+fn spot(material: &Material<'_>, ask: &Ask, columns: &[usize]) -> Option<f64> {
     match material.response.shared.plan.columns[columns[0]].spot {
-        Spot::Pose { angle_rad, .. } if planned.ask.location != Where::Cycle => Some(angle_rad),
+        Spot::Pose { angle_rad, .. } if ask.location != Where::Cycle => Some(angle_rad),
         _ => None,
     }
 }

@@ -15,25 +15,23 @@ use loosepin_result::study::Side;
 pub fn promise_plan(study: &Study, response: &StudyResponse) -> Result<Option<PromisePlan>, StudyError> {
     let Some(settings) = study.promise else { return Ok(None) };
     let plan = &response.shared.plan;
-    let promised = plan.asks.iter().filter(|planned| !planned.ask.promised.is_empty());
-    let bands = promised.flat_map(|planned| planned.ask.simultaneous_bands.iter().copied()).collect();
+    let promised = plan.asks.iter().filter(|ask| !ask.promised.is_empty());
+    let bands = promised.flat_map(|ask| ask.bands()).collect();
     Ok(Some(PromisePlan::try_new(problem(study, response), promised_ends(plan), bands, settings)?))
 }
 
 /// Every end that is promised, once: those of the questions, then those that decide requirements.
 fn promised_ends(plan: &ColumnPlan) -> Vec<PromiseRequest> {
-    let of_asks = plan.asks.iter().flat_map(|planned| {
-        let statistics = planned
-            .columns
-            .iter()
-            .flat_map(|&column| planned.ask.statistics.iter().map(move |&statistic| Request { column, statistic }));
-        statistics.flat_map(|request| planned.ask.promised.iter().map(move |&side| PromiseRequest { request, side }))
+    let of_asks = plan.asks.iter().flat_map(|ask| {
+        let of_column = move |&column: &usize| ask.statistics().map(move |statistic| Request { column, statistic });
+        let requests = ask.columns.iter().flat_map(of_column);
+        requests.flat_map(|request| ask.promised.iter().map(move |&side| PromiseRequest { request, side }))
     });
-    let decided = plan.requirements.iter().filter(|planned| planned.requirement.is_promised);
-    let of_requirements = decided.flat_map(|planned| {
-        let statistic = planned.requirement.limit.broken();
+    let decided = plan.requirements.iter().filter(|required| required.is_promised);
+    let of_requirements = decided.flat_map(|required| {
+        let statistic = required.limit.broken();
         let request = move |&column: &usize| Request { column, statistic };
-        planned.columns.iter().map(move |column| PromiseRequest { request: request(column), side: Side::Upper })
+        required.columns.iter().map(move |column| PromiseRequest { request: request(column), side: Side::Upper })
     });
     let mut ends: Vec<PromiseRequest> = Vec::new();
     for end in of_asks.chain(of_requirements) {

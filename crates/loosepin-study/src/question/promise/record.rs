@@ -2,10 +2,9 @@
 
 use super::promised::Promised;
 use crate::assemble::Material;
-use crate::file::Where;
+use crate::file::{Ask, Where};
 use loosepin_bounds::{PromisedBound, Request, SimultaneousBand};
 use loosepin_result::study::{CurveRange, PromiseRecord, PromisedBand, PromisedEnd, RequirementOutcome, Side};
-use loosepin_text::units::SiUnit;
 
 /// The promise as it is stored.
 pub fn promise_record(material: &Material<'_>, promised: &Promised<'_>) -> PromiseRecord {
@@ -43,14 +42,14 @@ fn promised_band(material: &Material<'_>, band: &SimultaneousBand, factor: &Prom
 
 fn promised_end(material: &Material<'_>, found: &PromisedBound) -> PromisedEnd {
     let Request { column, statistic } = found.asked.request;
-    let is_in = |planned: &&crate::columns::PlannedAsk| planned.columns.contains(&column);
-    let in_curve = material.plan().asks.iter().find(is_in).is_some_and(|planned| planned.ask.location == Where::Cycle);
+    let is_in = |ask: &&Ask| ask.columns.contains(&column);
+    let in_curve = material.plan().asks.iter().find(is_in).is_some_and(|ask| ask.location == Where::Cycle);
     PromisedEnd {
         output: material.name_of(column),
         of: material.plan().columns[column].deviation,
         at: material.point_of(column, in_curve),
         statistic,
-        unit: if statistic.is_probability() { SiUnit::NONE } else { material.unit_of(column) },
+        unit: material.unit_of_statistic(column, statistic),
         side: found.asked.side,
         bound_si: found.bound,
         witness: material.witness(&found.witness.epistemic),
@@ -60,13 +59,13 @@ fn promised_end(material: &Material<'_>, found: &PromisedBound) -> PromisedEnd {
 
 /// Gives the requirements that a promise decides their verdicts, in the order of the plan.
 pub fn decide(material: &Material<'_>, found: &[PromisedBound], outcomes: &mut [RequirementOutcome]) {
-    let planned = material.plan().requirements.iter();
-    let places = planned.flat_map(|planned| planned.columns.iter().map(move |&column| (planned, column)));
-    for ((planned, column), outcome) in places.zip(outcomes) {
-        if !planned.requirement.is_promised {
+    let required = material.plan().requirements.iter();
+    let places = required.flat_map(|required| required.columns.iter().map(move |&column| (required, column)));
+    for ((required, column), outcome) in places.zip(outcomes) {
+        if !required.is_promised {
             continue;
         }
-        let request = Request { column, statistic: planned.requirement.limit.broken() };
+        let request = Request { column, statistic: required.limit.broken() };
         let bound = found.iter().find(|bound| bound.asked.request == request && bound.asked.side == Side::Upper);
         let least = bound.map_or(0.0, |bound| 1.0 - bound.bound);
         outcome.promised = Some(least);

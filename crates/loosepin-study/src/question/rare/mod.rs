@@ -10,9 +10,8 @@ use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
-use crate::columns::PlannedAsk;
 use crate::error::StudyError;
-use crate::file::{RareMethod, Study, Where};
+use crate::file::{Ask, RareMethod, Study, Where};
 use crate::runs::Runs;
 use loosepin_bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
@@ -97,11 +96,10 @@ impl Question for RareQuestion {
 }
 
 /// Every probability that is asked for so.
-fn requests(asks: &[PlannedAsk]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
-    asks.iter().filter(|planned| planned.ask.location != Where::Cycle).flat_map(|planned| {
-        let rare =
-            move |&column: &usize| planned.ask.rare.iter().map(move |&(statistic, method)| (column, statistic, method));
-        planned.columns.iter().flat_map(rare)
+fn requests(asks: &[Ask]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
+    asks.iter().filter(|ask| ask.location != Where::Cycle).flat_map(|ask| {
+        let rare = move |&column: &usize| ask.by_method().map(move |(statistic, method)| (column, statistic, method));
+        ask.columns.iter().flat_map(rare)
     })
 }
 
@@ -122,7 +120,7 @@ struct RareSteps<'s> {
 
 impl<'s> RareSteps<'s> {
     /// The small probabilities of `study`, whose double loop `plan` has given `bounds` from `inner` samples at each point.
-    fn new((study, inner): (&'s Study, usize), asks: &[PlannedAsk], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
+    fn new((study, inner): (&'s Study, usize), asks: &[Ask], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
         let hits = |column: usize, statistic: Statistic| {
             let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
             pair.map_or(0.0, |pair| pair.upper.value * inner as f64)

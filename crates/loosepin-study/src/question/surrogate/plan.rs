@@ -37,8 +37,8 @@ fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
         format!("{} {of}", plan.outputs[plan.columns[column].output].name)
     };
     let is_known = |groups: &[ColumnGroup], column: &usize| groups.iter().any(|group| group.columns.contains(column));
-    for planned in plan.asks.iter().filter(|planned| planned.ask.location == Where::Cycle) {
-        let columns: Vec<usize> = planned.columns.iter().copied().filter(|column| !is_known(&groups, column)).collect();
+    for ask in plan.asks.iter().filter(|ask| ask.location == Where::Cycle) {
+        let columns: Vec<usize> = ask.columns.iter().copied().filter(|column| !is_known(&groups, column)).collect();
         if let Some(&first) = columns.first() {
             groups.push(ColumnGroup { name: name(first), columns });
         }

@@ -1,4 +1,4 @@
-//! What is told of each output: one sentence each, the output that matters most first.
+//! The summary of each output: one sentence each, the output that matters most first.
 
 use super::bound_words::bound_value;
 use super::number::{NumberWriter, Rounding};
@@ -12,25 +12,25 @@ use loosepin_text::units::SiUnit;
 
 /// Digits of a bound in a sentence.
 pub(super) const SENTENCE_DIGITS: usize = 2;
-/// Places of one output of which statistics are told, at most; the table has all.
+/// Places of one output of which a sentence has the statistics, at most; the table has all.
 const MOST_PLACES: usize = 3;
 /// Further digits where both ends of a range are nearly the same, at most.
 const MOST_MORE_DIGITS: f64 = 6.0;
 
 /// The bound or the curve that answers for an output.
 #[derive(Clone, Copy)]
-pub(super) enum Told<'r> {
+pub(super) enum OutputSummary<'r> {
     /// A quantile of the largest deviation, with its probability.
     Largest(&'r BoundRecord, f64),
     /// The band over the cycle.
     Curve(&'r DeviationCurve),
-    /// Any other bound, the first of its number: all that were asked for of this are told.
+    /// Any other bound, the first of its number: the sentence has all that were asked for of this.
     Bound(&'r BoundRecord),
 }
 
-/// What answers for each output that has an answer: outputs whose requirement is not met first, then those whose requirement is undecided, then
+/// The summaries of outputs that have an answer: outputs whose requirement is not met first, then those whose requirement is undecided, then
 /// the others; of these what holds over the whole cycle before curves, and both before other statistics; then in the order of the study.
-pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
+pub(super) fn output_summaries(result: &StudyResult) -> Vec<OutputSummary<'_>> {
     let rank = |name: &str| {
         let verdicts = result.requirements.iter().filter(|own| own.output == name).map(|own| own.verdict);
         verdicts.map(severity).min().unwrap_or(severity(Verdict::Met))
@@ -42,10 +42,9 @@ pub(super) fn told(result: &StudyResult) -> Vec<Told<'_>> {
             names.push(name);
         }
     }
-    let told = names.into_iter().flat_map(|name| of_output(result, name));
-    let mut ranked: Vec<((u8, u8), Told<'_>)> = told.map(|told| ((rank(told.output()), told.kind()), told)).collect();
-    ranked.sort_by_key(|(rank, _)| *rank);
-    ranked.into_iter().map(|(_, told)| told).collect()
+    let mut summaries: Vec<OutputSummary<'_>> = names.into_iter().flat_map(|name| of_output(result, name)).collect();
+    summaries.sort_by_key(|summary| (rank(summary.output()), summary.kind()));
+    summaries
 }
 
 fn severity(verdict: Verdict) -> u8 {
@@ -58,17 +57,17 @@ fn severity(verdict: Verdict) -> u8 {
 
 /// What answers for an output: the total before its parts, the largest value over the cycle before the curve. Where neither was asked for: every
 /// place at which statistics were asked for, with all of them.
-fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<Told<'r>> {
+fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> {
     let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
     let largest = || {
         let of_deviation = bounds().filter(|bound| bound.of != Deviation::Value);
-        of_deviation.filter_map(|bound| Some(Told::Largest(bound, probability_of_largest(bound)?)))
+        of_deviation.filter_map(|bound| Some(OutputSummary::Largest(bound, probability_of_largest(bound)?)))
     };
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
-    let told = || largest().chain(curves().map(Told::Curve));
-    let total = told().find(|told| told.of() == Deviation::Total);
-    if let Some(told) = total.or_else(|| told().next()) {
-        return vec![told];
+    let whole = || largest().chain(curves().map(OutputSummary::Curve));
+    let total = whole().find(|summary| summary.of() == Deviation::Total);
+    if let Some(summary) = total.or_else(|| whole().next()) {
+        return vec![summary];
     }
     let mut firsts: Vec<&BoundRecord> = Vec::new();
     for bound in bounds() {
@@ -76,7 +75,7 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<Told<'r>> {
             firsts.push(bound);
         }
     }
-    firsts.into_iter().take(MOST_PLACES).map(Told::Bound).collect()
+    firsts.into_iter().take(MOST_PLACES).map(OutputSummary::Bound).collect()
 }
 
 /// Whether two bounds are of one number of a run.
@@ -97,7 +96,7 @@ fn probability_of_largest(bound: &BoundRecord) -> Option<f64> {
     (is_largest && probability > 0.5 && bound.upper.widened_si.is_finite()).then_some(probability)
 }
 
-impl<'r> Told<'r> {
+impl<'r> OutputSummary<'r> {
     /// Name of the output.
     pub fn output(self) -> &'r str {
         match self {
@@ -122,7 +121,7 @@ impl<'r> Told<'r> {
         }
     }
 
-    /// Its numerical error, with the unit; nothing of a bound that the table shows.
+    /// Its numerical error, with the unit; `None` of a bound that the table shows.
     pub fn error_si(self) -> Option<(f64, &'r SiUnit)> {
         match self {
             Self::Largest(bound, _) => Some((bound.upper.error.total_si(), &bound.unit)),

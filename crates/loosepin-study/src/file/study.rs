@@ -1,0 +1,85 @@
+//! A study, checked and in SI.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::ask::Ask;
+use super::description::{Allowance, Correlation, EpistemicInput, RandomInput, Sampling, SpecimenRows, StudySurrogate};
+use super::measurement::{Measured, MeasuredMotion};
+use super::question_settings::QuestionSettings;
+use super::requirement::Requirement;
+use super::target::AccuracyTarget;
+use crate::outputs::StudyOutput;
+use loosepin_bounds::{PromiseSettings, Reading};
+use loosepin_mechanics::model::{Cycle, Model};
+use loosepin_result::study::{Budget, Together};
+use loosepin_text::diagnostics::{Complaint, Place, Source};
+use loosepin_uncertainty::EpistemicParameter;
+
+/// A study: what is uncertain in a model, and what is asked.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// Name of the study.
+    pub name: String,
+    /// The model with its nominal values.
+    pub model: Model,
+    /// Where the model was read from.
+    pub model_path: PathBuf,
+    /// Seed of the random numbers; the same seed gives the same results.
+    pub seed: u64,
+    /// What is run and recorded: that of the model with the numbers that the study overrides.
+    pub cycle: Cycle,
+    /// How many runs, and how accurate.
+    pub sampling: Sampling,
+    /// The surrogate whose bounds stand beside the direct ones; `None` if none is asked for.
+    pub surrogate: Option<StudySurrogate>,
+    /// The promise for a share of the box; `None` if nothing is promised.
+    pub promise: Option<PromiseSettings>,
+    /// How an interval is read: first the reading of everything that has one, then those whose bounds stand beside; never empty.
+    pub readings: Vec<Reading>,
+    /// Percentiles of statistics that are wanted where a parameter of a distribution has a distribution itself.
+    pub percentiles: Vec<f64>,
+    /// Random inputs in file order.
+    pub random: Vec<RandomInput>,
+    /// How the random inputs go together; `None` if they are independent.
+    pub correlation: Option<Correlation>,
+    /// The rows that take the place of the distributions of all random inputs; `None` if these are as stated.
+    pub specimen: Option<SpecimenRows>,
+    /// Epistemic inputs in file order.
+    pub epistemic: Vec<EpistemicInput>,
+    /// What can be asked about, in file order.
+    pub outputs: Vec<StudyOutput>,
+    /// What is asked, in file order.
+    pub asks: Vec<Ask>,
+    /// What is required, in file order.
+    pub requirements: Vec<Requirement>,
+    /// Readings of a backlash test, in file order: what `loosepin identify` narrows intervals by. A study does not look at them.
+    pub measured: Vec<Measured>,
+    /// Features of measured motions, in file order. A study does not look at them.
+    pub motion: Vec<MeasuredMotion>,
+    /// What may be loosened as far as the requirements allow, in file order.
+    pub allowances: Vec<Allowance>,
+    /// How they are loosened together; `None` if each is by itself, the others as stated.
+    pub together: Option<Together>,
+    /// What the tables of single questions state.
+    pub(crate) questions: QuestionSettings,
+    /// How near the bounds are to be; empty where the samples are as stated.
+    pub accuracy: Vec<AccuracyTarget>,
+    /// Where the study ends although its bounds are not yet as near.
+    pub budget: Option<Budget>,
+    /// What the command line states beside the file.
+    pub(super) stated: Vec<String>,
+    /// Where the budget is written.
+    pub(super) budget_place: Option<Place>,
+    /// What is allowed in model and study and yet looks like an oversight.
+    pub warnings: Vec<Complaint>,
+    pub(super) source: Arc<Source>,
+    pub(super) tables: Vec<Arc<Source>>,
+}
+
+impl Study {
+    /// Parameters of distributions that are epistemic inputs.
+    pub fn epistemic_parameters(&self) -> Vec<EpistemicParameter> {
+        RandomInput::epistemic_parameters(&self.random)
+    }
+}
