@@ -208,7 +208,7 @@ fn hold(seeds: u64) {
     let mut study = study();
     let is_asked = |asked: &Asked| {
         study.asks.iter().zip(REDUCTIONS).any(|(ask, reduction)| {
-            reduction == asked.reduction && ask.statistics.iter().any(|&statistic| is_same(statistic, asked.statistic))
+            reduction == asked.reduction && ask.statistics().any(|statistic| is_same(statistic, asked.statistic))
         })
     };
     let tally = |asked: usize| {
