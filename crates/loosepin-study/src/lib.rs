@@ -82,7 +82,7 @@ pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates
 pub use response::MOST_COLUMNS;
 pub use run_options::RunOptions;
 pub use run_rows::RunRows;
-pub use runs_table::{RunColumn, RunData, RunsTable, named_angle_rad};
+pub use runs_table::{RunColumn, RunData, RunsTable};
 pub use sampled_feature::sampled_feature;
 pub use single_run::{FinishedRun, run_inputs, run_into, witness_run};
 pub use study_run::run_study;

@@ -1,7 +1,7 @@
 //! The runs of a study as a table: one row a run, every column with its name and unit: inputs, single numbers, status, counters.
 
 use super::columns::{ColumnPlan, Spot};
-use super::file::{EpistemicSubject, Study, Where};
+use super::file::{EpistemicSubject, Study, Where, named_angle_rad};
 use super::response::StudyResponse;
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
@@ -56,11 +56,6 @@ impl RunData {
     pub fn is_nullable(&self) -> bool {
         matches!(self, RunData::F64(_))
     }
-}
-
-/// An angle as it stands in the names of columns of runs: to 1e-9 rad.
-pub fn named_angle_rad(angle_rad: f64) -> f64 {
-    (angle_rad * 1e9).round() / 1e9
 }
 
 /// What a column is called that is one number a run.

@@ -4,7 +4,6 @@ use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::sizes::MOST_POSES;
 use super::words::REDUCTIONS;
-use crate::runs_table::named_angle_rad;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::document::{Entry, Reader, Table, Written};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value, parse_quantity};
@@ -118,4 +117,9 @@ fn angle_of(entry: &Entry<'_>, reader: &mut Reader) -> Option<String> {
     }
     let Some(Written::Text(text)) = reader.written(entry) else { return None };
     parse_quantity(text).is_ok_and(|read| read.dimension == Dimension::ANGLE).then(|| format!("\"{text}\""))
+}
+
+/// An angle as it stands in the names of columns of runs: to 1e-9 rad.
+pub fn named_angle_rad(angle_rad: f64) -> f64 {
+    (angle_rad * 1e9).round() / 1e9
 }

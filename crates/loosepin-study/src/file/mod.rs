@@ -56,7 +56,7 @@ pub use description::{
 };
 pub use keys::takes_mean_of_model;
 use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS};
-pub use location::Where;
+pub use location::{Where, named_angle_rad};
 pub use measured::MeasuredProblem;
 pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
 pub use motion::MotionProblem;
