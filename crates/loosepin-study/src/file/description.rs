@@ -135,7 +135,7 @@ pub struct SpecimenRows {
 /// A correlation of two random inputs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StatedCorrelation {
-    /// One input, by its place in [`Study::random`].
+    /// One input, by its place in [`Study::random`](super::Study::random).
     pub first: usize,
     /// The other one.
     pub second: usize,
