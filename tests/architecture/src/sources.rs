@@ -48,7 +48,10 @@ pub fn files_below(folder: &Path, extensions: &[&str]) -> Vec<Source> {
         for entry in std::fs::read_dir(&next).unwrap_or_else(|error| panic!("{}: {error}", next.display())) {
             let path = entry.expect("a folder entry can be read").path();
             if path.is_dir() {
-                open.push(path);
+                // What npm has installed there is not ours.
+                if path.file_name().is_none_or(|name| name != "node_modules") {
+                    open.push(path);
+                }
             } else if path.extension().is_some_and(|own| extensions.iter().any(|extension| own == *extension)) {
                 let relative = path.strip_prefix(folder).expect("the file lies below the folder");
                 let parts: Vec<_> = relative.iter().map(|part| part.to_string_lossy()).collect();
