@@ -19,8 +19,8 @@
 //! | `friction` | a friction law, [`Friction`] | [`FrictionLaw`] |
 //! | `film` | a film of oil, [`FilmPressure`] | [`FilmLaw`] |
 //!
-//! `point`, `linear` and `line` are what model files choose from (`model/contact/law.rs`): a law gives the numbers of a form in `normal`. Forms, friction
-//! and films are what the equations of motion evaluate. Each folder lists its files in its `mod.rs`.
+//! `point`, `linear` and `line` are what model files choose from (`model/contact/law.rs`): a law gives the numbers of a form
+//! in `normal`. Forms, friction and films are what the equations of motion evaluate. Each folder lists its files in its `mod.rs`.
 
 mod film;
 mod foundation;

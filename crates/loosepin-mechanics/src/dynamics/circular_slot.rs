@@ -11,6 +11,7 @@
 
 use super::contact::{Parts, Pressed, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::pin_on_wall::sliding_on_wall;
 use super::play::PlayMotion;
 use crate::contact::NormalForce;
 use crate::mechanism::{CircularSlotShape, PlayGeometry};
@@ -23,14 +24,8 @@ impl<T: Real> Parts<T> for CircularSlotShape<T> {
     }
 
     #[inline(always)]
-    fn penetration_m(&self, at: Touch<'_, T>) -> T {
-        contact(at.motion, at.play, self, at.place).penetration_m
-    }
-
-    #[inline(always)]
-    fn stored_energy_j(&self, motion: &PlayMotion<T>, of_law_j: T) -> T {
-        let is_inside = motion.eccentricity_m.length().less_than(self.radius_m);
-        of_law_j * T::select(is_inside, self.inner_share, T::one())
+    fn stored_energy_j(&self, at: Touch<'_, T>, of_law_j: T) -> T {
+        of_law_j * share(self, at.place)
     }
 
     /// The inner flank is less stiff.
@@ -42,15 +37,14 @@ impl<T: Real> Parts<T> for CircularSlotShape<T> {
         _penetration_m: T,
         force: &mut NormalForce<T>,
     ) -> Pressed<T> {
-        let share = if is_outer(at.place) { T::one() } else { self.inner_share };
-        force.total_n *= share;
-        force.elastic_n *= share;
+        let share = share(self, at.place);
+        force.scale(share);
         Pressed { share, normal_n: force.total_n, tangent: contact.normal.turned(), push_n: None }
     }
 
     #[inline(always)]
     fn sliding(&self, at: Touch<'_, T>, normal: Vec2<T>, tangent: Vec2<T>, penetration_m: T) -> Sliding<T> {
-        sliding(at.motion, at.play, self, [normal, tangent], penetration_m)
+        sliding_on_wall(at.motion, self.half_width_m - at.play.clearance_m, [normal, tangent], penetration_m)
     }
 
     #[inline(always)]
@@ -62,6 +56,12 @@ impl<T: Real> Parts<T> for CircularSlotShape<T> {
 /// Whether the contact at `place` is that of the outer flank.
 fn is_outer(place: usize) -> bool {
     place == 0
+}
+
+/// K of the flank at `place` over that of the contact's law, which is that of the outer one.
+#[inline(always)]
+fn share<T: Real>(slot: &CircularSlotShape<T>, place: usize) -> T {
+    if is_outer(place) { T::one() } else { slot.inner_share }
 }
 
 /// Normal, penetration and its rate; the normal force acts at the circle's centre on the slot's body, at the pin's on the other.
@@ -81,23 +81,6 @@ fn contact<T: Real>(
         penetration_rate_m_s: normal.dot(motion.eccentricity_rate_m_s),
         reaches_m: [Vec2::zero(); 2],
     }
-}
-
-/// Sliding of the pin's material on the slot's at one common contact point, R_j - δ/2 from the pin's centre along n.
-#[inline(never)]
-fn sliding<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &CircularSlotShape<T>,
-    [normal, tangent]: [Vec2<T>; 2],
-    penetration_m: T,
-) -> Sliding<T> {
-    let pin_arm_m = slot.half_width_m - play.clearance_m - penetration_m * T::from_f64(0.5);
-    // Against n, and negative, at the inner flank.
-    let slot_arm_m = normal.dot(motion.eccentricity_m) + pin_arm_m;
-    let [spin_i, spin_j] = motion.spins_rad_s;
-    let material_m_s = tangent.dot(motion.eccentricity_rate_m_s) + pin_arm_m * spin_j - slot_arm_m * spin_i;
-    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [slot_arm_m, pin_arm_m] }
 }
 
 /// δ and its derivatives; d²|e|/dt² = u·ë + (u×ė)²/|e|.

@@ -31,12 +31,13 @@ impl<T: Real> PlayMotion<T> {
 
     /// The elastic energy at `place` where the penetration is `penetration_m`, J.
     #[inline(always)]
-    pub fn stored_energy_j(&self, play: &PlayGeometry<T>, penetration_m: T) -> T {
+    pub fn stored_energy_j(&self, play: &PlayGeometry<T>, place: usize, penetration_m: T) -> T {
         if let Some(foundation) = &play.foundation {
             return foundation_contact::stored_energy_j(self, foundation, penetration_m);
         }
         let stored_j = play.normal.stored_energy_j(penetration_m);
-        ask_shape!(&play.shape, parts => parts.stored_energy_j(self, stored_j))
+        let at = Touch { motion: self, play, place };
+        ask_shape!(&play.shape, parts => parts.stored_energy_j(at, stored_j))
     }
 
     /// The force at `place` with the penetration and the bristles read off the motion. In flight (`state.contact` zero)
@@ -205,16 +206,19 @@ pub(super) trait Parts<T: Real> {
     fn contact(&self, at: Touch<'_, T>) -> ContactMotion<T>;
 
     /// δ, m, alone.
-    fn penetration_m(&self, at: Touch<'_, T>) -> T;
+    #[inline(always)]
+    fn penetration_m(&self, at: Touch<'_, T>) -> T {
+        self.contact(at).penetration_m
+    }
 
     /// The elastic energy, J, where the law would store `of_law_j`.
     #[inline(always)]
-    fn stored_energy_j(&self, motion: &PlayMotion<T>, of_law_j: T) -> T {
-        let _ = motion;
+    fn stored_energy_j(&self, at: Touch<'_, T>, of_law_j: T) -> T {
+        let _ = at;
         of_law_j
     }
 
-    /// What the force of the law is between them; `force` is changed where they are stiffer than it.
+    /// What the force of the law is between them; `force` is changed where their stiffness is not that of the law.
     #[inline(always)]
     fn pressed(
         &self,

@@ -79,8 +79,8 @@ pub struct ContactForce<T> {
     pub sliding_m_s: T,
     /// F_N |v_T| summed over the sectors of an elastic foundation, W; none of a contact at one point.
     pub spread_path_w: Option<T>,
-    /// Normal force here over that of the contact's law, and on an elastic foundation the force itself, N: one but for the ends of a slot, which are stiffer, and the edges of a guide, on
-    /// which the block leans.
+    /// Normal force here over that of the contact's law, and on an elastic foundation the force itself, N: one but for the ends of a slot,
+    /// which are stiffer, the inner flank of a circular slot, which is less stiff, and the edges of a guide, on which the block leans.
     pub force_share: T,
     /// Abscissa of the corner along the guide's line, m; zero but for a slider.
     pub along_m: T,
@@ -101,12 +101,12 @@ pub struct GapMotion<T> {
     pub gap: [T; 3],
     /// δ̈, m/s².
     pub penetration_acceleration_m_s2: T,
-    /// ξ of a pin along its slot's line, m, and its first two derivatives over the time; zeros where there is no slot.
+    /// ξ of a pin along its slot's line, m, and its first two derivatives over the time; zeros where there is no straight slot.
     pub along: [T; 3],
 }
 
 impl<T: Real> GapMotion<T> {
-    /// That of a contact which is not in a slot.
+    /// That of a contact which is not in a straight slot.
     #[inline(always)]
     pub(super) fn without_slot(gap: [T; 3], penetration_acceleration_m_s2: T) -> Self {
         Self { gap, penetration_acceleration_m_s2, along: [T::zero(); 3] }

@@ -70,7 +70,7 @@ impl<T: Real> Dynamics<'_, T> {
         for (contact, at) in self.sample.contacts.iter().enumerate() {
             let play = &self.sample.plays[at.play];
             let penetration_m = self.plays[at.play].penetration_at_m(play, at.place) * closed(contact);
-            energy.stored_j += self.plays[at.play].stored_energy_j(play, penetration_m);
+            energy.stored_j += self.plays[at.play].stored_energy_j(play, at.place, penetration_m);
         }
         for index in 0..self.spring_slots.len() {
             energy.stored_j += self.spring_force(index).stored_j;

@@ -21,11 +21,6 @@ impl<T: Real> Parts<T> for Flanks<T> {
         contact(at.motion, at.play, at.place)
     }
 
-    #[inline(always)]
-    fn penetration_m(&self, at: Touch<'_, T>) -> T {
-        contact(at.motion, at.play, at.place).penetration_m
-    }
-
     /// Its contact has no friction.
     #[inline(always)]
     fn sliding(&self, _at: Touch<'_, T>, _normal: Vec2<T>, _tangent: Vec2<T>, _penetration_m: T) -> Sliding<T> {

@@ -26,6 +26,7 @@ mod nodal_beam;
 mod nodal_room;
 mod output;
 mod pin;
+mod pin_on_wall;
 mod play;
 mod reactions;
 mod slot;

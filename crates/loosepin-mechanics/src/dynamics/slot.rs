@@ -15,6 +15,7 @@
 
 use super::contact::{Parts, Pressed, Touch};
 use super::contact_motion::{ContactMotion, GapMotion, Sliding};
+use super::pin_on_wall::sliding_on_wall;
 use super::play::PlayMotion;
 use crate::contact::{NormalContact, NormalForce};
 use crate::mechanism::{PlayGeometry, SlotShape};
@@ -32,8 +33,8 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     }
 
     #[inline(always)]
-    fn stored_energy_j(&self, motion: &PlayMotion<T>, of_law_j: T) -> T {
-        of_law_j * stiffening(motion, self).share
+    fn stored_energy_j(&self, at: Touch<'_, T>, of_law_j: T) -> T {
+        of_law_j * stiffening(at.motion, self).share
     }
 
     /// The ends are stiffer than the faces, and the wall pulls towards the softer one.
@@ -47,8 +48,7 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     ) -> Pressed<T> {
         let tangent = contact.normal.turned();
         let Stiffening { share, pull_1_m } = stiffening(at.motion, self);
-        force.total_n *= share;
-        force.elastic_n *= share;
+        force.scale(share);
         let push_n = tangent * (pull_1_m * at.play.normal.stored_energy_j(penetration_m));
         Pressed { share, normal_n: force.total_n, tangent, push_n: Some(push_n) }
     }
@@ -59,8 +59,8 @@ impl<T: Real> Parts<T> for SlotShape<T> {
     }
 
     #[inline(always)]
-    fn sliding(&self, at: Touch<'_, T>, normal: Vec2<T>, _tangent: Vec2<T>, penetration_m: T) -> Sliding<T> {
-        sliding(at.motion, at.play, self, normal, penetration_m)
+    fn sliding(&self, at: Touch<'_, T>, normal: Vec2<T>, tangent: Vec2<T>, penetration_m: T) -> Sliding<T> {
+        sliding_on_wall(at.motion, self.end_radius_m - at.play.clearance_m, [normal, tangent], penetration_m)
     }
 
     #[inline(always)]
@@ -120,22 +120,6 @@ fn contact<T: Real>(motion: &PlayMotion<T>, play: &PlayGeometry<T>, slot: &SlotS
         penetration_rate_m_s: normal.dot(velocity_m_s),
         reaches_m: [motion.eccentricity_m, Vec2::zero()],
     }
-}
-
-/// Sliding of the pin's material on the slot's at one common contact point, R_j - δ/2 from the pin's centre along n.
-#[inline(never)]
-fn sliding<T: Real>(
-    motion: &PlayMotion<T>,
-    play: &PlayGeometry<T>,
-    slot: &SlotShape<T>,
-    normal: Vec2<T>,
-    penetration_m: T,
-) -> Sliding<T> {
-    let pin_arm_m = slot.end_radius_m - play.clearance_m - penetration_m * T::from_f64(0.5);
-    let slot_arm_m = normal.dot(motion.eccentricity_m) + pin_arm_m;
-    let [spin_i, spin_j] = motion.spins_rad_s;
-    let material_m_s = normal.turned().dot(motion.eccentricity_rate_m_s) + pin_arm_m * spin_j - slot_arm_m * spin_i;
-    Sliding { sliding_m_s: material_m_s, material_m_s, arms_m: [slot_arm_m, pin_arm_m] }
 }
 
 /// The stiffness between faces and ends.

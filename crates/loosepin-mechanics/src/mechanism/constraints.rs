@@ -1,7 +1,8 @@
 //! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
 
+use super::cut_geometry::CutGeometry;
 use super::geometry::Geometry;
-use super::kinematics::{Kinematics, acceleration_at, moved};
+use super::kinematics::{Kinematics, Pose, acceleration_at, moved};
 use super::point_rows::KeptPoints;
 use super::tree::Tree;
 use crate::model::{JointId, Model, describe_path};
@@ -9,7 +10,7 @@ use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_value};
 use std::fmt;
 
-/// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line, sine of the
+/// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line or a circle, sine of the
 /// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
 #[inline(always)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
@@ -21,14 +22,19 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
         let residuals = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
         out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
         if cut.rows.holds_angle {
-            let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-            out[row + cut.rows.count() - 1] = turn.sin_cos().0;
+            out[row + cut.rows.count() - 1] = turn(numbers, &poses).sin_cos().0;
         }
         row += cut.rows.count();
     }
     for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
         *out = numbers.residual(places, kinematics);
     }
+}
+
+/// How far the second body of a cut is turned from the first, rad.
+#[inline(always)]
+fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
+    poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0]
 }
 
 /// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
@@ -43,8 +49,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
         let keeps = cut.rows.keeps;
         let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
-        let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-        let turn_cosine = turn.sin_cos().1;
+        let turn_cosine = if cut.rows.holds_angle { turn(numbers, &poses).sin_cos().1 } else { T::zero() };
         for (side, sign) in [(0, -T::one()), (1, T::one())] {
             let slot = cut.slots[side];
             if slot == 0 {
@@ -99,8 +104,7 @@ pub fn gradient<T: Real>(
             let rates = kept.rates(velocity, (side == 0).then_some(spin));
             out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
             if cut.rows.holds_angle {
-                let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-                out[row + cut.rows.count() - 1] = spin * sign * turn.sin_cos().1;
+                out[row + cut.rows.count() - 1] = spin * sign * turn(numbers, &poses).sin_cos().1;
             }
         }
         row += cut.rows.count();
@@ -126,8 +130,7 @@ pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Ki
     let Some(index) = index else { return T::one() };
     let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
     let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-    let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-    turn.sin_cos().1
+    turn(numbers, &poses).sin_cos().1
 }
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
@@ -148,8 +151,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
         out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
         if cut.rows.holds_angle {
-            let turn = poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0];
-            let (sine, cosine) = turn.sin_cos();
+            let (sine, cosine) = turn(numbers, &poses).sin_cos();
             let spin = twists[1].angular - twists[0].angular;
             out[row + cut.rows.count() - 1] =
                 cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();

@@ -277,7 +277,7 @@ impl<T: Real> Geometry<T> {
 
     /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
     /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
-    /// and an angle, rad; for a slot by an ordinate alone. A joint that the tree treats as a force element is left alone.
+    /// and an angle, rad; for a slot by an ordinate alone, for a circular one by a length outwards. A joint that the tree treats as a force element is left alone.
     fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<T>) {
         let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
         for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {

@@ -30,6 +30,15 @@ pub struct NormalForce<T> {
     pub elastic_n: T,
 }
 
+impl<T: Real> NormalForce<T> {
+    /// The force where the stiffness is `share` times that of the law.
+    #[inline(always)]
+    pub fn scale(&mut self, share: T) {
+        self.total_n *= share;
+        self.elastic_n *= share;
+    }
+}
+
 /// The numbers of a normal force law and its equations: what the equations of motion evaluate.
 ///
 /// The contact loses the power (F_N - F_el) δ̇, also while F_N is cut at zero. Most laws are an elastic force and a factor:

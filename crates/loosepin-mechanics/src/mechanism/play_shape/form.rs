@@ -1,4 +1,4 @@
-//! What every shape of parts with play says of itself.
+//! The interface of a shape of parts with play.
 
 use loosepin_math::{Real, Vec2};
 

@@ -24,7 +24,7 @@ impl<T: Real> PointRows<T> for Coincident<T> {
     }
 
     #[inline(always)]
-    fn biases(&self, _velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, _spin: T, _spin_rate: T) -> [T; 2] {
+    fn biases(&self, _velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, _spins: [T; 2]) -> [T; 2] {
         [acceleration_m_s2.x, acceleration_m_s2.y]
     }
 

@@ -1,4 +1,4 @@
-//! What every form of rows says of itself.
+//! The interface of a form of rows.
 
 use crate::mechanism::cut_geometry::CutGeometry;
 use loosepin_math::{Real, Vec2};
@@ -15,7 +15,7 @@ pub trait PointRows<T: Real>: Sized {
     fn rates(&self, velocity: Vec2<T>, spin: Option<T>) -> [T; 2];
 
     /// d²Φ/dt² for velocity and acceleration of the second point from the first, and ω and α of the first body.
-    fn biases(&self, velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, spin_rad_s: T, spin_rate_rad_s2: T) -> [T; 2];
+    fn biases(&self, velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, spins: [T; 2]) -> [T; 2];
 
     /// Force on the second body, N: λ times the gradient with respect to the second point.
     fn force_n(&self, multipliers_n: [T; 2]) -> Vec2<T>;

@@ -1,7 +1,7 @@
 //! The rows by which a cut joint keeps its two points together: a file for each form of them, and the list of them here.
 //!
 //! Nothing else knows a form of [`Keeps`] by its name: residuals, Jacobian and biases of the constraints, the force that the joint
-//! carries, and what a displacement by play changes are asked here.
+//! carries, and what a displacement by play changes go through this module.
 
 mod coincident;
 mod form;
@@ -31,7 +31,7 @@ macro_rules! point_rows {
                 match keeps { $(Keeps::$keeps => Self::$keeps($form::at(numbers, first_angle_rad, gap_m)),)* }
             }
 
-            /// Φ, m; zero for a second row that there is not, as below.
+            /// Φ, m; the second entry is zero for a form with one row, here and below.
             #[inline(always)]
             pub fn residuals(&self) -> [T; 2] {
                 match self { $(Self::$keeps(form) => form.residuals(),)* }
@@ -49,11 +49,9 @@ macro_rules! point_rows {
                 &self,
                 velocity_m_s: Vec2<T>,
                 acceleration_m_s2: Vec2<T>,
-                [spin_rad_s, spin_rate_rad_s2]: [T; 2],
+                spins: [T; 2],
             ) -> [T; 2] {
-                match self {
-                    $(Self::$keeps(form) => form.biases(velocity_m_s, acceleration_m_s2, spin_rad_s, spin_rate_rad_s2),)*
-                }
+                match self { $(Self::$keeps(form) => form.biases(velocity_m_s, acceleration_m_s2, spins),)* }
             }
 
             /// Force on the second body, N: λ times the gradient with respect to the second point.

@@ -33,7 +33,7 @@ impl<T: Real> PointRows<T> for OnCircle<T> {
 
     /// d²|e|/dt²: what goes round adds its centripetal part.
     #[inline(always)]
-    fn biases(&self, velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, _spin: T, _spin_rate: T) -> [T; 2] {
+    fn biases(&self, velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, _spins: [T; 2]) -> [T; 2] {
         let around_m_s = self.outwards.cross(velocity_m_s);
         [self.outwards.dot(acceleration_m_s2) + around_m_s.squared() / self.distance_m, T::zero()]
     }

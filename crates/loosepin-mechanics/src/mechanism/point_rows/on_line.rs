@@ -35,7 +35,12 @@ impl<T: Real> PointRows<T> for OnLine<T> {
 
     /// Second derivative of n·e.
     #[inline(always)]
-    fn biases(&self, velocity_m_s: Vec2<T>, acceleration_m_s2: Vec2<T>, spin_rad_s: T, spin_rate_rad_s2: T) -> [T; 2] {
+    fn biases(
+        &self,
+        velocity_m_s: Vec2<T>,
+        acceleration_m_s2: Vec2<T>,
+        [spin_rad_s, spin_rate_rad_s2]: [T; 2],
+    ) -> [T; 2] {
         let bias = self.normal.dot(acceleration_m_s2)
             - T::from_f64(2.0) * spin_rad_s * self.line.dot(velocity_m_s)
             - spin_rate_rad_s2 * self.line.dot(self.gap_m)

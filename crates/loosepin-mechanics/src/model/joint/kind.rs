@@ -120,7 +120,7 @@ impl IdealRows {
         self.keeps.count() + self.holds_angle as usize
     }
 
-    /// Whether the first row keeps a point on a line; else two rows keep two points together.
+    /// Whether the first row keeps a point on a straight line.
     #[inline(always)]
     pub const fn is_on_line(self) -> bool {
         matches!(self.keeps, Keeps::Line)
@@ -226,7 +226,7 @@ impl PlayParts<'_> {
 
     /// Whether the force differs from that of the contact's law from place to place.
     pub fn has_shares(self) -> bool {
-        self.has_face_ends() || matches!(self, Self::Slot { .. } | Self::CircularSlot { .. })
+        self.has_face_ends() || self.is_in_slot() || matches!(self, Self::CircularSlot { .. })
     }
 }
 
