@@ -2,6 +2,7 @@
 
 use crate::case::{Case, case};
 use crate::elements::file;
+use crate::power_balance::{assert_powers_balance, with_rates};
 use loosepin_math::{Dual, Numbers, Vec2};
 use loosepin_mechanics::contact::compliance_1_pa;
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
@@ -111,9 +112,7 @@ fn identity_derivatives_of_the_gap_and_powers_at_both_flanks() {
         let [value, rate, second] = plain.gap(place).gap;
         assert!((value - penetration_m).abs() < 1e-15, "the pin touches");
 
-        let moving: Vec<Dual<f64>> = (0..3).map(|k| Dual { value: q[k], derivative: rates[k] }).collect();
-        let turning: Vec<Dual<f64>> =
-            (0..3).map(|k| Dual { value: rates[k], derivative: plain.accelerations()[k] }).collect();
+        let [moving, turning] = with_rates([&q[..3], &rates[..3], plain.accelerations()]);
         let dual_sample = Sample::broadcast(&case.sample);
         let mut dual = Dynamics::new(&case.mechanism, &dual_sample);
         dual.set_state(Dual::variable(0.0), &moving, &turning);
@@ -126,17 +125,7 @@ fn identity_derivatives_of_the_gap_and_powers_at_both_flanks() {
         assert_eq!(plain.gap(place).penetration_acceleration_m_s2, second);
 
         let energy = dual.energy(|contact| contact == place);
-        let terms = [
-            energy.kinetic_j.derivative,
-            energy.potential_j.derivative,
-            energy.stored_j.derivative,
-            powers.contact_loss_w,
-            powers.friction_loss_w,
-            -powers.drives_w,
-        ];
-        let largest = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
-        let balance: f64 = terms.iter().sum();
-        assert!(balance.abs() <= ROUND_OFF * largest, "trial {trial}: {balance:e} of {terms:?}");
+        assert_powers_balance(&energy, &powers, ROUND_OFF, &format!("trial {trial}"));
         // Where the pin leaves so fast that the force is cut at zero, there is no friction.
         assert!(powers.friction_loss_w >= 0.0);
         looked_at += usize::from(powers.friction_loss_w > 0.0);

@@ -2,6 +2,7 @@
 
 use crate::case::{Case, case};
 use crate::elements::file;
+use crate::power_balance::{assert_powers_balance, with_rates};
 use loosepin_math::{Dual, Numbers};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::Sample;
@@ -298,9 +299,7 @@ fn derivatives_and_powers(text: &str) {
         plain.evaluate(time_s, &q, &rates, &states);
         let powers = plain.powers();
 
-        let moving: Vec<Dual<f64>> = (0..n).map(|k| Dual { value: q[k], derivative: rates[k] }).collect();
-        let turning: Vec<Dual<f64>> =
-            (0..n).map(|k| Dual { value: rates[k], derivative: plain.accelerations()[k] }).collect();
+        let [moving, turning] = with_rates([&q[..n], &rates[..n], plain.accelerations()]);
         let dual_sample = Sample::broadcast(&sample);
         let mut dual = Dynamics::new(&mechanism, &dual_sample);
         dual.set_state(Dual::variable(time_s), &moving, &turning);
@@ -316,17 +315,7 @@ fn derivatives_and_powers(text: &str) {
             assert!((change_m_s2 - second).abs() < ROUND_OFF * largest, "{contact}: {change_m_s2} {second}");
         }
         let energy = dual.energy(|contact| states[contact].contact > 0.0);
-        let terms = [
-            energy.kinetic_j.derivative,
-            energy.potential_j.derivative,
-            energy.stored_j.derivative,
-            powers.contact_loss_w,
-            powers.friction_loss_w,
-            -powers.drives_w,
-        ];
-        let largest = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
-        let balance: f64 = terms.iter().sum();
-        assert!(balance.abs() <= ROUND_OFF * largest, "trial {trial}: {balance:e} of {terms:?}");
+        assert_powers_balance(&energy, &powers, ROUND_OFF, &format!("trial {trial}"));
         assert!(powers.friction_loss_w >= 0.0 && powers.contact_loss_w.is_finite());
     }
     assert!(in_contact > 8, "only {in_contact} contacts were looked at");

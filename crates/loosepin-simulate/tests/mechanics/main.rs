@@ -15,6 +15,7 @@ mod guide_ends;
 mod guide_play;
 mod lanes;
 mod outputs;
+mod power_balance;
 mod slot_ends;
 mod slot_play;
 mod spectra;

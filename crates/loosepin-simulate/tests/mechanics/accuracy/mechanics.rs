@@ -1,6 +1,7 @@
 //! Energy and momentum of the equations of motion, exactly.
 
 use super::{build_case, build_text, case_names, ideal_at, spread};
+use crate::power_balance::{assert_powers_balance, with_rates};
 use loosepin_math::{Dual, Vec2};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
 use loosepin_mechanics::mechanism::{Attachment, ContactPlace, Sample, acceleration_at};
@@ -47,24 +48,11 @@ fn identity_power_balance_of_all_cases() {
             plain.evaluate(time_s, &q[..n], &rates[..n], &states);
             let powers = plain.powers();
 
-            let moving: Vec<Dual<f64>> = (0..n).map(|k| Dual { value: q[k], derivative: rates[k] }).collect();
-            let turning: Vec<Dual<f64>> =
-                (0..n).map(|k| Dual { value: rates[k], derivative: plain.accelerations()[k] }).collect();
+            let [moving, turning] = with_rates([&q[..n], &rates[..n], plain.accelerations()]);
             let mut dual = Dynamics::new(mechanism, &dual_sample);
             dual.set_state(Dual::variable(time_s), &moving, &turning);
             let energy = dual.energy(|contact| touches[contact]);
-            let terms = [
-                energy.kinetic_j.derivative,
-                energy.potential_j.derivative,
-                energy.stored_j.derivative,
-                powers.contact_loss_w,
-                powers.friction_loss_w,
-                -powers.drives_w,
-                -powers.loads_w,
-            ];
-            let largest = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
-            let balance: f64 = terms.iter().sum();
-            assert!(balance.abs() <= ROUND_OFF * largest, "{case}, trial {trial}: {balance:e} of {terms:?}");
+            assert_powers_balance(&energy, &powers, ROUND_OFF, &format!("{case}, trial {trial}"));
         }
     }
     assert!(in_contact > 30, "only {in_contact} contacts were looked at");
