@@ -155,6 +155,11 @@ impl ColumnPlan {
             .collect()
     }
 
+    /// Each requirement with each of its columns, in the order of their outcomes: one for the whole cycle, or for each pose.
+    pub fn required(&self) -> impl Iterator<Item = (&Requirement, usize)> {
+        self.requirements.iter().flat_map(|required| required.columns.iter().map(move |&column| (required, column)))
+    }
+
     /// Every statistic that is needed: those asked for, those that the charts show, those of the requirements.
     pub fn requests(&self) -> Vec<Request> {
         let mut requests: Vec<Request> = Vec::new();

@@ -64,15 +64,7 @@ impl<'s> Drafting<'s> {
     fn draft(&self, plan: &DoubleLoop, table: &SampleTable) -> Result<Draft, PlanError> {
         let &Self { study, response, .. } = self;
         let bounds = plan.results(table)?;
-        let material = Material {
-            study,
-            response,
-            table,
-            sampling: study.sampling,
-            bounds: &bounds,
-            pairs: &bounds.pairs,
-            rare: &[],
-        };
+        let material = Material::of_bounds(study, response, table, &bounds);
         let is_reduced = |at: &ResponsePoint| matches!(at, ResponsePoint::Reduced { .. });
         Ok(Draft {
             runs: table.len(),

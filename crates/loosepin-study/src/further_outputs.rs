@@ -91,7 +91,7 @@ impl<'s> FurtherOutputs<'s> {
     /// and the part of `options` are not used.
     ///
     /// # Errors
-    /// It was interrupted, all runs of the first round failed, or whoever makes them does not go on.
+    /// It was interrupted, all runs of the first round failed, or their maker stopped.
     pub fn run(&self, round: &[RunInputs], before: usize, options: &RunOptions<'_>) -> Result<SampleTable, StudyError> {
         let options = RunOptions { store: None, part: Part::Whole, ..*options };
         let most_runs = self.plan.most_runs().max(before + round.len());

@@ -1,4 +1,4 @@
-//! What a study tells whoever waits for it, while it runs.
+//! Progress of a study while it runs: stages, counts, drafts, notes.
 
 use loosepin_bounds::{DoubleLoop, Failure, RunInputs, SampleTable};
 use loosepin_result::study::Draft;
@@ -18,7 +18,7 @@ pub enum Stage {
     Finished,
 }
 
-/// Hears how far a study is.
+/// Receives the progress of a study.
 pub trait Progress: Sync {
     /// `finished` of at most `most` runs are done.
     fn runs(&self, finished: usize, most: usize);
@@ -33,12 +33,12 @@ pub trait Progress: Sync {
         false
     }
 
-    /// Hears what the runs so far say.
+    /// A draft from the runs so far.
     fn draft(&self, draft: &Draft) {
         let _ = draft;
     }
 
-    /// Hears what is otherwise than whoever waits expects, and changes no result.
+    /// Informational note to the user; it does not affect results.
     fn note(&self, text: &str) {
         let _ = text;
     }
@@ -49,10 +49,10 @@ pub(super) trait Drafts: Sync {
     /// Whether a run of the first round belongs to the pilot, which is made before the others.
     fn is_in_pilot(&self, inputs: &RunInputs) -> bool;
 
-    /// What the runs of the pilot say; nothing where they do not suffice.
+    /// The draft from the runs of the pilot; `None` if they do not suffice.
     fn of_pilot(&self, runs: &[PilotRun<'_>]) -> Option<Draft>;
 
-    /// What `plan` says of the runs in `table`; nothing where it asks for nothing that a draft tells.
+    /// The draft that `plan` makes from the runs in `table`; `None` if it asks for nothing that a draft shows.
     fn of(&self, plan: &DoubleLoop, table: &SampleTable) -> Option<Draft>;
 }
 

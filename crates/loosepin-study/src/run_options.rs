@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 pub struct RunOptions<'a> {
     /// Number of threads.
     pub threads: usize,
-    /// Is told how far it is.
+    /// Receives its progress.
     pub progress: &'a dyn Progress,
     /// Stops it when set.
     pub stop: &'a AtomicBool,

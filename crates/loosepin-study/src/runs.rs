@@ -76,7 +76,7 @@ impl<'s> Runs<'s> {
         }
     }
 
-    /// Makes the runs of the pilot in `round`, the first one, and tells their draft; the rows by their place, nothing for all others.
+    /// Makes the runs of the pilot in `round`, the first one, and tells their draft; the rows by their place, the other places have no entry.
     ///
     /// # Errors
     /// The store cannot be used.
@@ -145,7 +145,7 @@ impl<'s> Runs<'s> {
         Err(StudyError::TooManyFailed(Box::new(TooManyFailed { runs, made, failed, most_failed, commonest })))
     }
 
-    /// The rows that `response`, of a study like this one, gives for the inputs of `runs`; nothing for a run that fails. They are not kept.
+    /// The rows that `response`, of a study like this one, gives for the inputs of `runs`; `None` for a run that fails. They are not kept.
     ///
     /// # Errors
     /// The study was interrupted.

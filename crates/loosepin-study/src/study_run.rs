@@ -3,7 +3,7 @@
 use super::assemble::{assemble, pictures, witness_commands};
 use super::draft::Drafting;
 use super::error::StudyError;
-use super::file::{Sampling, Study};
+use super::file::Study;
 use super::goals::goals;
 use super::part::Part;
 use super::plans::{Plans, refuse_time};
@@ -20,7 +20,7 @@ use loosepin_bounds::{SampleTable, TableError};
 ///
 /// # Errors
 /// See [`StudyError`]; failed runs are no error as long as some succeed. [`StudyError::RoundOpen`] where runs are missing that are made
-/// elsewhere, [`StudyError::NotMade`] where whoever makes them does not go on.
+/// elsewhere, [`StudyError::NotMade`] if their maker stops.
 pub fn run_study(study: &Study, input_hash: &str, options: &RunOptions<'_>) -> Result<StudyRun, StudyError> {
     let RunOptions { threads, progress, store, part, .. } = *options;
     if part != Part::Whole {
@@ -37,8 +37,8 @@ pub fn run_study(study: &Study, input_hash: &str, options: &RunOptions<'_>) -> R
     }
     let mut runs = Runs::new(options, (study, &response), table, (0, plans.limits.most_runs()))?;
     // A surrogate that stands alone has rounds of its own.
-    let is_told = progress.wants_drafts() && !plans.is_surrogate_alone;
-    let drafting = is_told.then(|| Drafting::new(study, &response, plans.refinement.plan(&runs.table)));
+    let wants_drafts = progress.wants_drafts() && !plans.is_surrogate_alone;
+    let drafting = wants_drafts.then(|| Drafting::new(study, &response, plans.refinement.plan(&runs.table)));
     runs.drafts = drafting.as_ref().map(|drafting| drafting as &dyn Drafts);
     progress.runs(0, runs.most_runs);
     let mut found = bounds_of(&plans, &mut runs)?;
@@ -60,17 +60,14 @@ fn bounds_of(plans: &Plans, runs: &mut Runs<'_>) -> Result<Found, StudyError> {
             let steps = SurrogateSteps::new(plan, goals, plans.limits.budget)?;
             let (learned, ended) = take_steps(steps, runs, Some(&plans.limits))?;
             let bounds = learned.bounds.to_bounds(&learned.plan, runs.table.rounds());
-            let mut found = Found::new(runs.study.sampling, bounds, ended);
+            let mut found = Found::new(bounds, ended);
             found.surrogate = Some(learned);
             found
         }
         _ => {
             let steps = DirectSteps::new(plans.refinement.clone(), plans.limits.budget);
             let direct = take_steps(steps, runs, Some(&plans.limits))?;
-            // The samples that it came to have.
-            let loosepin_bounds::Sampling { outer, inner, replicates, .. } = direct.plan.problem().sampling;
-            let sampling = Sampling { outer, inner, replicates, ..runs.study.sampling };
-            let mut found = Found::new(sampling, direct.bounds, direct.ended);
+            let mut found = Found::new(direct.bounds, direct.ended);
             found.double_loop = Some(direct.plan);
             found
         }

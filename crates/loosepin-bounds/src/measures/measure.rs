@@ -33,7 +33,7 @@ pub(crate) trait Measured: Debug + Send + Sync {
         None
     }
 
-    /// Whether runs are counted, so that it is flat where all of them are on one side: what lies beyond is told by its margin.
+    /// Whether runs are counted, so that it is flat where all of them are on one side: its margin says what lies beyond.
     fn is_counted(&self) -> bool {
         false
     }

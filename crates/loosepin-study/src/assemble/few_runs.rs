@@ -44,6 +44,6 @@ impl FewRuns {
     /// With only some of the bounds.
     pub fn material<'m>(&'m self, pairs: &'m [BoundPair]) -> Material<'m> {
         let Self { study, response, table, bounds } = self;
-        Material { study, response, table, sampling: study.sampling, bounds, pairs, rare: &[] }
+        Material::of_bounds(study, response, table, bounds).with_pairs(pairs)
     }
 }

@@ -38,6 +38,16 @@ impl Limit {
 }
 
 impl<'m> Material<'m> {
+    /// What `bounds` say of a study with the samples that it states; no small probability was estimated otherwise than by counting.
+    pub fn of_bounds(
+        study: &'m Study,
+        response: &'m StudyResponse,
+        table: &'m SampleTable,
+        bounds: &'m Bounds,
+    ) -> Material<'m> {
+        Material { study, response, table, sampling: study.sampling, bounds, pairs: &bounds.pairs, rare: &[] }
+    }
+
     /// The same with other bounds. A small probability that was not counted belongs to what is possible at all, by the first reading: here runs
     /// are counted.
     pub fn with_pairs<'p>(&self, pairs: &'p [BoundPair]) -> Material<'p>

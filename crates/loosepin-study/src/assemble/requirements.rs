@@ -8,8 +8,7 @@ use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, 
 /// One outcome for each pose of each requirement, or for the whole cycle. A share without a bound may be anything: such a requirement
 /// is undecided.
 pub fn requirements(material: &Material<'_>) -> Vec<RequirementOutcome> {
-    let required = material.plan().requirements.iter();
-    required.flat_map(|required| required.columns.iter().map(|&column| outcome(material, required, column))).collect()
+    material.plan().required().map(|(required, column)| outcome(material, required, column)).collect()
 }
 
 fn outcome(material: &Material<'_>, requirement: &Requirement, column: usize) -> RequirementOutcome {
@@ -107,7 +106,7 @@ mod tests {
         (bounds, table): (&Bounds, &SampleTable),
         pairs: &[BoundPair],
     ) -> Vec<RequirementOutcome> {
-        requirements(&Material { study, response, table, sampling: study.sampling, bounds, pairs, rare: &[] })
+        requirements(&Material::of_bounds(study, response, table, bounds).with_pairs(pairs))
     }
 
     #[test]

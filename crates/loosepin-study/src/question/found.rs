@@ -14,8 +14,6 @@ use loosepin_result::study::StudyResult;
 
 /// What a study has found so far.
 pub struct Found {
-    /// The samples that the study came to have.
-    pub sampling: Sampling,
     /// The double loop of the last round; `None` if the surrogate stands alone.
     pub double_loop: Option<DoubleLoop>,
     pub bounds: Bounds,
@@ -42,9 +40,9 @@ pub struct StudyRun {
 
 impl Found {
     /// Nothing but bounds.
-    pub fn new(sampling: Sampling, bounds: Bounds, ended: Ended) -> Self {
+    pub fn new(bounds: Bounds, ended: Ended) -> Self {
         let (rare, curve_bands, other_readings) = (Vec::new(), Vec::new(), Vec::new());
-        Self { sampling, double_loop: None, bounds, ended, rare, surrogate: None, curve_bands, other_readings }
+        Self { double_loop: None, bounds, ended, rare, surrogate: None, curve_bands, other_readings }
     }
 
     /// Completes the bounds once all runs are made: by the other readings of intervals, and for whole curves.
@@ -65,7 +63,11 @@ impl Found {
     /// What a result is made from.
     pub fn material<'m>(&'m self, runs: &'m Runs<'_>) -> Material<'m> {
         let Runs { study, response, table, .. } = runs;
-        let Self { sampling, bounds, rare, .. } = self;
-        Material { study, response, table, sampling: *sampling, bounds, pairs: &bounds.pairs, rare }
+        let Self { double_loop, bounds, rare, .. } = self;
+        let sampling = double_loop.as_ref().map_or(study.sampling, |plan| {
+            let loosepin_bounds::Sampling { outer, inner, replicates, .. } = plan.problem().sampling;
+            Sampling { outer, inner, replicates, ..study.sampling }
+        });
+        Material { sampling, rare, ..Material::of_bounds(study, response, table, bounds) }
     }
 }

@@ -81,13 +81,12 @@ struct FurtherTurnsQuestion {
     is_stated: bool,
     /// Runs of the bounds at most, among which those are that go on.
     most_of_bounds: usize,
-    /// What they change, or why there is nothing to look at.
-    answer: Answer,
+    /// What they change, or why there is nothing to look at; `None` before the runs.
+    answer: Option<Answer>,
 }
 
 type Answer = Result<FurtherTurns, &'static str>;
 
-const NOT_RUN: &str = "No run has been continued.";
 const IS_TIME: &str = "The study covers a duration, not turns: no turns follow those that are recorded.";
 const IS_LIFE: &str = "Joints wear: the life is extrapolated from its cycles, not from further turns.";
 const NO_EXTREME: &str =
@@ -107,8 +106,7 @@ fn planned(basis: &Basis<'_>) -> Planned {
         check_turns(cycle.transient_turns, cycle.recorded_turns + f64::from(settings.turns)).map_err(by_own_table)?;
     }
     let most_of_bounds = basis.double_loop.most_runs();
-    let answer = Err(NOT_RUN);
-    Ok(Some(Box::new(FurtherTurnsQuestion { settings, is_stated: stated.is_some(), most_of_bounds, answer })))
+    Ok(Some(Box::new(FurtherTurnsQuestion { settings, is_stated: stated.is_some(), most_of_bounds, answer: None })))
 }
 
 /// It is the number of further turns that is too large.
@@ -128,20 +126,20 @@ impl Question for FurtherTurnsQuestion {
     }
 
     fn run(&mut self, runs: &mut Runs<'_>, _found: &mut Found) -> Result<(), StudyError> {
-        self.answer = further_turns(self.settings, runs)?;
+        self.answer = Some(further_turns(self.settings, runs)?);
         Ok(())
     }
 
     fn record(&self, _material: &Material<'_>, _found: &Found, run: &mut StudyRun) -> Result<(), StudyError> {
         match &self.answer {
-            Ok(answer) => run.result.further_turns = Some(answer.clone()),
-            // Whoever states further turns is told why they are not among the results.
-            Err(reason) if self.is_stated => {
-                let mut told = QuestionAnswer::new("further_turns", "Further turns");
-                told.say([AnswerPart::from(*reason)]);
-                run.result.answers.push(told);
+            Some(Ok(answer)) => run.result.further_turns = Some(answer.clone()),
+            // A stated question has an answer in any case.
+            Some(Err(reason)) if self.is_stated => {
+                let mut answer = QuestionAnswer::new("further_turns", "Further turns");
+                answer.say([AnswerPart::from(*reason)]);
+                run.result.answers.push(answer);
             }
-            Err(_) => {}
+            _ => {}
         }
         Ok(())
     }
@@ -160,13 +158,13 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyErr
         return Ok(Err(IS_LIFE));
     }
     let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();
+    if columns.is_empty() {
+        return Ok(Err(NO_EXTREME));
+    }
     let is_restless = |run: &usize| {
         table.failure(*run).is_none() && runs.response.extras(table.values(*run)).change_over_last_turn >= SETTLED
     };
     let restless: Vec<usize> = (0..table.len()).filter(is_restless).collect();
-    if columns.is_empty() {
-        return Ok(Err(NO_EXTREME));
-    }
     if restless.is_empty() {
         return Ok(Err(REPEATS));
     }
@@ -206,10 +204,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<Answer, StudyErr
             largest_excess_si: excesses.iter().copied().fold(0.0, f64::max),
         }
     });
-    // As the outcomes of requirements are listed: one for the whole cycle, or for each pose.
-    let outcomes =
-        plan.requirements.iter().flat_map(|required| required.columns.iter().map(move |own| (required, *own)));
-    let broken_later = outcomes.map(|(required, own)| {
+    let broken_later = plan.required().map(|(required, own)| {
         let is_whole = required.location == Where::Cycle;
         let place = columns.iter().position(|(column, _)| is_whole && *column == own)?;
         let is_kept = |value: f64| keeps(required.limit, value);

@@ -25,7 +25,7 @@ pub(crate) trait Steps: Send {
         None
     }
 
-    /// Hears that the budget does not allow the step of `runs` runs that was asked for last: the answer is due.
+    /// The budget does not allow the step of `runs` runs that was asked for last: the answer is due.
     fn refuse(&mut self, runs: usize) {
         let _ = runs;
     }
@@ -56,9 +56,8 @@ pub(crate) fn take_steps<S: Steps>(
     let watch = limits.map(Limits::watch);
     let mut begun = 0;
     loop {
-        let pool = runs.pool.clone();
         runs.options.progress.stage(Stage::Planning);
-        let (wanted, may_fail) = match pool.install(|| steps.next(&runs.table))? {
+        let (wanted, may_fail) = match runs.pool.install(|| steps.next(&runs.table))? {
             Next::Answer(answer) => return Ok(answer),
             Next::Beside(wanted) => (wanted, true),
             Next::Further(wanted) => (wanted, false),

@@ -302,15 +302,7 @@ fn run(runs: &Runs<'_>, set: &[(&Allowance, f64)], seed: u64) -> Result<Answer, 
     let mut own = runs.of_another(&study, &response, table);
     own.loosened = &loosened;
     let bounds = take_steps(DirectSteps::new(rounds, None), &mut own, None)?.bounds;
-    let material = Material {
-        study: &study,
-        response: &response,
-        table: &own.table,
-        sampling: study.sampling,
-        bounds: &bounds,
-        pairs: &bounds.pairs,
-        rare: &[],
-    };
+    let material = Material::of_bounds(&study, &response, &own.table, &bounds);
     own.close();
     Ok(Answer { outcomes: requirements(&material), runs: own.table.len() })
 }

@@ -59,12 +59,9 @@ fn promised_end(material: &Material<'_>, found: &PromisedBound) -> PromisedEnd {
 
 /// Gives the requirements that a promise decides their verdicts, in the order of the plan.
 pub fn decide(material: &Material<'_>, found: &[PromisedBound], outcomes: &mut [RequirementOutcome]) {
-    let required = material.plan().requirements.iter();
-    let places = required.flat_map(|required| required.columns.iter().map(move |&column| (required, column)));
-    for ((required, column), outcome) in places.zip(outcomes) {
-        if !required.is_promised {
-            continue;
-        }
+    debug_assert_eq!(material.plan().required().count(), outcomes.len());
+    let places = material.plan().required().zip(outcomes);
+    for ((required, column), outcome) in places.filter(|((required, _), _)| required.is_promised) {
         let request = Request { column, statistic: required.limit.broken() };
         let bound = found.iter().find(|bound| bound.asked.request == request && bound.asked.side == Side::Upper);
         let least = bound.map_or(0.0, |bound| 1.0 - bound.bound);

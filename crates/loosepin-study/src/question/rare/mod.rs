@@ -11,7 +11,7 @@ use super::kind::{Basis, Planned, Question};
 use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
-use crate::file::{Ask, RareMethod, Study, Where};
+use crate::file::{Ask, RareMethod, Study};
 use crate::runs::Runs;
 use loosepin_bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
@@ -79,12 +79,7 @@ impl Question for RareQuestion {
 
     fn run(&mut self, runs: &mut Runs<'_>, found: &mut Found) -> Result<(), StudyError> {
         let Some(double_loop) = &found.double_loop else { return Ok(()) };
-        let steps = RareSteps::new(
-            (runs.study, found.sampling.inner),
-            &runs.response.shared.plan.asks,
-            double_loop,
-            &found.bounds,
-        );
+        let steps = RareSteps::new(runs.study, &runs.response.shared.plan.asks, double_loop, &found.bounds);
         found.rare = take_steps(steps, runs, None)?;
         Ok(())
     }
@@ -97,7 +92,7 @@ impl Question for RareQuestion {
 
 /// Every probability that is asked for so.
 fn requests(asks: &[Ask]) -> impl Iterator<Item = (usize, Statistic, RareMethod)> {
-    asks.iter().filter(|ask| ask.location != Where::Cycle).flat_map(|ask| {
+    asks.iter().flat_map(|ask| {
         let rare = move |&column: &usize| ask.by_method().map(move |(statistic, method)| (column, statistic, method));
         ask.columns.iter().flat_map(rare)
     })
@@ -119,8 +114,9 @@ struct RareSteps<'s> {
 }
 
 impl<'s> RareSteps<'s> {
-    /// The small probabilities of `study`, whose double loop `plan` has given `bounds` from `inner` samples at each point.
-    fn new((study, inner): (&'s Study, usize), asks: &[Ask], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
+    /// The small probabilities of `study`, whose double loop `plan` has given `bounds`.
+    fn new(study: &'s Study, asks: &[Ask], plan: &'s DoubleLoop, bounds: &Bounds) -> Self {
+        let inner = plan.problem().sampling.inner;
         let hits = |column: usize, statistic: Statistic| {
             let pair = bounds.pairs.iter().find(|pair| pair.column == column && pair.statistic == statistic);
             pair.map_or(0.0, |pair| pair.upper.value * inner as f64)

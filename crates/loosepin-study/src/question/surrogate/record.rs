@@ -14,7 +14,7 @@ use loosepin_text::units::SiUnit;
 pub fn surrogate_record(material: &Material<'_>, plan: &SurrogatePlan, found: &SurrogateBounds) -> SurrogateRecord {
     let is_alone = material.study.surrogate.is_some_and(|surrogate| surrogate.is_alone);
     let pairs = found.to_bounds(plan, 0).pairs;
-    let of_surrogate = Material { pairs: &pairs, rare: &[], ..*material };
+    let of_surrogate = material.with_pairs(&pairs);
     SurrogateRecord {
         training_runs: found.training_runs as u64,
         confirming_runs: found.confirming_runs as u64,
