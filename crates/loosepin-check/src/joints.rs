@@ -7,7 +7,7 @@ use loosepin_mechanics::model::{
     Values,
 };
 use loosepin_text::article::{Fact, Section};
-use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value};
+use loosepin_text::units::{Dimension, counted_or_no, format_number, format_value, listed};
 
 use super::names::NamesOf;
 
@@ -170,7 +170,7 @@ fn stiffness_words(
             match numbers.shape.wall_shares() {
                 Some(walls) => {
                     let walls = walls.map(|(wall, share)| format!("{} {wall}", shown(stiffness * share)));
-                    format!("stiffness {}, {origin}; ", walls.join(" and "))
+                    format!("stiffness {}, {origin}; ", listed(&walls, "and"))
                 }
                 None => format!("stiffness {} {origin}; ", shown(stiffness)),
             }

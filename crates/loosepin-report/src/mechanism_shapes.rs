@@ -160,11 +160,16 @@ fn gaps_mm(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<V
     Some((0..poses.drive_angle_rad.len()).map(gap_mm).collect())
 }
 
-/// How far a slider moves along its guide, mm from the guide's point, in all poses; none where the record names no such point.
+/// How far a slider moves along its guide, mm from the guide's point, in all poses; `None` if the record names no such point.
 pub(super) fn way(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable) -> Option<(f64, f64)> {
+    gaps_mm(drawing, joint, poses).map(|gaps_mm| way_of(joint, &gaps_mm))
+}
+
+/// The least and the largest part of `gaps_mm` along the guide.
+fn way_of(joint: &DrawnJoint, gaps_mm: &[(f64, f64)]) -> (f64, f64) {
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
-    let along = gaps_mm(drawing, joint, poses)?.into_iter().map(|(x, y)| x * cosine + y * sine);
-    Some(along.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), along| (from.min(along), to.max(along))))
+    let along = gaps_mm.iter().map(|(x, y)| x * cosine + y * sine);
+    along.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), along| (from.min(along), to.max(along)))
 }
 
 /// Both rails of a circular slot: the outer one anticlockwise in short pieces, the inner one back; all round where the pin comes so far.
@@ -198,12 +203,13 @@ fn round_rails(gaps_mm: &[(f64, f64)], (x, y): (f64, f64), margin: f64, side: f6
 /// Both rails of a guide or slot, `side` from its middle, in the frame of the body that carries it: from end to end along it, and back.
 fn rails(drawing: &Drawing, joint: &DrawnJoint, poses: &PoseTable, frame: &Frame, side: f64) -> Vec<[(f64, f64); 2]> {
     let margin = 0.06 * frame.diagonal();
-    let (Some((from, to)), Some((x, y))) = (way(drawing, joint, poses), point_mm(drawing, joint.first)) else {
+    let (Some(gaps_mm), Some((x, y))) = (gaps_mm(drawing, joint, poses), point_mm(drawing, joint.first)) else {
         return Vec::new();
     };
     if joint.kind.has_circle() {
-        return round_rails(&gaps_mm(drawing, joint, poses).unwrap_or_default(), (x, y), margin, side);
+        return round_rails(&gaps_mm, (x, y), margin, side);
     }
+    let (from, to) = way_of(joint, &gaps_mm);
     let (sine, cosine) = joint.guide_angle_rad.sin_cos();
     let (from, to) = (from - margin, to + margin);
     let at = |along: f64, side: f64| (x + along * cosine - side * sine, y + along * sine + side * cosine);

@@ -274,9 +274,9 @@ pub(super) fn only_curves(count: usize, writer: &NumberWriter) -> Option<String>
     })
 }
 
-/// `3 more bounds are in `, `1 more bound is in `; `which` stands behind the noun, with a space at its end.
-pub(super) fn further(others: usize, singular: &str, which: &str, writer: &NumberWriter) -> String {
-    let number = count(others as u64, &writer.about(&Tag::Count("bounds that are not shown")));
+/// `3 more bounds are in `, `1 more bound is in `; `which` stands behind the noun, with a space at its end; `tag`: what is counted.
+pub(super) fn further(others: usize, singular: &str, which: &str, tag: &Tag, writer: &NumberWriter) -> String {
+    let number = count(others as u64, &writer.about(tag));
     match others {
         1 => format!("{number} more {singular} {which}is in "),
         _ => format!("{number} more {singular}s {which}are in "),

@@ -134,9 +134,7 @@ fn method(answer: &Identification, writer: &NumberWriter<'_>) -> Section {
     facts.extend((!answer.motion.is_empty()).then(|| Fact::new("Motion", [motion])));
     facts.extend((!answer.specimens.is_empty()).then(|| Fact::new("Readings", [readings])));
     facts.push(Fact::new("Version", [format!("loosepin {}", answer.version)]));
-    let mut section = Section::new("method", "How this was computed");
-    section.push(Content::Facts(facts));
-    section
+    Section::of_facts("method", "How this was computed", facts)
 }
 
 #[cfg(test)]

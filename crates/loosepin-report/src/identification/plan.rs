@@ -5,7 +5,7 @@ use crate::article_page::push_figure;
 use crate::number::{NumberWriter, Rounding};
 use crate::wording::remark;
 use loosepin_result::motion_identification::{MotionPlan, PlannedFeature};
-use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
+use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::listed;
 
 /// A feature that leaves more than this share of each unknown tells nothing.
@@ -13,7 +13,7 @@ const TELLS_NOTHING: f64 = 0.95;
 
 /// What each feature would leave of the unknowns.
 pub(super) fn plan_section(plan: &MotionPlan, writer: &NumberWriter<'_>) -> Section {
-    let mut section = Section::new("next", Text::by_medium("What to measure next", ""));
+    let mut section = Section::headed_on_page("next", "What to measure next");
     let head = format!(
         "What each feature would leave: mean over measurements that are imagined at {} values of the unknowns, {} runs each.",
         plan.points, plan.runs_per_point

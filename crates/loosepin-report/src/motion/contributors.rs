@@ -32,7 +32,7 @@ pub(super) fn contributors_section(record: &MotionRecord, writer: &NumberWriter)
         Column::numbers_on_terminal(head("share")),
     ];
     let caption = "Shares of the sum of the first-order effects, at the angle where it is largest.".into();
-    let mut section = Section::new("contributors", Text::by_medium("Contribution of each joint", ""));
+    let mut section = Section::headed_on_page("contributors", "Contribution of each joint");
     section.push(Content::Table(Table { columns, groups, caption, ..Table::default() }));
     Some(section)
 }

@@ -18,7 +18,7 @@ pub(super) fn efforts_section(record: &MotionRecord, writer: &NumberWriter) -> O
     if record.efforts.is_empty() {
         return None;
     }
-    let mut section = Section::new("efforts", Text::by_medium("What the drives must do", ""));
+    let mut section = Section::headed_on_page("efforts", "What the drives must do");
     let what = Text::from(
         "What inertia, weight, springs, loads and friction in joints without play need to make the ideal motion. Play and impacts are not \
          included: use ",

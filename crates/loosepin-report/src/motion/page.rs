@@ -10,7 +10,7 @@ use crate::repeat_section::repeat_section;
 use crate::tag::Tag;
 use crate::wording::count;
 use loosepin_result::motion::MotionRecord;
-use loosepin_text::article::{self, Content, Fact};
+use loosepin_text::article::{self, Fact};
 use loosepin_text::units::SiUnit;
 
 use super::answer::{has_clearance, has_scatter, headline_sentences, singular_place};
@@ -86,9 +86,7 @@ fn method(record: &MotionRecord, writer: &NumberWriter) -> article::Section {
         Fact::new("Singular position", [format!("{}: {}", singular_place(record, position, writer), position.words)])
     }));
     facts.push(Fact::new("Version", [format!("loosepin {}", record.version)]));
-    let mut section = article::Section::new("method", "How this was computed");
-    section.push(Content::Facts(facts));
-    section
+    article::Section::of_facts("method", "How this was computed", facts)
 }
 
 fn worst_case_method(record: &MotionRecord) -> String {

@@ -3,7 +3,7 @@
 use crate::number::{NumberWriter, PLAIN_DIGITS};
 use crate::wording::{head, named_words};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
-use loosepin_text::article::{Cell, Column, Content, Section, Table, Text};
+use loosepin_text::article::{Cell, Column, Content, Section, Table};
 
 use super::charts::range;
 use super::play_effect::{play_effect, spread_on_rims};
@@ -13,7 +13,7 @@ pub(super) fn ranges_section(record: &MotionRecord, writer: &NumberWriter) -> Op
     if record.outputs.is_empty() {
         return None;
     }
-    let mut section = Section::new("outputs", Text::by_medium("Outputs", ""));
+    let mut section = Section::headed_on_page("outputs", "Outputs");
     let numbers = ["smallest", "largest", "most play", "at", "proven", "standard deviation"];
     let numbers = numbers.map(|words| Column::numbers(head(words)));
     let columns = std::iter::once(Column::words(head("output"))).chain(numbers).collect();

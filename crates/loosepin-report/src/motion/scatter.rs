@@ -22,7 +22,7 @@ pub(super) fn scatter_section(
 ) -> Option<Section> {
     let scattering = || record.outputs.iter().filter(|output| has_scatter(output));
     scattering().next()?;
-    let mut section = Section::new("scatter", Text::by_medium("Effect of part scatter", ""));
+    let mut section = Section::headed_on_page("scatter", "Effect of part scatter");
     let what =
         "Root sum of squares of the effects of all dimensions, correlations included. First order, without play.";
     section.push_on(Medium::Page, Content::sentences([what]));

@@ -14,9 +14,14 @@ use loosepin_text::units::SiUnit;
 /// A record that begins this share of a turn before a whole number of turns, by round-off, begins at 0°.
 const SHARE_OF_TURN: f64 = 1e-9;
 
-/// A chart over the angle of the drive, from 0° on, where it turns forwards at constant speed; else over time.
+/// Whether the charts of a run are over the angle of the drive: where it turns forwards at constant speed. Others are over time.
+fn is_over_angle(record: &SimulationRecord) -> bool {
+    record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0)
+}
+
+/// A chart over the angle of the drive, from 0° on, or over time.
 pub(super) fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWriter) -> Chart {
-    if !record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0) {
+    if !is_over_angle(record) {
         return Chart::over(id, "time", &record.time_s, &SiUnit::TIME, writer);
     }
     let before_rad = before_rad(record);
@@ -26,7 +31,7 @@ pub(super) fn run_chart(record: &SimulationRecord, id: String, writer: &NumberWr
 
 /// Where an impact stands in the charts of a run.
 pub(super) fn impact_place(record: &SimulationRecord, impact: &ImpactRecord, writer: &NumberWriter) -> f64 {
-    if !record.settings.drive_speed_rad_s.is_some_and(|speed| speed > 0.0) {
+    if !is_over_angle(record) {
         return writer.scaled(impact.time_s, &SiUnit::TIME);
     }
     writer.scaled(impact.drive_angle_rad - before_rad(record), &SiUnit::ANGLE)
@@ -40,10 +45,7 @@ fn before_rad(record: &SimulationRecord) -> f64 {
 
 /// What the charts of a run are over, in words.
 pub(super) fn abscissa_words(record: &SimulationRecord) -> String {
-    match record.settings.drive_speed_rad_s {
-        Some(speed) if speed > 0.0 => format!("over the angle of {}", record.settings.drive),
-        _ => "over time".to_owned(),
-    }
+    if is_over_angle(record) { format!("over the angle of {}", record.settings.drive) } else { "over time".to_owned() }
 }
 
 /// A chart of each output.

@@ -23,7 +23,7 @@ pub(super) fn contact_section(record: &SimulationRecord, writer: &NumberWriter) 
     if record.joints.is_empty() {
         return None;
     }
-    let mut section = Section::new("contact", Text::by_medium("Contact and impacts", ""));
+    let mut section = Section::headed_on_page("contact", "Contact and impacts");
     section.push(Content::Table(largest_table(record, writer)));
     section.push_close(Content::Note(remark(
         "restitution: of a free impact under the contact law (as stated in the file)",

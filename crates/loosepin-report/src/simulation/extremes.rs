@@ -13,7 +13,7 @@ pub(super) fn extremes_section(record: &SimulationRecord, writer: &NumberWriter)
     if record.extremes.is_empty() {
         return None;
     }
-    let mut section = Section::new("extremes", Text::by_medium("Smallest and largest values", ""));
+    let mut section = Section::headed_on_page("extremes", "Smallest and largest values");
     let mut what = "Extremes of the continuous motion, also between the samples.".to_owned();
     if record.joints.iter().any(|joint| joint.impacts + joint.contacts > 0) {
         what.push_str(

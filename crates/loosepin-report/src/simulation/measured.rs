@@ -16,7 +16,7 @@ pub(super) fn measured_section(record: &SimulationRecord, writer: &NumberWriter)
     if record.measured.is_empty() {
         return None;
     }
-    let mut section = Section::new("measured", Text::by_medium("Measured against computed", ""));
+    let mut section = Section::headed_on_page("measured", "Measured against computed");
     let what = "Residual: measured minus computed value at the same time or angle. Computed values are interpolated linearly between the \
                 samples.";
     section.push_on(Medium::Page, Content::sentences([what]));
@@ -39,7 +39,7 @@ pub(super) fn measured_section(record: &SimulationRecord, writer: &NumberWriter)
         ]
     };
     section.push(Content::Table(Table::new(columns, record.measured.iter().map(row))));
-    section.push_close(Content::Note(Text::by_medium("", "residual: measured minus computed")));
+    section.push_close_on(Medium::Terminal, Content::Note("residual: measured minus computed".into()));
     push_figure(&mut section, writer, || {
         html! {
             @for (index, curve) in record.measured.iter().enumerate() {

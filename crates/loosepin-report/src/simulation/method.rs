@@ -23,7 +23,7 @@ pub(super) fn method_section(record: &SimulationRecord, writer: &NumberWriter) -
     );
     let tolerance = writer.about(&Tag::Given("tolerance")).value_shortest(settings.tolerance_m, &SiUnit::LENGTH);
     let work = work_words(record, writer);
-    let mut section = Section::new("method", Text::by_medium("How this was computed", ""));
+    let mut section = Section::headed_on_page("method", "How this was computed");
     section.push_on(Medium::Terminal, Content::sentences([work.clone()]));
     section.push_on(
         Medium::Page,

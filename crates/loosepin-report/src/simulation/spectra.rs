@@ -89,7 +89,7 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
         return None;
     }
     let drive = &record.settings.drive;
-    let mut section = Section::new("spectra", Text::by_medium("Oscillations", ""));
+    let mut section = Section::headed_on_page("spectra", "Oscillations");
     let what = format!(
         "The order of an oscillation is its number of waves in a turn of {drive}. Root mean squares hold the mean. Orders and root mean \
          squares are those of the samples: impacts between them do not show."
@@ -111,7 +111,7 @@ pub(super) fn spectrum_section(record: &SimulationRecord, writer: &NumberWriter)
     };
     section.push(Content::Table(Table::new(columns, all.iter().map(row))));
     let short = "largest orders: waves in a turn, of the samples; impacts between two samples do not show";
-    section.push_close(Content::Note(Text::by_medium("", short)));
+    section.push_close_on(Medium::Terminal, Content::Note(short.into()));
     let has_none = |name: &&str| !all.iter().any(|own| own.name == **name);
     let outputs = record.outputs.iter().map(|output| output.name.as_str());
     let without: Vec<String> = outputs.filter(has_none).map(str::to_owned).collect();

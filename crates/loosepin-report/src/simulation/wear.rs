@@ -8,7 +8,7 @@ use crate::figure::{csv_number, name_of};
 use crate::number::NumberWriter;
 use crate::wording::head;
 use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
-use loosepin_text::article::{Cell, Column, Content, Section, Table, Text};
+use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
 use super::life::push_life;
@@ -20,11 +20,11 @@ pub(super) fn wear_section(record: &SimulationRecord, writer: &NumberWriter) -> 
     let first = record.wear.first()?;
     let units = wear_units(&record.display_units);
     let of_wear = &writer.in_units(&units);
-    let mut section = Section::new("wear", Text::by_medium("Wear", ""));
+    let mut section = Section::headed_on_page("wear", "Wear");
     section.push(Content::sentences([life_words(record, first, of_wear)]));
     section.push(Content::Table(table(record, of_wear)));
     let short = "friction path: of a cycle; sectors: from the x axis of the body with the surface";
-    section.push_close(Content::Note(Text::by_medium("", short)));
+    section.push_close_on(Medium::Terminal, Content::Note(short.into()));
     for sentence in record.wear.iter().flat_map(|wear| wear_sentences(wear, record.life.is_some(), of_wear)) {
         section.push_close(Content::Note(sentence.into()));
     }

@@ -27,7 +27,7 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
         |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
     let single: Vec<&BoundRecord> = result.bounds.iter().filter(is_single).collect();
     if single.is_empty() {
-        let mut section = Section::new("bounds", Text::by_medium("Bounds", ""));
+        let mut section = Section::headed_on_page("bounds", "Bounds");
         section.push(Content::sentences(only_curves(result.bounds.len(), writer)));
         return Some(section);
     }
@@ -46,7 +46,8 @@ pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Opt
     section.push(Content::Table(table(result, shown, writer)));
     let (left_of_table, left_of_all) = (single.len() - shown.len(), result.bounds.len() - shown.len());
     if left_of_all > 0 {
-        let more = further(left_of_all, "bound", "(points of curves, other treatments) ", writer);
+        let tag = Tag::Count("bounds that are not shown");
+        let more = further(left_of_all, "bound", "(points of curves, other treatments) ", &tag, writer);
         section.push_on(Medium::Page, Content::Note(Text::from(more).code("bounds.csv").plain(".")));
     }
     if left_of_table > 0 {

@@ -73,7 +73,8 @@ fn section(
     section.push(Content::Table(table));
     let others = rows.len().saturating_sub(MOST_STATISTICS);
     if others > 0 {
-        section.push(Content::Note(Text::from(further(others, "statistic", "", writer)).code("bounds.csv").plain(".")));
+        let more = further(others, "statistic", "", &Tag::whole("statistics without a row", id), writer);
+        section.push(Content::Note(Text::from(more).code("bounds.csv").plain(".")));
     }
     Some(section)
 }

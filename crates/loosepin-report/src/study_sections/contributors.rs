@@ -15,7 +15,7 @@ pub(crate) fn contributors_section(result: &StudyResult, writer: &NumberWriter) 
     if result.contributors.is_empty() {
         return None;
     }
-    let mut section = Section::new("contributors", Text::by_medium("Sensitivity", ""));
+    let mut section = Section::headed_on_page("contributors", "Sensitivity");
     push_figure(&mut section, writer, || legend(writer));
     for one in &result.contributors {
         let tag = Tag::contributors(one, "band width", "");

@@ -8,12 +8,12 @@ use crate::trust_words::nominal_sentences;
 use crate::turn_words::share_of_runs;
 use crate::wording::{count, counted, has_unknown, is_by_surrogate, listed, unknown_words};
 use loosepin_result::study::{FailureGroup, InputKind, JointImpacts, Purpose, StudyResult};
-use loosepin_text::article::{Block, Cell, Column, Content, Fact, Medium, Section, Table, Text};
+use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
 /// The section.
 pub(crate) fn runs_section(result: &StudyResult, writer: &NumberWriter) -> Section {
-    let mut section = Section::new("runs", Text::by_medium("Runs, failures and impacts", ""));
+    let mut section = Section::headed_on_page("runs", "Runs, failures and impacts");
     section.push_on(Medium::Page, Content::Sentences(vec![counts_words(result, writer)]));
     section.push(Content::sentences([nominal_sentences(result, writer).join(" ")]));
     let columns = vec![Column::words("Reason"), Column::numbers("Runs"), Column::words("Example")];
@@ -24,7 +24,7 @@ pub(crate) fn runs_section(result: &StudyResult, writer: &NumberWriter) -> Secti
         section.push_on(Medium::Terminal, Content::sentences([format!("{runs} failed: {}", failure.words)]));
         // A command is one line, so that it can be copied.
         let again = Content::Facts(vec![Fact::nameless(format!("again: {}", failure.example.command))]);
-        section.blocks.push(Block { content: again, only: Some(Medium::Terminal), is_close: true });
+        section.push_close_on(Medium::Terminal, again);
     }
     for joint in &result.impacts {
         section.push_on(Medium::Page, Content::Heading(format!("Impacts in {}", joint.joint).into()));

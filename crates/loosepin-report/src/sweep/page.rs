@@ -11,7 +11,7 @@ use crate::tag::Tag;
 use crate::wording::{capitalised, count};
 use loosepin_result::simulation::REPEAT_SHARE;
 use loosepin_result::sweep::{SweepRecord, SweptJoint};
-use loosepin_text::article::{Content, Fact, Section};
+use loosepin_text::article::{Fact, Section};
 use loosepin_text::units::SiUnit;
 
 use super::answer::headline_sentences;
@@ -65,14 +65,13 @@ fn method(record: &SweepRecord, writer: &NumberWriter) -> Section {
         writer.about(&Tag::Given("share of a clearance")).percent(REPEAT_SHARE, Rounding::Nearest)
     );
     let tolerance = writer.about(&Tag::Given("tolerance")).as_written(&format!("{:e}", record.tolerance_m));
-    let mut section = Section::new("method", "How this was computed");
-    section.push(Content::Facts(vec![
+    let facts = [
         Fact::new("Runs", [runs]),
         Fact::new("Period", [period]),
         Fact::new("Tolerance of a step", [format!("{tolerance} m; contacts located as events")]),
         Fact::new("Version", [format!("loosepin {}", record.version)]),
-    ]));
-    section
+    ];
+    Section::of_facts("method", "How this was computed", facts)
 }
 
 fn joints(record: &SweepRecord, writer: &NumberWriter) -> Markup {

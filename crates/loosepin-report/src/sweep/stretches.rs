@@ -69,7 +69,7 @@ pub(super) fn stretches_section(record: &SweepRecord, writer: &NumberWriter) -> 
             period_words(*period, writer),
         ]
     };
-    let mut section = Section::new("sections", Text::by_medium("Periodic and non-periodic motion", ""));
+    let mut section = Section::headed_on_page("sections", "Periodic and non-periodic motion");
     section.push(Content::Table(Table::new(columns, stretches.iter().take(MOST_ROWS).map(row))));
     let left = stretches.len().saturating_sub(MOST_ROWS);
     if left > 0 {

@@ -103,6 +103,11 @@ impl Section {
         Section { id, heading: heading.into(), blocks: Vec::new() }
     }
 
+    /// A section whose heading only the page shows.
+    pub fn headed_on_page(id: &'static str, heading: &str) -> Section {
+        Section::new(id, Text::by_medium(heading, ""))
+    }
+
     /// Facts below a heading.
     pub fn of_facts(id: &'static str, heading: impl Into<Text>, facts: impl IntoIterator<Item = Fact>) -> Section {
         let mut section = Section::new(id, heading);
@@ -125,6 +130,11 @@ impl Section {
     /// Adds a block that belongs to what stands before it.
     pub fn push_close(&mut self, content: Content) {
         self.blocks.push(Block { content, only: None, is_close: true });
+    }
+
+    /// Adds a block that only one medium shows, to what stands before it.
+    pub fn push_close_on(&mut self, medium: Medium, content: Content) {
+        self.blocks.push(Block { content, only: Some(medium), is_close: true });
     }
 
     /// Adds a block that only one medium shows, apart from what stands before it.
