@@ -31,7 +31,7 @@ pub enum Ended {
     Interrupted(String),
 }
 
-/// Conducts `study` without leaving anything on disk.
+/// Runs `study` without leaving anything on disk.
 pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_>) -> Result<Ended, Complaints> {
     match run_study(study, &inputs.to_string(), options) {
         Ok(run) => Ok(Ended::Finished(run.into())),
@@ -43,7 +43,7 @@ pub fn run_in_memory(study: &Study, inputs: &InputsHash, options: &RunOptions<'_
     }
 }
 
-/// Conducts `study` in `folder`, or reads the finished result that is there.
+/// Runs `study` in `folder`, or reads the finished result that is there.
 pub fn run_in_folder(
     study: &Study,
     inputs: InputsHash,

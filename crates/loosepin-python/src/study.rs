@@ -81,7 +81,7 @@ impl Study {
         planned.map_err(|error| raise(error.complaint(&self.0)))
     }
 
-    /// Conducts it.
+    /// Runs it.
     #[allow(clippy::too_many_arguments, reason = "they are the arguments of Python")]
     #[pyo3(signature = (folder, resume, force, threads, progress, accuracy, budget, maker))]
     fn run(

@@ -56,7 +56,7 @@ pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<
     file.into_study().map_err(|complaints| words(&complaints))
 }
 
-/// Conducts a study, or finds the one that is there; runs that an earlier attempt has kept are taken over.
+/// Runs a study, or finds the one that is there; runs that an earlier attempt has kept are taken over.
 ///
 /// # Errors
 /// Why it came to no result, in words.
@@ -67,7 +67,7 @@ pub fn run(
     stop: &AtomicBool,
     threads: usize,
 ) -> Result<Outcome, Vec<String>> {
-    conducted(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
+    run_or_read(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
 }
 
 fn told(refusal: Refusal) -> Vec<String> {
@@ -140,7 +140,7 @@ fn simulated(
     }
 }
 
-fn conducted(
+fn run_or_read(
     folder: &Folder,
     study: &Study,
     progress: &dyn Progress,

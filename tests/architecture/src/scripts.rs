@@ -1,7 +1,7 @@
 //! Who imports whom in a folder of Python, TypeScript or Svelte.
 //!
 //! Read from the statements alone: `from .name import`, `from . import name`, and a path that begins with a dot behind `from` or `import`.
-//! Imports of types count as well: whoever names a type stands on its file.
+//! Imports of types count as well: a file depends on the files of the types that it names.
 
 use crate::sources::Source;
 use std::collections::{BTreeMap, BTreeSet};

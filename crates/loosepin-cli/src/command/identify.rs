@@ -123,14 +123,14 @@ fn study_path(arguments: &IdentifyArguments) -> PathBuf {
 /// The bounds of the study as it is and with what is known after.
 fn gain(study: &Study, after: &Study, threads: usize) -> Result<Gain, Failure> {
     let stop = stop_on_signals("Ctrl-C ends the study at once");
-    let conducted = |study: &Study| -> Result<StudyResult, Failure> {
+    let run = |study: &Study| -> Result<StudyResult, Failure> {
         let bar = Bar::new();
         let options = RunOptions::new(threads, &bar, &stop);
         let outcome = run_study(study, &study_inputs(study, &[], None).to_string(), &options);
         bar.finish();
         Ok(outcome.map_err(|error| error.complaint(study))?.result)
     };
-    Ok(identification_gain(&conducted(study)?, &conducted(after)?))
+    Ok(identification_gain(&run(study)?, &run(after)?))
 }
 
 /// What `work` gives, which takes a while, with a bar on a terminal.

@@ -22,7 +22,7 @@ use crate::console;
 use crate::ending::{Done, Ending, Failure};
 use crate::progress::Bar;
 
-/// Conducts the study, or shows the one that is there.
+/// Runs the study, or shows the one that is there.
 pub fn run(arguments: &StudyArguments) -> Ending {
     let (mut study, inputs) = read_stated(&arguments.study, &arguments.accuracy, arguments.budget.as_deref())?;
     // No input of the results: it says only when the study is given up.

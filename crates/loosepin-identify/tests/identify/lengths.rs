@@ -198,8 +198,8 @@ impl Progress for Silent {
 /// Ends of the 95 % band of the largest position, mm: of each end the value and the bound to rely on.
 fn band_of(study: &Study) -> [[f64; 2]; 2] {
     let stop = AtomicBool::new(false);
-    let means = RunOptions::new(2, &Silent, &stop);
-    let result = run_study(study, "", &means).unwrap_or_else(|error| panic!("{error}")).result;
+    let options = RunOptions::new(2, &Silent, &stop);
+    let result = run_study(study, "", &options).unwrap_or_else(|error| panic!("{error}")).result;
     let [low, high] = [&result.bounds[0].lower, &result.bounds[1].upper];
     [low, high].map(|end| [1e3 * end.value_si, 1e3 * end.widened_si])
 }
