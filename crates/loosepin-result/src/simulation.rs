@@ -270,6 +270,9 @@ pub struct OutputHistory {
     pub words: String,
     /// Unit of the values.
     pub unit: SiUnit,
+    /// The joint whose force it is, as a magnitude; `None`, and not written, for any other quantity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub magnitude_of_force_in: Option<String>,
     /// Actual values.
     #[serde(with = "extended")]
     pub value_si: Vec<f64>,

@@ -498,6 +498,11 @@ impl<'a> Recorder<'a> {
                 name: column.name.clone(),
                 words: column.words.clone(),
                 unit: column.unit.clone(),
+                magnitude_of_force_in: column
+                    .reading
+                    .force_in()
+                    .filter(|_| column.reading.is_never_negative())
+                    .map(|joint| self.mechanism.model.joints[joint.0].name.clone()),
                 deviation_si: self.value_si[k].iter().zip(&self.ideal_si[k]).map(|(a, b)| a - b).collect(),
                 value_si: self.value_si[k].clone(),
                 ideal_si: self.ideal_si[k].clone(),

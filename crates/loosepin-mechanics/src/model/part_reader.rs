@@ -2,13 +2,11 @@
 
 use super::ids::{BodyId, JointId, PointId};
 use super::quantity::QuantityId;
-use loosepin_text::document::{Entry, Reader, Table};
+use loosepin_text::document::{Entry, Reads, Table, Usual, Value};
+use loosepin_text::units::parse_quantity;
 
 /// The reader of a model with the parts that stand above. What returns nothing has complained.
-pub trait PartReader {
-    /// The reader of the document, for tables in tables, choices and complaints.
-    fn document(&mut self) -> &mut Reader;
-
+pub trait PartReader: Reads {
     /// A point, written `body.point`.
     fn point(&mut self, entry: &Entry<'_>) -> Option<PointId>;
 
@@ -17,6 +15,9 @@ pub trait PartReader {
 
     /// A joint, written `joint.NAME` or by its name alone.
     fn joint(&mut self, entry: &Entry<'_>) -> Option<JointId>;
+
+    /// The quantity at an entry, of the dimension and rule that the table of keys demands.
+    fn quantity_at(&mut self, entry: &Entry<'_>) -> Option<QuantityId>;
 
     /// The quantity behind a key; `None` if it is not written.
     fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId>;
@@ -29,4 +30,35 @@ pub trait PartReader {
 
     /// Name of a joint.
     fn joint_name(&self, joint: JointId) -> String;
+}
+
+impl<'t, R: PartReader + ?Sized> Value<'t, R> for QuantityId {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.quantity_at(entry)
+    }
+}
+
+impl<'t, R: PartReader + ?Sized> Usual<'t, R, &'static str> for QuantityId {
+    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+        let usual = parse_quantity(usual).expect("the description of a table states a value with a unit");
+        reader.quantity_or(table, key, usual.value_si)
+    }
+}
+
+impl<'t, R: PartReader + ?Sized> Value<'t, R> for PointId {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.point(entry)
+    }
+}
+
+impl<'t, R: PartReader + ?Sized> Value<'t, R> for JointId {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.joint(entry)
+    }
+}
+
+impl<'t, R: PartReader + ?Sized> Value<'t, R> for BodyId {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.body(entry)
+    }
 }

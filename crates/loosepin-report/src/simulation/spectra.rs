@@ -60,9 +60,9 @@ fn oscillations(record: &SimulationRecord) -> Vec<Oscillation> {
         let Some(spectrum) = record.spectrum(&history.force_n) else { continue };
         let joint = record.joints.iter().find(|joint| joint.joint == history.joint);
         let peak_si = joint.map_or(spectrum.peak_si, |joint| joint.peak_force_n);
-        // The whole force of a joint stands for its normal force where it is an output.
-        let force_words = format!("force in {}", history.joint);
-        let is_drawn = !record.outputs.iter().any(|output| output.words == force_words);
+        // The magnitude of the force of a joint stands for its normal force where it is an output.
+        let is_drawn =
+            !record.outputs.iter().any(|output| output.magnitude_of_force_in.as_ref() == Some(&history.joint));
         let (name, words) = (format!("contact force in {}", history.joint), "normal force".to_owned());
         found.push(Oscillation { name, words, unit: SiUnit::FORCE, spectrum, ideal: None, peak_si, is_drawn });
     }

@@ -411,7 +411,11 @@ impl Reader {
 
     /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
     pub fn count(&mut self, table: &Table<'_>, key: &str) -> Option<u64> {
-        let entry = table.get(key)?;
+        self.count_of(&table.get(key)?)
+    }
+
+    /// The whole number at an entry, within the limits of the table of keys.
+    pub fn count_of(&mut self, entry: &Entry<'_>) -> Option<u64> {
         let (least, most) = entry.count_limits()?;
         let found = match entry.value {
             DeValue::Integer(number) => {
@@ -421,20 +425,24 @@ impl Reader {
                 }
             }
             DeValue::Float(number) => shortened(number.as_str()),
-            _ => return self.wrong_type(&entry, "a whole number"),
+            _ => return self.wrong_type(entry, "a whole number"),
         };
         self.refuse(&DocumentProblem::BadCount { entry: entry.path.describe(), found, least, most }, entry.span)
     }
 
     /// The bare number behind a key, keeping the rule of the table of keys; absent where it is not written.
     pub fn number(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let entry = table.get(key)?;
+        self.number_of(&table.get(key)?)
+    }
+
+    /// The bare number at an entry, keeping the rule of the table of keys.
+    pub fn number_of(&mut self, entry: &Entry<'_>) -> Option<f64> {
         let rule = entry.number_rule()?;
         let value = match entry.value {
-            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(&entry)?,
-            _ => return self.wrong_type(&entry, "a number"),
+            DeValue::Integer(_) | DeValue::Float(_) => self.bare_number(entry)?,
+            _ => return self.wrong_type(entry, "a number"),
         };
-        self.keeps(&entry, value, Dimension::NUMBER, rule).then_some(value)
+        self.keeps(entry, value, Dimension::NUMBER, rule).then_some(value)
     }
 
     fn bare_number(&mut self, entry: &Entry<'_>) -> Option<f64> {

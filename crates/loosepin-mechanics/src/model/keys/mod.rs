@@ -19,7 +19,7 @@ use drive::DRIVE_KEYS;
 use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
 use loosepin_text::units::{Dimension as D, Rule};
 use spring::SPRING_KINDS;
-use wear::LIFE_KEYS;
+use wear::LifeTable;
 
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 const POINTS_DOC: &str = "named points in the frame of the body";
@@ -230,7 +230,7 @@ pub(in crate::model) static MODEL_KEYS: Keys = Keys::new(
         ),
         optional("initial", Kind::Table(&INITIAL_KEYS), "", "the initial state of what the drives do not move alone"),
         optional("assembly", Kind::Table(&ASSEMBLY_KEYS), "", "how loops close that can close in two ways"),
-        optional("wear", Kind::Table(&LIFE_KEYS), "", "for how long the wear of joints is stated, under [wear]"),
+        optional("wear", Kind::Table(&LifeTable::KEYS), "", "for how long the wear of joints is stated, under [wear]"),
         required("cycle", Kind::Table(&CYCLE_KEYS), "", "the turns to run and to record, under [cycle]"),
         optional("output", Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "", "the outputs, in their order"),
     ],

@@ -4,13 +4,15 @@ use super::reader::ModelReader;
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Entry, Reader, Table};
+use loosepin_text::document::{Entry, Reader, Reads, Table};
 
-impl PartReader for ModelReader {
+impl Reads for ModelReader {
     fn document(&mut self) -> &mut Reader {
         &mut self.reader
     }
+}
 
+impl PartReader for ModelReader {
     fn point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
         Self::point(self, entry)
     }
@@ -24,6 +26,11 @@ impl PartReader for ModelReader {
         let text = self.reader.text(entry)?;
         let name = text.strip_prefix("joint.").unwrap_or(text);
         self.named(entry, "joint", name, |file| &file.joint_names)
+    }
+
+    fn quantity_at(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
+        let (dimension, rule) = entry.due_quantity()?;
+        self.quantity_of(entry, dimension, rule)
     }
 
     fn quantity(&mut self, table: &Table<'_>, key: &str) -> Option<QuantityId> {

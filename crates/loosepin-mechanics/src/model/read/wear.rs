@@ -3,21 +3,19 @@
 use super::reader::ModelReader;
 use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
-use crate::model::keys::wear::{JOINT_WEAR_KEYS, LIFE_KEYS, SURFACE_KEYS};
+use crate::model::keys::wear::{JointWearTable, LifeTable, SurfaceWear};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::wear::{
     FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
 };
 use crate::model::{Contact, Joint, Output, Recorded};
-use loosepin_text::document::{Entry, Table, describe_path};
+use loosepin_text::document::{Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Keys of a joint that go with the worn shape alone, and that of the unworn one.
 const FOUNDATION_KEYS: [&str; 2] = ["foundation", "foundation_stiffness"];
 const PRESSURE_KEY: &str = "pressure";
-/// Sectors of a surface, where the file does not say.
-const SECTORS: usize = 360;
 /// Error of a jump in a depth, where the file does not say, m.
 const JUMP_TOLERANCE_M: f64 = 5e-8;
 
@@ -25,34 +23,27 @@ impl ModelReader {
     /// Wear of a revolute joint with this table; the outer option is absent after a complaint. `clearance` is what was read of its play.
     pub(super) fn joint_wear(&mut self, table: &Table<'_>, clearance: Option<&Clearance>) -> Option<Option<JointWear>> {
         let Some(entry) = table.get("wear") else { return Some(None) };
-        let wear = self.reader.table(&entry, &JOINT_WEAR_KEYS)?;
+        let wear = JointWearTable::read(self, &entry)?;
         self.remember(&entry);
         for key in FOUNDATION_KEYS.into_iter().chain([PRESSURE_KEY]) {
-            if let Some(entry) = wear.get(key) {
+            if let Some(entry) = wear.table.get(key) {
                 self.remember(&entry);
             }
         }
-        let surfaces = ["bearing", "journal"].map(|surface| wear.get(surface).map(|entry| self.coefficient(&entry)));
-        let sectors = self.reader.count(&wear, "sectors").map_or(SECTORS, |count| count as usize);
-        let words = [("hertz-line", WearPressure::HertzLine), ("concentrated", WearPressure::Concentrated)];
-        let pressure = self.reader.choice_or(&wear, "pressure", &words, WearPressure::HertzLine);
-        let foundations = [("liu", FoundationChoice::Liu), ("law", FoundationChoice::Law)];
-        let foundation = match self.quantity(&wear, "foundation_stiffness") {
+        let surfaces = [wear.bearing, wear.journal];
+        let foundation = match wear.foundation_stiffness {
             Some(stiffness) => {
-                self.refuse_beside(&wear, "foundation", "foundation_stiffness");
-                Some(FoundationChoice::Given(stiffness))
+                self.refuse_beside(&wear.table, "foundation", "foundation_stiffness");
+                FoundationChoice::Given(stiffness)
             }
-            None => self.reader.choice_or(&wear, "foundation", &foundations, FoundationChoice::Liu),
+            None => wear.foundation,
         };
+        let wear_path = wear.table.path.describe();
         if surfaces.iter().all(Option::is_none) {
-            let problem = ModelProblem::NothingWears { entry: wear.path.describe() };
+            let problem = ModelProblem::NothingWears { entry: wear_path };
             return self.reader.refuse(&problem, entry.key_span);
         }
-        let coefficients = surfaces.into_iter().map(|surface| match surface {
-            None => Some(None),
-            Some(coefficient) => coefficient.map(Some),
-        });
-        let coefficients: Option<Vec<Option<QuantityId>>> = coefficients.collect();
+        let coefficients = surfaces.map(|surface| surface.map_or(Some(None), |own| self.coefficient(own).map(Some)));
         for key in ["radial_clearance", "bearing_length"] {
             let is_there = table.has(key) || (key == "radial_clearance" && table.has("diametral_clearance"));
             if !is_there {
@@ -64,25 +55,23 @@ impl ModelReader {
         let contact = &self.contacts[clearance.contact.0];
         let name = contact.name.clone();
         if contact.is_literal() {
-            let problem = ModelProblem::WearByLiteral { entry: wear.path.describe(), contact: name };
+            let problem = ModelProblem::WearByLiteral { entry: wear_path, contact: name };
             return self.reader.refuse(&problem, entry.key_span);
         }
-        let coefficients: [Option<QuantityId>; 2] = coefficients?.try_into().ok()?;
+        let [bearing, journal] = coefficients;
         let bearing_length_m = clearance.bearing_length_m?;
         Some(Some(JointWear {
-            coefficients_m2_n: coefficients,
+            coefficients_m2_n: [bearing?, journal?],
             bearing_length_m,
-            sectors,
-            pressure: pressure?,
-            foundation: foundation?,
+            sectors: wear.sectors,
+            pressure: wear.pressure,
+            foundation,
         }))
     }
 
     /// The wear coefficient of a surface: as written, or Archard's number over the hardness.
-    fn coefficient(&mut self, entry: &Entry<'_>) -> Option<QuantityId> {
-        let table = self.reader.table(entry, &SURFACE_KEYS)?;
-        let [coefficient, archard, hardness] =
-            ["coefficient", "archard", "hardness"].map(|key| self.quantity(&table, key));
+    fn coefficient(&mut self, surface: SurfaceWear<'_>) -> Option<QuantityId> {
+        let SurfaceWear { table, coefficient, archard, hardness } = surface;
         if table.has("coefficient") {
             self.refuse_beside(&table, "hardness", "coefficient");
             return coefficient.filter(|_| !table.has("hardness"));
@@ -102,14 +91,13 @@ impl ModelReader {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
         let (cycles, geometry, limit) = match root.get("wear") {
             Some(entry) => {
-                let table = self.reader.table(&entry, &LIFE_KEYS)?;
+                let life = LifeTable::read(self, &entry)?;
                 self.remember(&entry);
                 self.uses_life = wears;
-                let cycles = self.quantity_or(&table, "cycles", 1.0);
-                let is_worn = self.reader.choice_or(&table, "geometry", &[("fixed", false), ("worn", true)], false);
-                let geometry = if is_worn? { self.worn_geometry(&table) } else { self.fixed_geometry(&table) };
-                let limit = self.limit(&table, outputs);
-                (cycles?, geometry?, limit?)
+                let geometry =
+                    if life.geometry.0 { self.worn_geometry(&life) } else { self.fixed_geometry(&life.table) };
+                let limit = self.limit(&life, outputs);
+                (life.cycles, geometry?, limit?)
             }
             None if wears => {
                 self.fixed_joints()?;
@@ -167,7 +155,8 @@ impl ModelReader {
     }
 
     /// The worn shape, by jumps.
-    fn worn_geometry(&mut self, table: &Table<'_>) -> Option<WearGeometry> {
+    fn worn_geometry(&mut self, life: &LifeTable<'_>) -> Option<WearGeometry> {
+        let table = &life.table;
         let span = table.get("geometry").map_or(table.span, |entry| entry.key_span);
         for (joint, contact, _, foundation) in self.wearing_joints() {
             let contact = &self.contacts[contact];
@@ -183,10 +172,10 @@ impl ModelReader {
             }
         }
         let tolerance = self.quantity_or(table, "tolerance", JUMP_TOLERANCE_M);
-        let jumps = match self.reader.count(table, "jumps") {
+        let jumps = match life.jumps {
             Some(count) => {
                 self.refuse_beside(table, "tolerance", "jumps");
-                Jumps::Equal(count as usize)
+                Jumps::Equal(count)
             }
             None => Jumps::Controlled(tolerance?),
         };
@@ -212,24 +201,24 @@ impl ModelReader {
     }
 
     /// The deviation that ends the life of the mechanism; the outer option is absent after a complaint.
-    fn limit(&mut self, table: &Table<'_>, outputs: &[Output]) -> Option<Option<LifeLimit>> {
-        let (of, limit) = match (table.get("limit_of"), table.get("limit")) {
+    fn limit(&mut self, life: &LifeTable<'_>, outputs: &[Output]) -> Option<Option<LifeLimit>> {
+        let (of, limit) = match (&life.limit_of, &life.limit) {
             (None, None) => return Some(None),
             (Some(of), Some(limit)) => (of, limit),
             (of, _) => {
                 let [key, needed] = if of.is_some() { ["limit_of", "limit"] } else { ["limit", "limit_of"] };
-                self.complain_of_missing(table, key, vec![needed]);
+                self.complain_of_missing(&life.table, key, vec![needed]);
                 return None;
             }
         };
-        let name = self.reader.text(&of)?;
+        let name = self.reader.text(of)?;
         let name = name.strip_prefix("output.").unwrap_or(name).to_owned();
         let has_history = |output: &Output| matches!(output.kind.recorded(), Recorded::Number(_));
         let Some(output) = outputs.iter().position(|output| output.name == name && has_history(output)) else {
             let problem = ModelProblem::NoLimitedOutput { entry: of.path.describe(), output: name };
             return self.reader.refuse(&problem, of.span);
         };
-        let limit = self.quantity_of(&limit, outputs[output].kind.dimension(), Rule::Positive)?;
+        let limit = self.quantity_of(limit, outputs[output].kind.dimension(), Rule::Positive)?;
         Some(Some(LifeLimit { output, limit }))
     }
 }

@@ -174,6 +174,7 @@ fn output(name: &str, words: &str, unit: SiUnit, actual: &[f64], ideal: &[f64]) 
         name: name.to_owned(),
         words: words.to_owned(),
         unit,
+        magnitude_of_force_in: None,
         value_si: actual.to_vec(),
         ideal_si: ideal.to_vec(),
         deviation_si: actual.iter().zip(ideal).map(|(actual, ideal)| actual - ideal).collect(),

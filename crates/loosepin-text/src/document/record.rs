@@ -1,0 +1,249 @@
+//! One description of a table of a file: its keys, what they mean, what they may be and how they are read.
+
+use super::entry::{Entry, Table};
+use super::keys::Kind;
+use super::reader::Reader;
+use crate::units::Dimension;
+
+/// Something that reads a file with a [`Reader`].
+pub trait Reads {
+    /// The reader of the file.
+    fn document(&mut self) -> &mut Reader;
+}
+
+impl Reads for Reader {
+    fn document(&mut self) -> &mut Reader {
+        self
+    }
+}
+
+/// What `R` reads at an entry.
+pub trait Value<'t, R: ?Sized>: Sized {
+    /// The value; `None` after a complaint.
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
+}
+
+/// What stands for a key that is left out, written as `D` in the description of its table.
+pub trait Usual<'t, R: ?Sized, D>: Value<'t, R> {
+    /// The value that `usual` stands for.
+    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
+}
+
+/// One of a few words of a file, with what each stands for.
+pub trait Choice: Copy + 'static {
+    /// The words in the order of the documentation.
+    const CHOICES: &'static [(&'static str, Self)];
+}
+
+/// The words of a choice.
+pub fn words_of<T: Choice>() -> Vec<&'static str> {
+    T::CHOICES.iter().map(|(word, _)| *word).collect()
+}
+
+/// A key whose value is one of the words of `T`.
+pub const fn choice<T: Choice>() -> Kind {
+    Kind::ChoiceOf(words_of::<T>)
+}
+
+/// A whole number within limits.
+pub const fn count(least: u64, most: u64) -> Kind {
+    Kind::Count { least, most }
+}
+
+/// Whatever stands there, to be read by the hand of whoever knows more.
+impl<'t, R: ?Sized> Value<'t, R> for Entry<'t> {
+    fn read(_reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        Some(entry.clone())
+    }
+}
+
+impl<'t, R: Reads + ?Sized, T: Choice> Value<'t, R> for T {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.document().choice(entry, T::CHOICES)
+    }
+}
+
+impl<'t, R: Reads + ?Sized, T: Choice> Usual<'t, R, &'static str> for T {
+    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
+        T::CHOICES.iter().find(|(word, _)| *word == usual).map(|(_, meaning)| *meaning)
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Value<'t, R> for String {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.document().text(entry).map(str::to_owned)
+    }
+}
+
+/// A bare number, or a value with the unit that its kind demands, SI.
+impl<'t, R: Reads + ?Sized> Value<'t, R> for f64 {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        match entry.due_quantity() {
+            Some((dimension, rule)) => reader.document().measured(entry, dimension, rule),
+            None => reader.document().number_of(entry),
+        }
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Usual<'t, R, f64> for f64 {
+    fn usual(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: f64) -> Option<Self> {
+        debug_assert!(table.due_quantity(key).is_none_or(|(dimension, _)| dimension == Dimension::NUMBER), "{key}");
+        Some(usual)
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Value<'t, R> for u64 {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.document().count_of(entry)
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Usual<'t, R, u64> for u64 {
+    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: u64) -> Option<Self> {
+        Some(usual)
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Value<'t, R> for usize {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.document().count_of(entry).and_then(|count| usize::try_from(count).ok())
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
+    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: usize) -> Option<Self> {
+        Some(usual)
+    }
+}
+
+/// Declares a table of a file: a struct with a field for each key, `KEYS` with their description, and `read`.
+///
+/// ```
+/// use loosepin_text::document::{Kind, Reads, count};
+/// use loosepin_text::record;
+///
+/// record! {
+///     /// how many there are
+///     struct Amounts for Reads, exactly one of [few, many];
+///     /// a few of them
+///     optional few: u64 = count(1, 9), "3";
+///     /// a lot of them
+///     optional many: u64 = count(10, 1000), "300";
+///     /// how often each is taken
+///     optional times: u64 = count(1, 10), "2", or 1;
+///     /// what they are called
+///     required name: String = Kind::Text, "\"screws\"";
+/// }
+/// assert_eq!(Amounts::KEYS.keys[2].doc, "how often each is taken; 1 if left out");
+/// ```
+///
+/// A key is `required` or `optional`; an optional one with `or` has the value that is written there where it is left out, and says so in
+/// its documentation. Its type says how it is read ([`Value`]), what follows `=` what may stand there, with an example as it is written
+/// in a file. `as KEY` takes a key that tables share. `for` names the trait of what reads the table.
+#[macro_export]
+macro_rules! record {
+    (
+        $(#[doc = $doc:literal])+
+        $visibility:vis struct $name:ident for $reads:path
+            $(, exactly one of [$($one:ident),+])* $(, planned $planned:expr)? $(, removed $removed:expr)?;
+        $(
+            $(#[doc = $key_doc:literal])*
+            $need:ident $key:ident : $type:ty $(= $kind:expr, $example:literal $(, or $usual:literal)?)? $(as $shared:expr)?;
+        )*
+    ) => {
+        $(#[doc = $doc])+
+        $visibility struct $name<'t> {
+            /// The table as it stands in the file.
+            #[allow(dead_code)]
+            $visibility table: $crate::document::Table<'t>,
+            $($visibility $key: $crate::record!(@type $need $type $(, $($usual)?)?),)*
+        }
+
+        impl<'t> $name<'t> {
+            /// Its keys.
+            #[allow(clippy::needless_update)]
+            $visibility const KEYS: $crate::document::Keys = $crate::document::Keys {
+                exactly_one: &[$(&[$(stringify!($one)),+]),*],
+                $(planned: $planned,)?
+                $(removed: $removed,)?
+                ..$crate::document::Keys::new(
+                    concat!($($doc),+).trim_ascii_start(),
+                    &[$($crate::record!(
+                        @key $need stringify!($key), [$($key_doc),*] $(, $kind, $example $(, $usual)?)? $(; $shared)?
+                    )),*],
+                )
+            };
+
+            /// Reads the table at an entry; `None` after a complaint about what it must have.
+            #[allow(dead_code)]
+            $visibility fn read<R: $reads + ?Sized>(
+                reader: &mut R,
+                entry: &$crate::document::Entry<'t>,
+            ) -> Option<Self> {
+                let table = $crate::document::Reads::document(reader).table(entry, &Self::KEYS)?;
+                Self::of(reader, table)
+            }
+
+            /// Reads the values of a table that was opened with [`Self::KEYS`].
+            #[allow(dead_code)]
+            $visibility fn of<R: $reads + ?Sized>(
+                reader: &mut R,
+                table: $crate::document::Table<'t>,
+            ) -> Option<Self> {
+                $(let $key = $crate::record!(@read $need $type, reader, table, stringify!($key) $(, $($usual)?)?);)*
+                Some(Self { $($key: $key?,)* table })
+            }
+        }
+
+        impl<'t, R: $reads + ?Sized> $crate::document::Value<'t, R> for $name<'t> {
+            fn read(reader: &mut R, entry: &$crate::document::Entry<'t>) -> Option<Self> {
+                Self::read(reader, entry)
+            }
+        }
+    };
+    (@type optional $type:ty $(,)?) => { Option<$type> };
+    (@type $need:ident $type:ty $(, $($usual:literal)?)?) => { $type };
+    (@key $need:ident $name:expr, []; $shared:expr) => { $shared };
+    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
+        $crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())
+    };
+    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr, $usual:literal) => {
+        $crate::document::$need(
+            $name,
+            $kind,
+            $example,
+            concat!($($doc,)+ "; ", $usual, " if left out").trim_ascii_start(),
+        )
+    };
+    (@read required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+        $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry))
+    };
+    (@read optional $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+        match $table.get($key) {
+            Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry).map(Some),
+            None => Some(None),
+        }
+    };
+    (@read optional $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
+        match $table.get($key) {
+            Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry),
+            None => <$type as $crate::document::Usual<'t, R, _>>::usual($reader, &$table, $key, $usual),
+        }
+    };
+}
+
+/// Declares which word of a file stands for which value: of a type that is there already, or of a new one around a value.
+#[macro_export]
+macro_rules! choices {
+    ($(#[$attribute:meta])* $visibility:vis struct $name:ident($inner:ty): $($word:literal => $value:expr),+ $(,)?) => {
+        $(#[$attribute])*
+        #[derive(Debug, Clone, Copy)]
+        $visibility struct $name($visibility $inner);
+        $crate::choices!($name: $($word => Self($value)),+);
+    };
+    ($name:ty: $($word:literal => $value:expr),+ $(,)?) => {
+        impl $crate::document::Choice for $name {
+            const CHOICES: &'static [(&'static str, Self)] = &[$(($word, $value)),+];
+        }
+    };
+}
