@@ -26,14 +26,14 @@ SYSTEM = "the operating system, memory, the C library"
 
 # What a sample is there for: the first row that names a part of the path of one of the source lines it stands for.
 PURPOSES: list[tuple[str, tuple[str, ...]]] = [
-    ("poses, lane by lane", ("simulate/src/follow/", "simulate/src/batch/follow.rs", "math/src/quintic.rs")),
+    ("poses, lane by lane", ("simulate/src/follow/", "simulate/src/lanes/batch/follow.rs", "math/src/quintic.rs")),
     (
         "events searched, and steps decided about",
         tuple(f"simulate/src/{name}.rs" for name in ("gap", "lane", "lane_step", "slot_end", "depth_limit"))
-        + ("simulate/src/batch/switch.rs", "simulate/src/batch/depth.rs"),
+        + ("simulate/src/lanes/batch/switch.rs", "simulate/src/lanes/batch/depth.rs"),
     ),
-    ("runs begun and ended", ("loosepin-bench/src/", "mechanics/src/", "simulate/src/batch/queue.rs", "simulate/src/batch/seats.rs")),
-    ("calls of the programs", ("tape/src/native/", "simulate/src/recorded.rs")),
+    ("runs begun and ended", ("loosepin-bench/src/", "mechanics/src/", "simulate/src/lanes/batch/queue.rs", "simulate/src/lanes/batch/seats.rs")),
+    ("calls of the programs", ("tape/src/native/", "simulate/src/lanes/recorded.rs")),
     ("the rest of a pass, lane by lane", ("simulate/src/",)),
 ]
 

@@ -5,7 +5,7 @@
 
 use comfy_table::ColumnConstraint;
 
-use super::terminal_table::{push_table, table};
+use crate::medium::terminal_table::{push_table, table};
 use loosepin_result::cases::{CaseRecord, Comparison, NumberRecord};
 use loosepin_text::units::{decimal_exponent, format_number, power_of_ten};
 
@@ -34,7 +34,7 @@ pub fn cases_text(records: &[CaseRecord]) -> String {
         text.push('\n');
         for (index, source) in sources.iter().enumerate() {
             let line = format!("{}: {source}", index + 1);
-            text.push_str(&textwrap::fill(&line, usize::from(super::terminal_table::TERMINAL_COLUMNS)));
+            text.push_str(&textwrap::fill(&line, usize::from(crate::medium::terminal_table::TERMINAL_COLUMNS)));
             text.push('\n');
         }
         text.push('\n');

@@ -1,18 +1,18 @@
 //! Runs from the start to the end of their windows.
 
-use super::batch::{Batch, Kept, LARGEST_STEP_TURNS, Queue, Run, Seats};
-use super::execution::Execution;
 use super::failure::RunFailure;
 use super::follow::{Findings, Follow, FollowLayout, FollowedRun, LaneFollow, StepEnds};
-use super::gap::GapJet;
-use super::motion::Motion;
 use super::observer::{Observer, Onset, Separation, Source, Step};
-use super::pace::fastest_drive_rad_s;
-use super::pass::LARGEST_RESIDUAL;
-use super::report::{Counters, RunReport};
 use super::resume::MotionState;
 use super::settings::{Integrator, Settings, Window};
-use super::work::KinematicAccount;
+use crate::lanes::batch::{Batch, Kept, LARGEST_STEP_TURNS, Queue, Run, Seats};
+use crate::lanes::execution::Execution;
+use crate::lanes::pass::LARGEST_RESIDUAL;
+use crate::recording::report::{Counters, RunReport};
+use crate::recording::work::KinematicAccount;
+use crate::stepping::gap::GapJet;
+use crate::stepping::motion::Motion;
+use crate::stepping::pace::fastest_drive_rad_s;
 use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_mechanics::model::{Course, Model};
 
@@ -338,7 +338,7 @@ fn step_ends_s(sample: &Sample<f64>, window: Window, longest_s: f64) -> impl Ite
 #[cfg(test)]
 mod tests {
     use super::execution_of;
-    use crate::execution::Execution;
+    use crate::lanes::execution::Execution;
     use loosepin_mechanics::mechanism::Mechanism;
     use loosepin_mechanics::model::Model;
 

@@ -1,10 +1,10 @@
 //! Observers of a run while it goes on.
 
-use super::gap::GapJet;
-use super::motion::{Account, Motion};
-use super::projection::Projection;
 use super::resume::MotionState;
-use super::work::KinematicAccount;
+use crate::recording::work::KinematicAccount;
+use crate::stepping::gap::GapJet;
+use crate::stepping::motion::{Account, Motion};
+use crate::stepping::projection::Projection;
 use loosepin_math::Quintic;
 use loosepin_mechanics::contact::{Foundation, FoundationMotion};
 use loosepin_mechanics::dynamics::{ContactForce, Dynamics, PlayState, foundation_motion};

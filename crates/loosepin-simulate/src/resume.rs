@@ -1,6 +1,6 @@
 //! Where a run ends, for another one to go on from.
 
-use super::motion::Layout;
+use crate::stepping::motion::Layout;
 use loosepin_mechanics::contact::PlayState;
 
 /// Positions, velocities, deflections of bristles, integrals of the errors of controls and contact states at one instant: all that the motion after it depends on.

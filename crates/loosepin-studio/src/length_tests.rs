@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 
 use loosepin::templates::find_template;
 
+use crate::drawing::still::NamedPoses;
 use crate::edit::{Edit, know, restructured};
-use crate::folder::Folder;
-use crate::look::look_until;
+use crate::files::folder::Folder;
 use crate::messages::{Grip, Held, Look, SentText};
-use crate::still::NamedPoses;
-use crate::texts::Texts;
+use crate::view::look::look_until;
+use crate::view::texts::Texts;
 
 /// A text of eight times the length may take so many times as long: a cost by the square of the length takes 64 times as long.
 const MOST_TIMES: f64 = 16.0;

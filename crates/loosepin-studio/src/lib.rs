@@ -22,46 +22,16 @@
 
 #![cfg_attr(test, allow(clippy::disallowed_methods, reason = "tests make files of their own"))]
 
-mod adopt;
-mod centres;
-mod complaints;
-mod connections;
-mod dimensions;
-mod drawn;
+mod drawing;
 mod edit;
-mod fixes;
-mod folder;
-mod forces;
-mod gallery;
-mod guard;
-mod job;
+mod files;
 mod jobs;
 #[cfg(test)]
 mod length_tests;
-mod limits;
-mod listed;
-mod listing;
-mod look;
-mod mailbox;
 mod messages;
-mod page;
-mod places;
-mod quantities;
-mod refusal;
-mod result_routes;
-mod routes;
-mod server;
-mod socket;
-mod still;
-mod stored;
-mod stream;
+mod network;
 mod studio;
-mod texts;
-mod tickets;
-mod time_limit;
-mod times;
-mod token;
-mod visitors;
+mod view;
 
-pub use server::{Serving, StudioError, serve, serve_within};
-pub use times::Times;
+pub use network::server::{Serving, StudioError, serve, serve_within};
+pub use network::times::Times;

@@ -3,7 +3,7 @@
 use loosepin::report::{DraftBand, LiveBand, MovingDrawing};
 use serde::{Deserialize, Serialize};
 
-use crate::still::NamedPoses;
+use crate::drawing::still::NamedPoses;
 
 /// A text with the path of its file, by which complaints name it.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use tokio::sync::Semaphore;
 
-use crate::folder::Folder;
-use crate::jobs::Jobs;
-use crate::tickets::Tickets;
-use crate::times::Times;
-use crate::token::Token;
+use crate::files::folder::Folder;
+use crate::jobs::queue::Jobs;
+use crate::network::tickets::Tickets;
+use crate::network::times::Times;
+use crate::network::token::Token;
 
 /// What all connections share.
 #[derive(Clone)]

@@ -124,8 +124,9 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 16] = [
+const ONE_PLACE: [(&str, &str); 17] = [
     ("Statistic", "loosepin-terms/src/statistic/"),
+    ("Estimation", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
     ("OutputKind", "loosepin-mechanics/src/model/output/"),
     ("LoadKind", "loosepin-mechanics/src/model/load/"),

@@ -7,11 +7,11 @@ use serde::Serialize;
 use super::headline::{is_same_curve, reach_si};
 use super::outputs::SharedOutputs;
 use super::sides::in_both;
-use crate::answer::requirement_words;
-use crate::chart::{Chart, Entry, EntryValues, Role, scaled};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{capitalised, deviation_of, deviation_words};
+use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
+use crate::charts::figure::name_of;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::study::answer::requirement_words;
+use crate::words::wording::{capitalised, deviation_of, deviation_words};
 use loosepin_result::study::{DeviationCurve, RequirementOutcome, ResponsePoint, StudyResult};
 
 /// Angles that differ by less are one.

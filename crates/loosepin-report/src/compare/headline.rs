@@ -3,9 +3,9 @@
 use super::outputs::SharedOutputs;
 use super::sides::in_both;
 use super::statistics::{Weight, is_same};
-use crate::number::{NumberWriter, Rounding};
-use crate::output_summary::{OutputSummary, output_summaries};
-use crate::wording::deviation_of;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::study::output_summary::{OutputSummary, output_summaries};
+use crate::words::wording::deviation_of;
 use loosepin_result::study::{DeviationCurve, StudyResult};
 use loosepin_text::units::SiUnit;
 

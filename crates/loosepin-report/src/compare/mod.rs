@@ -15,9 +15,9 @@ mod warnings;
 
 use serde::Serialize;
 
-use crate::number::NumberWriter;
-use crate::short_answer::study_sentences;
-use crate::wording::verdict_words;
+use crate::numbers::number::NumberWriter;
+use crate::study::short_answer::study_sentences;
+use crate::words::wording::verdict_words;
 use loosepin_result::study::StudyResult;
 
 pub use band::ComparedBand;

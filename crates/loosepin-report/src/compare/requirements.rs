@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::answer::requirement_words;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{deviation_of, output_unit, place_words, verdict_words};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::study::answer::requirement_words;
+use crate::words::wording::{deviation_of, output_unit, place_words, verdict_words};
 use loosepin_result::study::{RequirementOutcome, StudyResult};
 
 /// A requirement on one number, as each study has it.

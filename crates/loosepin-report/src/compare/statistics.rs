@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::outputs::SharedOutputs;
-use crate::bound_words::found_value;
-use crate::number::{NumberWriter, Rounding, significant};
-use crate::wording::{output_unit, reading_words, response_words, statistic_words, treatment_words};
+use crate::numbers::number::{NumberWriter, Rounding, significant};
+use crate::words::bound::found_value;
+use crate::words::wording::{output_unit, reading_words, response_words, statistic_words, treatment_words};
 use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
 
 /// Digits of a difference of shares, percentage points.

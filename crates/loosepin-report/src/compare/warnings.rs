@@ -1,8 +1,8 @@
 //! What makes the numbers of two studies less comparable.
 
 use super::sides::in_both;
-use crate::force_words::ForcesOf;
-use crate::number::NumberWriter;
+use crate::numbers::number::NumberWriter;
+use crate::words::force::ForcesOf;
 use loosepin_result::study::{JointImpacts, StudyResult};
 use loosepin_text::units::SiUnit;
 

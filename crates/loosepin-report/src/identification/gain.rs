@@ -1,8 +1,8 @@
 //! What narrower intervals gain: the study before and after, beside each other.
 
 use crate::compare::{NOTHING_IN_COMMON, compare_studies};
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{output_unit, response_words, statistic_words};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::{output_unit, response_words, statistic_words};
 use loosepin_result::identification::{Gain, GainedBound};
 use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};

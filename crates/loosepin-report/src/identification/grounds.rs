@@ -1,6 +1,6 @@
 //! What the bounds of an identification rest on.
 
-use crate::number::{NumberWriter, Rounding};
+use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::identification::Identification;
 use loosepin_text::units::{SiUnit, counted};
 

@@ -1,7 +1,7 @@
 //! Lengths of a specimen, given what was measured.
 
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::remark;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::remark;
 use loosepin_result::motion_identification::{
     LengthColumn, MechanismRows, MotionSpecimen, SpecimenLengths, TiedLength, TiedTogether,
 };

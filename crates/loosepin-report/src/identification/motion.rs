@@ -3,9 +3,9 @@
 use super::figures::{RangeRow, map, ranges, strip};
 use super::ranges::{BOUND_DIGITS, range, stated};
 use super::readings::narrowed_words;
-use crate::article_page::push_figure;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{capitalised, remark};
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::{capitalised, remark};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{ConsistentMembers, MotionFeature, MotionMisfit, MotionSpecimen};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
@@ -197,8 +197,8 @@ fn misfit_words(misfit: &MotionMisfit, features: &[MotionFeature], writer: &Numb
 #[cfg(test)]
 mod tests {
     use super::{features_table, unknowns_table};
-    use crate::article_text::article_text;
-    use crate::number::NumberWriter;
+    use crate::medium::article_text::article_text;
+    use crate::numbers::number::NumberWriter;
     use loosepin_result::identification::PlayBounds;
     use loosepin_result::motion_identification::{ConsistentMembers, MotionFeature};
     use loosepin_text::article::{Article, Content, Section, Table};

@@ -1,9 +1,9 @@
 //! What features of a motion would tell.
 
 use super::figures::shares;
-use crate::article_page::push_figure;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::remark;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::remark;
 use loosepin_result::motion_identification::{MotionPlan, PlannedFeature};
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::listed;

@@ -2,9 +2,9 @@
 
 use super::posterior_figure::density;
 use super::ranges::{BOUND_DIGITS, range};
-use crate::article_page::push_figure;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::remark;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::remark;
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{Marginal, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal};
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
@@ -122,7 +122,7 @@ fn refused(specimen: &MotionSpecimen, refusal: &PosteriorRefusal, writer: &Numbe
 #[cfg(test)]
 mod tests {
     use super::{posterior_words, values_table};
-    use crate::number::NumberWriter;
+    use crate::numbers::number::NumberWriter;
     use loosepin_result::identification::PlayBounds;
     use loosepin_result::motion_identification::{
         ConsistentMembers, Marginal, MarginalSummary, MotionPosterior, MotionSpecimen, Posterior, PosteriorRefusal,

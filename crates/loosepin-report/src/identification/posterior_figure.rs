@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use crate::axes::{Axes, Axis, with_unit};
-use crate::figure::{Picture, csv_number, csv_text};
-use crate::number::{NumberWriter, Rounding};
+use crate::charts::axes::{Axes, Axis, with_unit};
+use crate::charts::figure::{Picture, csv_number, csv_text};
+use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::identification::PlayBounds;
 use loosepin_result::motion_identification::{Marginal, MarginalSummary};
 

@@ -1,6 +1,6 @@
 //! Both ends of an interval, as identifications show them.
 
-use crate::number::{NumberWriter, Rounding};
+use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_text::units::SiUnit;
 
 /// Digits of a bound.

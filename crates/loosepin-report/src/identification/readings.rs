@@ -3,9 +3,9 @@
 use super::figures::{RangeRow, ranges};
 use super::ranges::{range, range_digits, stated};
 use super::readings_words::{headline, misfit_words, next_words, sums_words};
-use crate::article_page::push_figure;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::remark;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::remark;
 use loosepin_result::identification::{Consistent, Outcome, PlayBounds, Specimen, TestReading};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::{SiUnit, counted};

@@ -1,7 +1,7 @@
 //! What readings of a rig leave of the plays, in sentences.
 
 use super::ranges::{range, stated};
-use crate::number::{NumberWriter, Rounding};
+use crate::numbers::number::{NumberWriter, Rounding};
 use loosepin_result::identification::{
     Combination, Consistent, Culprit, FurtherReading, Misfit, PlayBounds, Searched, TestReading,
 };

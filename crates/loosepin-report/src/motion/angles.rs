@@ -1,7 +1,7 @@
 //! Where in the cycle of a motion something is.
 
-use crate::chart::Chart;
-use crate::number::{NumberWriter, Rounding, within_turn_rad};
+use crate::charts::chart::Chart;
+use crate::numbers::number::{NumberWriter, Rounding, within_turn_rad};
 use loosepin_result::motion::MotionRecord;
 use loosepin_text::units::SiUnit;
 use std::f64::consts::TAU;

@@ -1,8 +1,8 @@
 //! The answer of an ideal motion in sentences, the most important first; for pages and terminals alike.
 
-use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use crate::tag::Tag;
-use crate::wording::listed;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::listed;
 use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, SingularPosition};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;

@@ -2,11 +2,11 @@
 
 use maud::{Markup, html};
 
-use crate::chart::{Chart, Entry, EntryValues, Role, scaled};
-use crate::figure::name_of;
-use crate::number::NumberWriter;
-use crate::tag::Tag;
-use crate::wording::named_words;
+use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
+use crate::charts::figure::name_of;
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::words::wording::named_words;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
 

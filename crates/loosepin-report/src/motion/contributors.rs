@@ -2,10 +2,10 @@
 
 use maud::html;
 
-use crate::number::{NumberWriter, Rounding};
-use crate::still_figures::percent_of;
-use crate::tag::Tag;
-use crate::wording::{head, named_words};
+use crate::charts::still_figures::percent_of;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{head, named_words};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;

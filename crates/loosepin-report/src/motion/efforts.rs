@@ -2,12 +2,12 @@
 
 use maud::html;
 
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Entry, Role};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, PLAIN_DIGITS};
-use crate::tag::Tag;
-use crate::wording::{head, named_words};
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::figure::name_of;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{head, named_words};
 use loosepin_result::motion::{EffortMotion, MotionRecord};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 

@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use crate::article_page::page_section;
-use crate::mechanism_figure::mechanism_figure;
-use crate::number::NumberWriter;
-use crate::page::{Page, Section, sentences};
-use crate::repeat_section::repeat_section;
-use crate::tag::Tag;
-use crate::wording::count;
+use crate::mechanism::figure::mechanism_figure;
+use crate::medium::article_page::page_section;
+use crate::medium::page::{Page, Section, sentences};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::study::repeat_section::repeat_section;
+use crate::words::wording::count;
 use loosepin_result::motion::MotionRecord;
 use loosepin_text::article::{self, Fact};
 use loosepin_text::units::SiUnit;

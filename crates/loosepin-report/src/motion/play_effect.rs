@@ -1,8 +1,8 @@
 //! How far play moves an output without dynamics, and what was shown of that number, in words.
 
-use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use crate::tag::Tag;
-use crate::wording::listed;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::listed;
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::units::SiUnit;
 

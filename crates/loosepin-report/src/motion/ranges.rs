@@ -1,7 +1,7 @@
 //! Between what the outputs move, and how far play moves them.
 
-use crate::number::{NumberWriter, PLAIN_DIGITS};
-use crate::wording::{head, named_words};
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS};
+use crate::words::wording::{head, named_words};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::article::{Cell, Column, Content, Section, Table};
 

@@ -2,12 +2,12 @@
 
 use maud::html;
 
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Entry, EntryValues, Role, scaled};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use crate::tag::Tag;
-use crate::wording::{head, named_words};
+use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
+use crate::charts::figure::name_of;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{head, named_words};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 

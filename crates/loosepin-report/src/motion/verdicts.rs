@@ -1,9 +1,9 @@
 //! What `motion` says of the requirements of a study without dynamics, in sentences for pages and terminals.
 
-use crate::answer::limits_words;
-use crate::number::{NumberWriter, Rounding};
-use crate::tag::Tag;
-use crate::wording::{capitalised, deviation_words};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::answer::limits_words;
+use crate::words::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;
 

@@ -1,11 +1,11 @@
 //! The answer of a run in sentences, the most important first; for pages and terminals alike.
 
-use crate::answer::turns;
-use crate::force_words::run_sentences;
-use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use crate::tag::Tag;
-use crate::trust_words::TrustedRun;
-use crate::wording::{capitalised, count, counted, listed, without_round_off};
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::answer::turns;
+use crate::words::force::run_sentences;
+use crate::words::trust::TrustedRun;
+use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, ExtremePoint, QuasiStaticShare, SimulationRecord, SimulationSettings, SwingCourse,
 };

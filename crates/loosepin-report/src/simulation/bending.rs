@@ -1,6 +1,6 @@
 //! How flexible bodies start and bend, in sentences, and what to do where their formulation does not fit that.
 
-use crate::number::NumberWriter;
+use crate::numbers::number::NumberWriter;
 use loosepin_result::simulation::{BendingRecord, OtherFormulation};
 use loosepin_text::units::SiUnit;
 
@@ -70,7 +70,7 @@ fn bending_sentence(bending: &BendingRecord, writer: &NumberWriter) -> Option<St
 #[cfg(test)]
 mod tests {
     use super::bending_sentence;
-    use crate::number::NumberWriter;
+    use crate::numbers::number::NumberWriter;
     use loosepin_result::simulation::{BendingRecord, OtherFormulation};
     use loosepin_text::units::DisplayUnits;
 

@@ -3,11 +3,11 @@
 use maud::{Markup, html};
 use std::f64::consts::TAU;
 
-use crate::chart::{Chart, Entry, Role};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding};
-use crate::tag::Tag;
-use crate::wording::named_words;
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::figure::name_of;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::named_words;
 use loosepin_result::simulation::{ImpactRecord, OutputHistory, SimulationRecord};
 use loosepin_text::units::SiUnit;
 

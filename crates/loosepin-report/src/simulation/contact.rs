@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use crate::answer::turn_word;
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Dots, Entry, Role};
-use crate::force_words::{ForcesOf, floored_words};
-use crate::number::{NumberWriter, PLAIN_DIGITS, Rounding};
-use crate::tag::Tag;
-use crate::wording::{count, head, remark};
+use crate::charts::chart::{Chart, Dots, Entry, Role};
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::answer::turn_word;
+use crate::words::force::{ForcesOf, floored_words};
+use crate::words::wording::{count, head, remark};
 use loosepin_result::simulation::{ImpactRecord, JointSummary, SimulationRecord};
 use loosepin_text::article::{Cell, Column, Content, Fact, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;

@@ -1,8 +1,8 @@
 //! Smallest and largest values of the outputs of a run, and where they are.
 
-use crate::number::{NumberWriter, PLAIN_DIGITS};
-use crate::tag::Tag;
-use crate::wording::{deviation_words, head, without_round_off};
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{deviation_words, head, without_round_off};
 use loosepin_result::simulation::{Extreme, ExtremePoint, SimulationRecord};
 use loosepin_result::study::Deviation;
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};

@@ -2,12 +2,12 @@
 
 use maud::{Markup, html};
 
-use crate::chart::{Chart, Entry, EntryValues, Role};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding};
-use crate::still_figures::journal_sections;
-use crate::tag::Tag;
-use crate::wording::counted;
+use crate::charts::chart::{Chart, Entry, EntryValues, Role};
+use crate::charts::figure::name_of;
+use crate::charts::still_figures::journal_sections;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::counted;
 use loosepin_result::simulation::{
     JournalOrbit, LyapunovRecord, MotionKind, NeighbourKind, SectionedOutput, SimulationRecord,
 };

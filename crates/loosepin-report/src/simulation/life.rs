@@ -3,11 +3,11 @@
 use maud::{Markup, html};
 use std::f64::consts::TAU;
 
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Entry, Role};
-use crate::figure::{csv_number, name_of};
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{counted, head};
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::figure::{csv_number, name_of};
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::{counted, head};
 use loosepin_result::simulation::{JointLifeRecord, SurfaceLifeRecord, WearLifeRecord};
 use loosepin_text::article::{Column, Content, Medium, Section, Table};
 use loosepin_text::units::SiUnit;

@@ -2,11 +2,11 @@
 
 use maud::html;
 
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Entry, Role};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::{count, head};
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::figure::name_of;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::{count, head};
 use loosepin_result::simulation::{Abscissa, MeasuredCurve, SimulationRecord};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;

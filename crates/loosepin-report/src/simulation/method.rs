@@ -1,9 +1,9 @@
 //! How a run was computed: what was asked for, and the work that it took.
 
-use crate::answer::{turn_word, turns};
-use crate::number::NumberWriter;
-use crate::tag::Tag;
-use crate::wording::{count, counted};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::study::answer::{turn_word, turns};
+use crate::words::wording::{count, counted};
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_text::article::{Content, Fact, Medium, Section, Text};
 use loosepin_text::units::SiUnit;

@@ -2,14 +2,14 @@
 
 use maud::{Markup, html};
 
-use crate::answer::turns;
-use crate::article_page::page_section;
-use crate::mechanism_figure::mechanism_figure;
-use crate::number::NumberWriter;
-use crate::page::{Page, Section, sentences};
-use crate::repeat_section::repeat_section;
-use crate::still_figures::orbit_figure;
-use crate::tag::Tag;
+use crate::charts::still_figures::orbit_figure;
+use crate::mechanism::figure::mechanism_figure;
+use crate::medium::article_page::page_section;
+use crate::medium::page::{Page, Section, sentences};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::study::answer::turns;
+use crate::study::repeat_section::repeat_section;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::units::SiUnit;
 

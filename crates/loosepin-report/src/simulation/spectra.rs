@@ -2,12 +2,12 @@
 
 use maud::html;
 
-use crate::article_page::push_figure;
-use crate::chart::{Chart, Entry, Role};
-use crate::figure::name_of;
-use crate::number::{NumberWriter, Rounding};
-use crate::tag::Tag;
-use crate::wording::{head, listed, named_words, without_round_off};
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::charts::figure::name_of;
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{head, listed, named_words, without_round_off};
 use loosepin_result::simulation::{SimulationRecord, Spectrum};
 use loosepin_result::study::Deviation;
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};

@@ -1,7 +1,7 @@
 //! A run on a terminal.
 
-use crate::article_text::terminal_text;
-use crate::number::NumberWriter;
+use crate::medium::article_text::terminal_text;
+use crate::numbers::number::NumberWriter;
 use loosepin_result::simulation::{SimulationRecord, StopReason};
 use loosepin_text::article::Section;
 

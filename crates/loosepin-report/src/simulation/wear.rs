@@ -3,10 +3,10 @@
 use maud::{Markup, html};
 use std::f64::consts::TAU;
 
-use crate::article_page::push_figure;
-use crate::figure::{csv_number, name_of};
-use crate::number::NumberWriter;
-use crate::wording::head;
+use crate::charts::figure::{csv_number, name_of};
+use crate::medium::article_page::push_figure;
+use crate::numbers::number::NumberWriter;
+use crate::words::wording::head;
 use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;

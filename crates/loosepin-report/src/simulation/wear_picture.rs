@@ -1,6 +1,6 @@
 //! Pictures of wear around pin and hole: of the bearing outwards, of the journal inwards.
 
-use crate::figure::Picture;
+use crate::charts::figure::Picture;
 use loosepin_result::simulation::WornSurface;
 use maud::{Markup, html};
 

@@ -1,7 +1,7 @@
 //! Wear of the joints of a run in words: for pages and terminals alike.
 
-use crate::number::{NumberWriter, Rounding};
-use crate::wording::counted;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::words::wording::counted;
 use loosepin_result::simulation::{JointWearRecord, SimulationRecord, SurfaceWear};
 use loosepin_text::units::{DisplayUnit, DisplayUnits, SiUnit};
 

@@ -1,8 +1,8 @@
 //! The answer of a sweep in sentences, the most important first; for pages and terminals alike.
 
-use crate::number::NumberWriter;
-use crate::tag::Tag;
-use crate::wording::{count, counted};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::words::wording::{count, counted};
 use loosepin_result::sweep::SweepRecord;
 
 use super::stretches::{Stretch, period_words, stretches, value_words};

@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use crate::article_page::{page_section, push_figure};
-use crate::chart::{Chart, Entry, Role};
-use crate::number::{NumberWriter, Rounding};
-use crate::page::{self, Page, sentences};
-use crate::repeat_section::repeat_section;
-use crate::tag::Tag;
-use crate::wording::{capitalised, count};
+use crate::charts::chart::{Chart, Entry, Role};
+use crate::medium::article_page::{page_section, push_figure};
+use crate::medium::page::{self, Page, sentences};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::repeat_section::repeat_section;
+use crate::words::wording::{capitalised, count};
 use loosepin_result::simulation::REPEAT_SHARE;
 use loosepin_result::sweep::{SweepRecord, SweptJoint};
 use loosepin_text::article::{Fact, Section};

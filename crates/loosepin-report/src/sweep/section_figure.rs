@@ -2,12 +2,12 @@
 
 use maud::{Markup, html};
 
-use crate::axes::{Axes, Axis, with_unit};
-use crate::figure::{Picture, csv_number, csv_text, name_of};
-use crate::number::NumberWriter;
-use crate::script_data::{CHART_DIGITS, round_to_digits};
-use crate::tag::Tag;
-use crate::wording::{count, named_words};
+use crate::charts::axes::{Axes, Axis, with_unit};
+use crate::charts::figure::{Picture, csv_number, csv_text, name_of};
+use crate::medium::script_data::{CHART_DIGITS, round_to_digits};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::words::wording::{count, named_words};
 use loosepin_result::sweep::{SweepPoint, SweepRecord};
 use loosepin_text::units::SiUnit;
 

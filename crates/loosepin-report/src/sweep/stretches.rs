@@ -1,8 +1,8 @@
 //! Which kind of motion there is where.
 
-use crate::number::NumberWriter;
-use crate::tag::Tag;
-use crate::wording::{count, head};
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::words::wording::{count, head};
 use loosepin_result::sweep::SweepRecord;
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 

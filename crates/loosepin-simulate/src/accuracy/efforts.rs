@@ -1,6 +1,6 @@
 //! What drives must do to make the ideal motion: inverse dynamics.
 
-use crate::column::{Column, columns};
+use crate::ideal::column::{Column, columns};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Arms, IdealMotion, Mechanism, Sample};
 use loosepin_result::motion::EffortMotion;

@@ -1,6 +1,6 @@
 //! Outputs of which the quasi-static answer speaks: coordinates of points and angles of bodies.
 
-use crate::column;
+use crate::ideal::column;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Derivative, Motion, OutputKind, Position, Reading, Recorded, relative_words};
 use loosepin_text::units::SiUnit;

@@ -1,6 +1,6 @@
 //! Extremes of a deviation within a step.
 
-use crate::search::maximum_within;
+use crate::stepping::search::maximum_within;
 
 /// Points of a step at which a deviation is looked at before its extremes are located, ends included.
 const POINTS_PER_STEP: usize = 5;

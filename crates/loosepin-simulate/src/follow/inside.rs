@@ -3,7 +3,7 @@
 //! A velocity, an acceleration or a force has no polynomial over a step that its ends fix. It is evaluated at Lobatto's five points of the
 //! dense output, in all lanes at once; extremes are located lane by lane, where the values allow a new one.
 
-use crate::search::ROOM;
+use crate::stepping::search::ROOM;
 use loosepin_math::{Quintic, Real};
 
 /// Points of a step, ends included.

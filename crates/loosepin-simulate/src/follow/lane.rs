@@ -4,7 +4,7 @@ use super::instants::Instants;
 use super::layout::FollowLayout;
 use super::path::PathLayout;
 use super::plan::{DeviationRange, Findings, FollowedRun};
-use crate::ideal_curve::{IdealCurve, Piece};
+use crate::ideal::curve::{IdealCurve, Piece};
 use crate::settings::Window;
 use loosepin_math::Quintic;
 use loosepin_result::study::Deviation;

@@ -6,8 +6,8 @@
 use super::extremes::{extremes_within, points_within};
 use super::plan::FollowedPath;
 use super::step_ends::{GAUSS, StepEnds, array, deviation_at};
-use crate::path_error::path_error;
-use crate::search::ROOM;
+use crate::ideal::path_error::path_error;
+use crate::stepping::search::ROOM;
 use loosepin_math::{Quintic, Real, Vec2};
 use loosepin_result::study::{Deviation, PathError};
 

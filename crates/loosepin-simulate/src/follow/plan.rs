@@ -1,6 +1,6 @@
 //! What is followed, and what was found.
 
-use crate::ideal_curve::IdealCurve;
+use crate::ideal::curve::IdealCurve;
 use loosepin_mechanics::model::Reading;
 use loosepin_result::study::Deviation;
 use std::sync::Arc;

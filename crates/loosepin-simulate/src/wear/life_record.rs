@@ -2,7 +2,7 @@
 
 use super::jumps::{Life, LifePoint};
 use super::recorder::WearRecorder;
-use crate::column::columns;
+use crate::ideal::column::columns;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_result::simulation::{
     JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord, WornSurface,

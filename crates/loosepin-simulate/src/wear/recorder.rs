@@ -3,9 +3,9 @@
 use super::joint::WearingJoint;
 use super::jumps::Life;
 use super::profile::{Pressed, WearProfile};
-use crate::column::columns;
+use crate::ideal::column::columns;
 use crate::observer::Step;
-use crate::work::NODES;
+use crate::recording::work::NODES;
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::Mechanism;

@@ -5,7 +5,7 @@ use super::jumps::Life;
 use super::profile::WearProfile;
 use super::recorder::WearRecorder;
 use crate::failure::RunFailure;
-use crate::report::RunReport;
+use crate::recording::report::RunReport;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{JointId, WearMeasure};
 use loosepin_result::simulation::{JointWearRecord, SurfaceWear, WearChecks, WornSurface};

@@ -15,10 +15,10 @@ use super::grip::{Gripped, gripped_closing, number};
 use super::nearest::{Nearest, nearest};
 use super::reshape::{length, minus};
 use super::rewritten::Rewritten;
-use crate::folder::Folder;
+use crate::files::folder::Folder;
 use crate::messages::Grip;
-use crate::places::unquoted;
-use crate::texts::Texts;
+use crate::view::places::unquoted;
+use crate::view::texts::Texts;
 
 /// Joints that lie farther from where they were left than this share of the mechanism may be those of another closure.
 const FAR_SHARE: f64 = 0.05;

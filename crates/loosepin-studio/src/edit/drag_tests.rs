@@ -6,11 +6,11 @@ use super::reshape::{length, minus};
 use super::restructured;
 use super::structure::Edit;
 use super::tests::{applied, served, texts};
-use crate::folder::Folder;
-use crate::look::look;
+use crate::drawing::still::NamedPoses;
+use crate::files::folder::Folder;
 use crate::messages::{Grip, Held, Look, Seen, SentText, View};
-use crate::still::NamedPoses;
-use crate::texts::Texts;
+use crate::view::look::look;
+use crate::view::texts::Texts;
 
 const POSITIONS: usize = 361;
 

@@ -15,10 +15,10 @@ use super::reshape::Posed;
 use super::rewritten::Rewritten;
 use super::structure::Locks;
 use super::written::Written;
+use crate::drawing::still::{NamedPoses, Pose};
 use crate::messages::{Document, Grip, Held, Reshaped};
-use crate::places::unquoted;
-use crate::still::{NamedPoses, Pose};
-use crate::texts::Texts;
+use crate::view::places::unquoted;
+use crate::view::texts::Texts;
 
 const M_PER_MM: f64 = 1e-3;
 /// A number that is not to be round is written to this share of a step.

@@ -6,7 +6,7 @@ use loosepin::model::{Line, Model};
 
 use super::reshape::Posed;
 use super::reshape::{Coordinate, length, minus};
-use crate::still::Pose;
+use crate::drawing::still::Pose;
 
 /// Angles of guides are multiples of this, rad.
 const STEP_RAD: f64 = PI / 12.0;

@@ -15,11 +15,11 @@ use loosepin::units::{Dimension, format_number, format_value};
 
 use super::knowledge::{Knowledge, Piece, knowledge, piece};
 use super::rewritten::Rewritten;
-use crate::folder::Folder;
+use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
-use crate::places::unquoted;
-use crate::refusal::Refusal;
-use crate::texts::Texts;
+use crate::network::refusal::Refusal;
+use crate::view::places::unquoted;
+use crate::view::texts::Texts;
 
 const RANDOM: &str = "random";
 const EPISTEMIC: &str = "epistemic";

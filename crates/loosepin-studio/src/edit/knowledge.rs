@@ -4,7 +4,7 @@ use loosepin::diagnostics::Problem;
 use loosepin::study::{number_and_unit, signed_parts};
 use loosepin::units::{Dimension, format_number, parse_quantity};
 
-use crate::refusal::Refusal;
+use crate::network::refusal::Refusal;
 
 const FORMS: &str =
     "for example 50 mm, ±0.05 mm, +0.02 -0.01 mm, sd 0.03 mm, uniform ±0.1 mm, 0.1..0.5 mm, H7/g6, or 0.1, 0.2 mm";

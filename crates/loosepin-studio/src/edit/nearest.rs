@@ -4,7 +4,7 @@ use loosepin::result::simulation::Drawing;
 
 use super::grip::Gripped;
 use super::reshape::{length, minus};
-use crate::still::Pose;
+use crate::drawing::still::Pose;
 
 /// A position of a mechanism among those of its turn.
 #[derive(Debug, Clone, Copy, PartialEq)]

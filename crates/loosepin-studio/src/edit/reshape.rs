@@ -9,8 +9,8 @@ use std::collections::{HashMap, HashSet};
 
 use loosepin::model::{BodyId, JointKind, Model, PointId, QuantityId, Values};
 
-use crate::centres::{Centres, SAME_CENTRE_M};
-use crate::still::{Pose, in_body_m};
+use crate::drawing::centres::{Centres, SAME_CENTRE_M};
+use crate::drawing::still::{Pose, in_body_m};
 
 /// A coordinate of a point and the value that it is to have, m.
 pub type Coordinate = (QuantityId, f64);

@@ -8,9 +8,9 @@ use loosepin::templates::{TEMPLATES, find_template};
 
 use super::reshape::{length, minus};
 use super::{gripped, know};
-use crate::folder::Folder;
+use crate::files::folder::Folder;
 use crate::messages::{Change, Document, Grip, Held, Look, SentText};
-use crate::texts::Texts;
+use crate::view::texts::Texts;
 
 /// A quarter of a degree apart, so that no joint goes far from one to the next.
 const POSITIONS: usize = 1441;
@@ -441,7 +441,7 @@ fn a_link_that_an_actuator_turns_keeps_its_angle() {
         "{:?}",
         drag.reshaped
     );
-    let view = crate::look::look(
+    let view = crate::view::look::look(
         &folder,
         &Look {
             seq: 1,

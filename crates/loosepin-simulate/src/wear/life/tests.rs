@@ -2,13 +2,13 @@
 //! with R_i and R_j, and `cases/oracle/worn_cycles`, which repeats its numbers and also has the radii of (14).
 
 use super::{LifePlan, run_cycle, wear};
-use crate::batch::Kept;
 use crate::engine::run_from;
-use crate::motion::Layout;
+use crate::ideal::reference::IdealReference;
+use crate::lanes::batch::Kept;
 use crate::observer::{Observer, Step};
-use crate::reference::IdealReference;
 use crate::resume::MotionState;
 use crate::settings::{Settings, Window};
+use crate::stepping::motion::Layout;
 use crate::wear::jumps::{Depths, JumpLength, Life, life};
 use crate::wear::{WearRecorder, WearingJoint};
 use loosepin_math::Vec2;

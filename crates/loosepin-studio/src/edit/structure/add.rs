@@ -8,8 +8,8 @@ use loosepin::units::format_number;
 use super::edit::{End, Joined, Watched};
 use super::lines::Lines;
 use super::watch::output;
-use crate::refusal::Refusal;
-use crate::still::{NamedPoses, Pose, in_body_m};
+use crate::drawing::still::{NamedPoses, Pose, in_body_m};
+use crate::network::refusal::Refusal;
 
 const MM_PER_M: f64 = 1e3;
 const GROUND: &str = "ground";

@@ -13,8 +13,8 @@ use super::lines::Stems;
 use super::names::mentions;
 use super::scan::scan;
 use crate::messages::Document;
-use crate::refusal::Refusal;
-use crate::texts::Texts;
+use crate::network::refusal::Refusal;
+use crate::view::texts::Texts;
 
 /// Of a turn, to see whether a mechanism moves.
 const POSITIONS: usize = 36;

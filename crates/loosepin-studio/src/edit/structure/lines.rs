@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::scan::{Item, Scanned, Statement, Value, ValueKind, element, scan};
-use crate::refusal::Refusal;
+use crate::network::refusal::Refusal;
 
 /// Tables of a model in their usual order, for a table of which there is none yet.
 const ORDER: [&str; 13] = [

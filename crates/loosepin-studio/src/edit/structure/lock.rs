@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use super::lines::Lines;
 use super::scan::{Scanned, Statement, scan};
-use crate::refusal::Refusal;
+use crate::network::refusal::Refusal;
 
 const LOCKED: &str = "locked";
 const LOCKED_AND: &str = "locked:";

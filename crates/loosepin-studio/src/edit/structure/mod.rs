@@ -41,11 +41,11 @@ use remove::removed;
 use rename::renamed;
 
 use super::know::known_texts;
-use crate::folder::Folder;
+use crate::drawing::still::{NamedPoses, placed};
+use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
-use crate::refusal::Refusal;
-use crate::still::{NamedPoses, placed};
-use crate::texts::Texts;
+use crate::network::refusal::Refusal;
+use crate::view::texts::Texts;
 
 pub use checked::why_not;
 pub use edit::Edit;

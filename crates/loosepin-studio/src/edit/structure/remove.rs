@@ -10,7 +10,7 @@ use super::edit::Named;
 use super::lines::Lines;
 use super::names::{Mention, mentions};
 use crate::messages::Document;
-use crate::refusal::Refusal;
+use crate::network::refusal::Refusal;
 
 /// What can be taken out here.
 const TABLES: [&str; 9] = ["body", "joint", "coupling", "cam", "spring", "load", "drive", "control", "output"];

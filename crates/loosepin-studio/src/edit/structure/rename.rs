@@ -4,7 +4,7 @@ use super::edit::Named;
 use super::lines::Lines;
 use super::names::mentions;
 use crate::messages::Document;
-use crate::refusal::Refusal;
+use crate::network::refusal::Refusal;
 
 /// What can get another name here.
 const TABLES: [&str; 10] =

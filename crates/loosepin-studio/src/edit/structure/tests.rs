@@ -9,11 +9,11 @@ use loosepin::templates::{TEMPLATES, Template, find_template};
 use super::checked::facts;
 use super::edit::{Axis, Edit, End, Joined, Named, Watched};
 use super::{Restructured, restructured};
+use crate::drawing::still::NamedPoses;
 use crate::edit::tests::{applied, served, texts};
-use crate::folder::Folder;
-use crate::refusal::Refusal;
-use crate::still::NamedPoses;
-use crate::texts::Texts;
+use crate::files::folder::Folder;
+use crate::network::refusal::Refusal;
+use crate::view::texts::Texts;
 
 /// Poses of a template at its start.
 fn poses(texts: &Texts) -> NamedPoses {
@@ -603,7 +603,7 @@ fn an_open_mechanism_is_drawn_where_it_was_put_together() {
         grip: None,
         poses: Some(desk.poses.clone()),
     };
-    let view = crate::look::look(&desk.folder, &look).view.expect("a picture");
+    let view = crate::view::look::look(&desk.folder, &look).view.expect("a picture");
     assert!(view.incomplete.is_some_and(|words| words.starts_with("1 degree of freedom too many: 'link_1'")));
     assert!(view.drawing.is_some() && view.bands.is_empty());
     let InputFile::Study(_) = desk.texts.read().unwrap() else { panic!("a study") };

@@ -1,0 +1,251 @@
+//! The band of an output without dynamics, as it is shown while a mechanism is edited.
+//!
+//! At each angle of the drive, with the first-order sum of play w (a preview of the worst case), the standard deviation s_p of journals anywhere in their clearance
+//! circles and the standard deviation s_d of the dimensions: the outer band is ±(w + 2 s_d), the inner one ±2 √(s_p² + s_d²).
+//! With k clearances of effects w_i, 2 s_p = √(w_1² + … + w_k²) ≤ w: the inner band lies in the outer one.
+
+use maud::html;
+use serde::Serialize;
+
+use crate::charts::chart::{Entry, EntryValues, Role, scaled};
+use crate::charts::figure::name_of;
+use crate::motion::{angle_chart, largest, moved_words, turn_angle};
+use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
+use crate::words::wording::named_words;
+use loosepin_result::motion::{MotionRecord, OutputMotion};
+
+/// Standard deviations on either side of the middle.
+const DEVIATIONS: f64 = 2.0;
+
+/// The band of one output.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LiveBand {
+    /// Name of the output.
+    pub output: String,
+    /// What it is.
+    pub words: String,
+    /// How wide the band is where it is widest, in a sentence.
+    pub largest: String,
+    /// The chart as an SVG document that takes its style from the page. `data-plot` has left, top, width and height of the frame of its
+    /// curves in units of the picture, `data-x` the angles at its ends, degrees, `data-y` the values at its foot and head.
+    pub figure: String,
+    /// Half the width of the outer band where it is widest, in the unit of the figure.
+    pub largest_value: f64,
+    /// The unit of the figure, in a file.
+    pub unit: String,
+    /// SI units in a unit of the figure.
+    pub si_per_unit: f64,
+    /// Whether the band keeps each limit of its output, in a sentence.
+    pub kept: Vec<String>,
+    /// What makes the band where it is widest, the largest part first.
+    pub parts: Vec<BandPart>,
+}
+
+/// What one joint or one dimension adds to a band.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BandPart {
+    /// Joint, or path of the dimension.
+    pub name: String,
+    /// `play` or `part`.
+    pub kind: &'static str,
+    /// Share of the outer band, 0 to 1.
+    pub share: f64,
+    /// What it adds, with its unit.
+    pub words: String,
+}
+
+/// A limit that a study puts on the magnitude of a deviation over the whole cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LiveLimit {
+    /// Name of the output.
+    pub output: String,
+    /// The limit, SI, > 0.
+    pub within_si: f64,
+}
+
+/// The bands of all outputs that have one, each with its limits; empty where nothing has play and nothing scatters.
+pub fn live_bands(record: &MotionRecord, limits: &[LiveLimit]) -> Vec<LiveBand> {
+    let writer = NumberWriter::for_page(&record.display_units);
+    let limits_of = |output: &OutputMotion| -> Vec<f64> {
+        limits.iter().filter(|limit| limit.output == output.name).map(|limit| limit.within_si).collect()
+    };
+    record.outputs.iter().filter_map(|output| band(record, output, &limits_of(output), &writer)).collect()
+}
+
+/// Whether a band stays within a limit, with half widths of the outer and the inner one.
+fn kept_words([outer_si, inner_si]: [f64; 2], limit_si: f64, limit: &str) -> String {
+    if outer_si <= limit_si {
+        format!("Without dynamics the band stays within ±{limit}.")
+    } else if inner_si <= limit_si {
+        format!(
+            "Without dynamics ±2 standard deviations stay within ±{limit}, the largest effect of play to first order does not."
+        )
+    } else {
+        format!("Without dynamics the band goes beyond ±{limit}.")
+    }
+}
+
+/// Half widths of the outer and the inner band at each position, SI.
+fn half_widths_si(output: &OutputMotion) -> [Vec<f64>; 2] {
+    let at = |list: &[f64], position: usize| list.get(position).copied().unwrap_or(0.0);
+    let positions = output.clearance.first_order_si.len();
+    let both = |position: usize| {
+        let dimensions_si = at(&output.dimensional_standard_deviation_si, position);
+        let worst_si = at(&output.clearance.first_order_si, position);
+        let anywhere_si = at(&output.clearance.disc_standard_deviation_si, position);
+        [worst_si + DEVIATIONS * dimensions_si, DEVIATIONS * anywhere_si.hypot(dimensions_si)]
+    };
+    [0, 1].map(|which| (0..positions).map(|position| both(position)[which]).collect())
+}
+
+fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer: &NumberWriter) -> Option<LiveBand> {
+    let [outer_si, inner_si] = half_widths_si(output);
+    let (angle_rad, largest_si) = largest(record, &outer_si);
+    if !(largest_si > 0.0) {
+        return None;
+    }
+    let has_play = output.clearance.first_order_si.iter().any(|value| *value != 0.0);
+    let has_parts = output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0);
+    let [outer, inner] = match (has_play, has_parts) {
+        (true, true) => [
+            "most play to first order, and parts at ±2 standard deviations",
+            "±2 standard deviations of play and parts",
+        ],
+        (true, false) => ["most play, to first order", "±2 standard deviations of play"],
+        _ => ["", "±2 standard deviations of the parts"],
+    };
+    let mut chart = angle_chart(record, name_of("band", &output.name), writer);
+    chart.set_vertical_axis(format!("deviation of {}", output.name), &output.unit, writer);
+    chart.height = 240;
+    let mut add = |label: &str, role, half_si: &[f64]| {
+        let upper = scaled(half_si, &output.unit, writer);
+        let lower: Vec<f64> = upper.iter().map(|value| -value).collect();
+        chart.entries.push(Entry::new(label, role, false, EntryValues::band(&lower, &upper)));
+    };
+    if has_play {
+        add(outer, Role::Mixed, &outer_si);
+    }
+    add(inner, Role::Random, &inner_si);
+    let mut kept = Vec::new();
+    let most = |half_si: &[f64]| half_si.iter().fold(0.0_f64, |most, value| most.max(*value));
+    for limit_si in limits_si {
+        let limit = writer.value_trimmed(*limit_si, &output.unit);
+        kept.push(kept_words([most(&outer_si), most(&inner_si)], *limit_si, &limit));
+        let [upper, lower] =
+            [*limit_si, -limit_si].map(|value| vec![writer.scaled(value, &output.unit); outer_si.len()]);
+        chart.entries.push(Entry::new(format!("limit ±{limit}"), Role::Limit, true, EntryValues::pair(&lower, &upper)));
+    }
+    let words = named_words(&output.name, &output.words);
+    let largest = format!(
+        "{} by up to ±{}, at {}",
+        moved_words(output),
+        writer.rounded(largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up),
+        turn_angle(record, angle_rad, 3, writer)
+    );
+    chart.alternative = format!("Chart of the band of {words} over one cycle, without dynamics: {largest}.");
+    chart.caption = html! {};
+    let pose = record.drive_angle_rad.iter().position(|angle| *angle == angle_rad).unwrap_or(0);
+    Some(LiveBand {
+        output: output.name.clone(),
+        words,
+        largest,
+        figure: chart.document(),
+        largest_value: writer.scaled(largest_si, &output.unit),
+        unit: writer.symbol(&output.unit),
+        si_per_unit: 1.0 / writer.scaled(1.0, &output.unit),
+        kept,
+        parts: parts(output, pose, writer),
+    })
+}
+
+/// Parts of the outer band at a position. Dimensions share theirs as their variances do.
+fn parts(output: &OutputMotion, position: usize, writer: &NumberWriter) -> Vec<BandPart> {
+    let at = |list: &[f64]| list.get(position).copied().unwrap_or(0.0);
+    let plays =
+        output.clearance.contributors.iter().map(|joint| (joint.joint.clone(), "play", at(&joint.first_order_si)));
+    let dimensions = &output.dimensional_contributors;
+    let variances: f64 = dimensions.iter().map(|dimension| at(&dimension.standard_deviation_si).powi(2)).sum();
+    let all_si = DEVIATIONS * at(&output.dimensional_standard_deviation_si);
+    let shares = dimensions.iter().map(|dimension| {
+        let share = if variances > 0.0 { at(&dimension.standard_deviation_si).powi(2) / variances } else { 0.0 };
+        (dimension.path.clone(), "part", share * all_si)
+    });
+    let mut parts: Vec<(String, &'static str, f64)> = plays.chain(shares).filter(|part| part.2 > 0.0).collect();
+    parts.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let whole_si: f64 = parts.iter().map(|part| part.2).sum();
+    let told = |(name, kind, part_si): (String, &'static str, f64)| BandPart {
+        name,
+        kind,
+        share: part_si / whole_si,
+        words: format!("±{}", writer.rounded(part_si, &output.unit, PLAIN_DIGITS, Rounding::Nearest)),
+    };
+    parts.into_iter().map(told).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use loosepin_result::motion::{ClearanceAnswer, DimensionContributor, JointContributor};
+    use loosepin_text::units::SiUnit;
+
+    /// Two joints and two dimensions at one position: effects of 3 and 4 µm, standard deviations 1 and 2 µm.
+    fn output() -> OutputMotion {
+        let joint = |name: &str, worst_si: f64| JointContributor {
+            joint: name.to_owned(),
+            radial_clearance_m: 1e-4,
+            first_order_si: vec![worst_si],
+        };
+        let dimension = |path: &str, deviation_si: f64| DimensionContributor {
+            path: path.to_owned(),
+            standard_deviation_si: vec![deviation_si],
+        };
+        OutputMotion {
+            name: "slider".to_owned(),
+            words: "x of slider.pin".to_owned(),
+            unit: SiUnit::LENGTH,
+            path_error: None,
+            value_si: vec![0.1],
+            velocity_si: vec![0.0],
+            acceleration_si: vec![0.0],
+            clearance: ClearanceAnswer {
+                first_order_si: vec![7e-6],
+                // Each journal anywhere in its circle: the effect over 2, and 3² + 4² = 5².
+                disc_standard_deviation_si: vec![2.5e-6],
+                rim_standard_deviation_si: vec![5e-6 / 2f64.sqrt()],
+                contributors: vec![joint("crank_pin", 3e-6), joint("gudgeon", 4e-6)],
+                ..ClearanceAnswer::default()
+            },
+            dimensional_standard_deviation_si: vec![5f64.sqrt() * 1e-6],
+            dimensional_contributors: vec![dimension("parameter.rod", 1e-6), dimension("parameter.crank", 2e-6)],
+        }
+    }
+
+    #[test]
+    fn analytic_the_inner_band_lies_in_the_outer_one() {
+        let [outer_si, inner_si] = half_widths_si(&output());
+        assert!((outer_si[0] - (7e-6 + 2.0 * 5f64.sqrt() * 1e-6)).abs() < 1e-18);
+        assert!((inner_si[0] - 2.0 * (2.5f64.powi(2) + 5.0).sqrt() * 1e-6).abs() < 1e-18);
+        assert!(inner_si[0] < outer_si[0]);
+    }
+
+    #[test]
+    fn a_limit_between_both_bands_is_kept_by_the_inner_one_alone() {
+        let words = |limit_si: f64| kept_words([7.0, 5.0], limit_si, "x");
+        assert_eq!(words(7.0), "Without dynamics the band stays within ±x.");
+        assert!(words(6.0).contains("to first order does not"));
+        assert_eq!(words(4.9), "Without dynamics the band goes beyond ±x.");
+    }
+
+    #[test]
+    fn analytic_parts_make_the_whole_band() {
+        let units = loosepin_text::units::DisplayUnits::default();
+        let writer = NumberWriter::for_page(&units);
+        let parts = parts(&output(), 0, &writer);
+        let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+        assert_eq!(names, ["gudgeon", "parameter.crank", "crank_pin", "parameter.rod"]);
+        assert!((parts.iter().map(|part| part.share).sum::<f64>() - 1.0).abs() < 1e-15);
+        // The dimensions share 2 √5 µm as 4 to 1.
+        let dimensions_si = 2.0 * 5f64.sqrt() * 1e-6;
+        assert!((parts[1].share - 0.8 * dimensions_si / (7e-6 + dimensions_si)).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,176 @@
+//! An article on a page.
+
+use crate::medium::page;
+use crate::numbers::number::NumberWriter;
+use loosepin_text::article::{Cell, Column, Content, Emphasis, Fact, Group, Medium, Section, Table, Text};
+use maud::{Markup, PreEscaped, html};
+
+/// A section of a page, where there is one.
+pub(crate) fn page_section(section: impl Into<Option<Section>>) -> Option<page::Section> {
+    let section = section.into()?;
+    Some(page::Section::new(section.id, section.heading.words_on(Medium::Page), blocks(&section)))
+}
+
+/// The blocks of a section.
+pub(crate) fn blocks(section: &Section) -> Markup {
+    html! { @for block in section.blocks_on(Medium::Page) { (content(&block.content)) } }
+}
+
+/// Adds figures, which only a page has.
+pub(crate) fn push_figure(section: &mut Section, writer: &NumberWriter, draw: impl FnOnce() -> Markup) {
+    if writer.medium == Medium::Page {
+        section.push(Content::Figure(draw().into_string()));
+    }
+}
+
+fn content(content: &Content) -> Markup {
+    match content {
+        Content::Heading(heading) => html! { h3 { (text(heading)) } },
+        Content::Sentences(sentences) => html! { @for sentence in shown(sentences) { p { (text(sentence)) } } },
+        Content::Note(note) => html! { p.quiet { (text(note)) } },
+        Content::Points(points) => html! { ul { @for point in shown(points) { li { (text(point)) } } } },
+        Content::Facts(facts) => list_of_facts(facts),
+        Content::Table(table) => whole_table(table),
+        Content::Figure(figure) => PreEscaped(figure.clone()),
+    }
+}
+
+/// The sentences that a page shows.
+fn shown(texts: &[Text]) -> impl Iterator<Item = &Text> {
+    texts.iter().filter(|text| !text.is_empty_on(Medium::Page))
+}
+
+fn text(text: &Text) -> Markup {
+    html! {
+        @for span in text.spans_on(Medium::Page) {
+            @match span.emphasis {
+                Emphasis::Plain => { (span.text) }
+                Emphasis::Strong => strong { (span.text) },
+                Emphasis::Quiet => span.quiet { (span.text) },
+                Emphasis::Code => code { (span.text) },
+            }
+        }
+    }
+}
+
+fn list_of_facts(facts: &[Fact]) -> Markup {
+    let lines = |fact: &Fact| {
+        html! { @for (index, line) in fact.lines.iter().enumerate() { @if index > 0 { br; } (text(line)) } }
+    };
+    html! { dl.facts { @for fact in facts { div { dt { (fact.name) } dd { (lines(fact)) } } } } }
+}
+
+/// A table with its title; with what stands below it where there is a caption.
+fn whole_table(table: &Table) -> Markup {
+    let title = html! { @if !table.title.is_empty_on(Medium::Page) { h3 { (text(&table.title)) } } };
+    if table.caption.is_empty_on(Medium::Page) {
+        return html! { (title) (rows(table)) };
+    }
+    html! { figure.treatments { (title) (rows(table)) figcaption { (text(&table.caption)) } } }
+}
+
+/// Columns that a page has room for; a table with more moves sideways in its frame.
+const MOST_COLUMNS: usize = 8;
+
+/// Rows become cards on a narrow screen, where each cell stands behind the head of its column. Without groups the first cell of a row
+/// is its head.
+fn rows(table: &Table) -> Markup {
+    let columns = table.columns_on(Medium::Page);
+    let is_wide = columns.len() > MOST_COLUMNS;
+    let rows = html! {
+        table class=[(!is_wide).then_some("cards")] {
+            thead {
+                tr { @for (_, column) in &columns { th class=[class(column)] scope="col" { (text(&column.head)) } } }
+            }
+            @for group in &table.groups {
+                tbody class=[is_headed(group).then_some("group")] {
+                    @if is_headed(group) {
+                        tr { th scope="rowgroup" colspan=(columns.len()) { (text(&group.heading)) } }
+                    }
+                    @for row in &group.rows {
+                        tr {
+                            @for (place, column) in &columns {
+                                @if *place == 0 && !is_headed(group) { th class=[class(column)] scope="row" { (cell(&row[*place])) } }
+                                @else { td class=[class(column)] data-label=(label(column)) { (cell(&row[*place])) } }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    if is_wide {
+        html! { div.scroll tabindex="0" role="region" aria-label="Wide table" { (rows) } }
+    } else {
+        rows
+    }
+}
+
+fn is_headed(group: &Group) -> bool {
+    !group.heading.is_empty_on(Medium::Page)
+}
+
+fn class(column: &Column) -> Option<&'static str> {
+    column.numbers_on.contains(&Medium::Page).then_some("number")
+}
+
+fn label(column: &Column) -> String {
+    column.label.map_or_else(|| column.head.words_on(Medium::Page), str::to_owned)
+}
+
+fn cell(cell: &Cell) -> Markup {
+    match cell {
+        Cell::Text(own) => text(own),
+        Cell::Drawn { html, .. } => PreEscaped(html.clone()),
+        Cell::Nothing => html! { "–" },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::blocks;
+    use loosepin_text::article::{Cell, Column, Content, Fact, Group, Medium, Section, Table, Text};
+
+    fn shown(content: Content) -> String {
+        let mut section = Section::new("bounds", "Bounds");
+        section.push(content);
+        blocks(&section).into_string()
+    }
+
+    #[test]
+    fn text_of_files_is_escaped_and_emphasis_is_shown() {
+        let text = Text::from("<rod> ").strong("0.25 mm").quiet("at 60°").code("bounds.csv");
+        assert_eq!(
+            shown(Content::Note(text.on(Medium::Terminal, "not on a page"))),
+            "<p class=\"quiet\">&lt;rod&gt; <strong>0.25 mm</strong><span class=\"quiet\">at 60°</span><code>bounds.csv</code></p>"
+        );
+        assert_eq!(
+            shown(Content::Facts(vec![Fact::new("rod", ["0.5 kg", "settled"])])),
+            "<dl class=\"facts\"><div><dt>rod</dt><dd>0.5 kg<br>settled</dd></div></dl>"
+        );
+    }
+
+    #[test]
+    fn the_first_cell_of_a_row_is_its_head_unless_a_group_has_one() {
+        let columns = || {
+            vec![
+                Column::words("play"),
+                Column { only: Some(Medium::Terminal), ..Column::words("narrowed") },
+                Column { label: Some("after"), ..Column::numbers("after the readings") },
+            ]
+        };
+        let row = || vec![Cell::from("pin"), Cell::from("no"), Cell::Nothing];
+        let plain = shown(Content::Table(Table::new(columns(), [row()])));
+        assert!(
+            plain.contains("<th scope=\"row\">pin</th><td class=\"number\" data-label=\"after\">–</td>"),
+            "{plain}"
+        );
+        assert!(!plain.contains("narrowed") && !plain.contains("<figure"), "{plain}");
+        let groups = vec![Group { heading: "rod".into(), rows: vec![row()] }];
+        let table = Table { columns: columns(), groups, caption: "Both ends.".into(), ..Table::default() };
+        let grouped = shown(Content::Table(table));
+        assert!(grouped.contains("<th scope=\"rowgroup\" colspan=\"2\">rod</th>"), "{grouped}");
+        assert!(grouped.contains("<td data-label=\"play\">pin</td>"), "{grouped}");
+        assert!(grouped.ends_with("<figcaption>Both ends.</figcaption></figure>"), "{grouped}");
+    }
+}

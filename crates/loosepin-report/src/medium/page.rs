@@ -1,0 +1,173 @@
+//! The frame of every page: head with embedded style and scripts, title, sections, foot. Nothing is loaded.
+
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use loosepin_text::date::date_for_reading;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::charts::figure::with_unique_names;
+use crate::medium::styles::{COLOURS, FIGURE_STYLE, saved_style};
+
+const STYLE: &str = include_str!("../../assets/report.css");
+/// In the head, before anything is shown.
+const FIRST_SCRIPT: &str = include_str!("../../assets/live.js");
+/// What makes the page live, in the order in which it is needed; written in TypeScript, in `scripts`.
+const SCRIPTS: [&str; 7] = [
+    include_str!("../../assets/ticks.js"),
+    include_str!("../../assets/cursor.js"),
+    // Takes the figures as they are before the next ones make them live.
+    include_str!("../../assets/save.js"),
+    include_str!("../../assets/chart.js"),
+    include_str!("../../assets/orbit.js"),
+    include_str!("../../assets/mechanism.js"),
+    include_str!("../../assets/what-if.js"),
+];
+/// A browser must not fetch anything for these pages, even if text in them asked for it.
+const CONTENT_POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; base-uri 'none'";
+
+/// One section of a page.
+pub(crate) struct Section {
+    pub id: &'static str,
+    pub title: String,
+    pub body: Markup,
+}
+
+impl Section {
+    pub fn new(id: &'static str, title: impl Into<String>, body: Markup) -> Self {
+        Section { id, title: title.into(), body }
+    }
+}
+
+/// A whole page.
+pub(crate) struct Page {
+    /// Of the window and the first heading.
+    pub title: String,
+    /// Kind of page, above the title.
+    pub kicker: &'static str,
+    /// The line below the title.
+    pub subtitle: Markup,
+    /// The answer, before everything else.
+    pub answer: Markup,
+    /// Whether the chart has room below the answer, beside the mechanism.
+    pub is_answer_short: bool,
+    /// The mechanism, on the right of the answer.
+    pub beside: Markup,
+    /// The chart that the answer is about, below both.
+    pub below: Markup,
+    pub sections: Vec<Section>,
+    /// What was computed: `study 1f3a5b7c`.
+    pub identity: String,
+    pub version: String,
+}
+
+impl Page {
+    pub fn into_html(self) -> String {
+        let date = written_at();
+        let page = html! {
+            (DOCTYPE)
+            html lang="en" data-origin=(format!("{} (loosepin {})", self.identity, self.version)) {
+                head {
+                    meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(CONTENT_POLICY);
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="color-scheme" content="light dark";
+                    meta name="generator" content=(format!("loosepin {}", self.version));
+                    title { (self.title) }
+                    style {
+                        (PreEscaped(COLOURS)) (PreEscaped(STYLE)) (PreEscaped(FIGURE_STYLE))
+                        (PreEscaped(foot_of_sheets(&self.title, &self.identity)))
+                    }
+                    script { (PreEscaped(FIRST_SCRIPT)) }
+                }
+                body {
+                    a.skip href="#content" { "Skip to the answer" }
+                    header {
+                        p.kicker { (self.kicker) @if let Some(date) = &date { span.date { " · " (date) } } }
+                        h1 { (self.title) }
+                        p.subtitle { (self.subtitle) }
+                    }
+                    main id="content" {
+                        div class=(if self.is_answer_short { "opening short" } else { "opening" }) {
+                            section.answer id="answer" aria-label="The answer" { (self.answer) }
+                            div.beside { (self.beside) }
+                            div.below { (self.below) }
+                        }
+                        nav aria-label="On this page" {
+                            ol {
+                                @for section in &self.sections {
+                                    li { a href={ "#" (section.id) } { (section.title) } }
+                                }
+                            }
+                        }
+                        @for section in &self.sections {
+                            section id=(section.id) aria-labelledby={ (section.id) "-title" } {
+                                h2 id={ (section.id) "-title" } { (section.title) }
+                                (section.body)
+                            }
+                        }
+                    }
+                    footer {
+                        p.help {
+                            "Charts: drag to zoom in, double-click to zoom out. Click a name below a chart to hide or show its \
+                             curve. Keyboard: arrows move the cursor, + and − zoom, 0 shows all. One cursor moves mechanism and charts."
+                        }
+                        p { "Written by loosepin " (self.version) ". This page works offline and loads nothing." }
+                    }
+                    script type="text/css" id="saved-style" { (PreEscaped(saved_style())) }
+                    @for script in SCRIPTS { script { (PreEscaped(script)) } }
+                }
+            }
+        };
+        with_unique_names(&page.into_string())
+    }
+}
+
+/// When the page is written, to the minute. `SOURCE_DATE_EPOCH`, in seconds since 1970, sets the clock, so that a page can be made again
+/// byte for byte (<https://reproducible-builds.org/specs/source-date-epoch/>). Nothing where neither gives a date.
+fn written_at() -> Option<String> {
+    let now = match std::env::var("SOURCE_DATE_EPOCH") {
+        Ok(seconds) => UNIX_EPOCH.checked_add(Duration::from_secs(seconds.parse().ok()?))?,
+        Err(_) => SystemTime::now(),
+    };
+    date_for_reading(now)
+}
+
+/// The foot of every printed sheet: what was computed on the left, the number of the sheet on the right.
+fn foot_of_sheets(title: &str, identity: &str) -> String {
+    let words = in_style(&format!("{title} · {identity}"));
+    format!(
+        "@media print {{ @page {{ @bottom-left {{ content: \"{words}\"; }} \
+         @bottom-right {{ content: \"sheet \" counter(page) \" of \" counter(pages); }} }} }}\n"
+    )
+}
+
+/// A text inside the quotes of a style sheet: what is neither letter nor digit is written as its number.
+fn in_style(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:x} ", u32::from(c)) })
+        .collect()
+}
+
+/// Sentences, the first one as the headline.
+pub(crate) fn sentences(sentences: &[String]) -> Markup {
+    html! {
+        @for (index, sentence) in sentences.iter().enumerate() {
+            @if index == 0 { p.headline { (sentence) } } @else { p { (sentence) } }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_title_ends_the_style_of_its_page() {
+        let foot = foot_of_sheets("</style>\"; } \\ 5 µm\n", "study 1f3a");
+        assert!(
+            foot.contains("content: \"\\3c \\2f style\\3e \\22 \\3b  \\7d  \\5c  5 µm\\a  \\b7  study 1f3a\""),
+            "{foot}"
+        );
+    }
+}

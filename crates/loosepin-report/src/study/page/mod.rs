@@ -1,0 +1,169 @@
+//! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
+
+mod curves;
+mod provenance;
+mod what_if;
+
+use maud::{Markup, html};
+
+pub use curves::{KnownValue, known_values};
+
+use crate::charts::figure::figures;
+use crate::charts::still_figures::orbit_figure;
+use crate::mechanism::figure::mechanism_figure;
+use crate::medium::article_page::{blocks, page_section};
+use crate::medium::page::{Page, Section};
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::answer::{Answer, answer, requirement_words, verdict_headline};
+use crate::study::repeat_section::study_repeat_section;
+use crate::study::sections::{
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, degrees_section,
+    percentiles_section, promise_section, rare_section, runs_section, surrogate_section, treatments_section,
+};
+use crate::words::wording::{
+    counted, deviation_words, has_unknown, output_unit, place_words, unknown_words, verdict_words,
+};
+use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
+use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
+
+/// The page of a study as one HTML text that needs no network: what was asked, the bounds with their numerical errors
+/// and witnesses, the deviation over the cycle, probability boxes, the three treatments, the moving mechanism, the
+/// journals' paths, failed runs, energy residuals, and how all of it was computed. Text from files is escaped.
+pub fn study_page(result: &StudyResult) -> String {
+    let writer = NumberWriter::for_page(&result.display_units);
+    let answer = answer(result, &writer);
+    let first = curves::first_chart(result, &writer);
+    let writer = &writer;
+    let own = |id: &'static str, title: &'static str, is_there: bool, body: &dyn Fn() -> Markup| {
+        is_there.then(|| Section::new(id, title, body()))
+    };
+    let has_path = result.curves.iter().any(|curve| curve.path.is_some());
+    let has_boxes = result.boxes.len() > first.boxes;
+    let sections = [
+        own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),
+        own("curves", "Other deviations over the cycle", result.curves.len() > 1, &|| {
+            curves::other_charts(result, writer)
+        }),
+        own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
+        page_section(contributors_section(result, writer)),
+        page_section(allowed_section(result, writer)),
+        page_section(answers_section(result, writer)),
+        own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
+        page_section(treatments_section(result, writer)),
+        page_section(requirements(result, writer)),
+        page_section(bounds_section(result, writer)),
+        page_section(promise_section(result, writer)),
+        page_section(degrees_section(result, writer)),
+        page_section(percentiles_section(result, writer)),
+        page_section(rare_section(result, writer)),
+        page_section(surrogate_section(result, writer)),
+        page_section(accuracy_section(result, writer)),
+        page_section(runs_section(result, writer)),
+        result.energy.as_ref().map(|energy| Section::new("energy", "Energy check", provenance::energy(energy, writer))),
+        page_section(provenance::method_section(result, writer)),
+        study_repeat_section(result, writer),
+    ];
+    Page {
+        title: result.name.clone(),
+        kicker: "Accuracy study",
+        subtitle: html! {
+            "Mechanism " strong { (result.model) } " · " (counted(result.counts.runs, "run", &writer.about(&Tag::Count("runs")))) " · study "
+            code { (short_hash(&result.input_hash)) }
+        },
+        answer: answer_markup(&answer),
+        is_answer_short: false,
+        beside: mechanism_figure(&result.drawing, &result.cycle.drive),
+        below: first.markup,
+        sections: sections.into_iter().flatten().collect(),
+        identity: format!("study {}", short_hash(&result.input_hash)),
+        version: result.version.clone(),
+    }
+    .into_html()
+}
+
+/// The answer, the first chart and the key table of [`study_page`] as HTML to stand inside another page, such as a notebook; without styles.
+/// Text from files is escaped.
+pub fn study_excerpt(result: &StudyResult) -> String {
+    let writer = NumberWriter::for_page(&result.display_units);
+    let answer = answer_markup(&answer(result, &writer));
+    let table = bounds_section(result, &writer).as_ref().map_or_else(Markup::default, blocks);
+    let first = curves::first_chart(result, &writer).markup.into_string();
+    html! { (answer) @for figure in figures(&first).iter().take(1) { (figure.image()) } (table) }.into_string()
+}
+
+fn short_hash(hash: &str) -> String {
+    hash.chars().take(8).collect()
+}
+
+fn answer_markup(answer: &Answer) -> Markup {
+    html! {
+        @if let Some(verdict) = answer.verdict {
+            p class={ "verdict " (verdict_class(verdict)) } {
+                (verdict_headline(verdict))
+            }
+        }
+        @for requirement in &answer.requirements { p { (requirement) } }
+        @if !answer.caveats.is_empty() { ul.caveats { @for caveat in &answer.caveats { li { (caveat) } } } }
+        p.headline { (answer.headline) }
+        @if !answer.further.is_empty() { ul.further { @for sentence in &answer.further { li { (sentence) } } } }
+        ul.details { @for detail in &answer.details { li { (detail) } } }
+    }
+}
+
+fn verdict_class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Met => "met",
+        Verdict::Promised => "promised",
+        Verdict::NotMet => "not-met",
+        Verdict::Undecided => "undecided",
+    }
+}
+
+fn requirements(result: &StudyResult, writer: &NumberWriter) -> Option<article::Section> {
+    let of_unknown = match has_unknown(&result.inputs) {
+        true => format!(", for all values of the {}", unknown_words(&result.inputs)),
+        false => String::new(),
+    };
+    let row = |requirement: &RequirementOutcome| -> Vec<Cell> {
+        let tag = |part: &str| Tag::requirement(requirement, part);
+        let RequirementOutcome { output, of, at, probability: [lower, upper], verdict, .. } = requirement;
+        let limits = requirement_words(result, requirement, &output_unit(result, output), writer);
+        let asked = writer.about(&Tag::Given("required share"));
+        let share = Text::from(writer.about(&tag("share")).percent_range(*lower, *upper));
+        let promised = requirement.promised.map_or_else(Text::default, |least| {
+            let least = writer.about(&tag("promised")).percent(least, Rounding::Down);
+            Text::from(" ").quiet(format!("promised: at least {least}"))
+        });
+        let word = verdict_words(*verdict);
+        let html = html! { span class={ "verdict " (verdict_class(*verdict)) } { (word) } }.into_string();
+        vec![
+            format!("{output}, {} {limits}, {}", deviation_words(*of), place_words(*at, writer)).into(),
+            format!("≥ {}", asked.percent(requirement.probability_at_least, Rounding::Nearest)).into(),
+            share.then(promised).into(),
+            writer.about(&tag("witness")).witness(&requirement.witness, &result.inputs).into(),
+            Cell::Drawn { html, text: word.to_owned() },
+        ]
+    };
+    let columns = vec![
+        Column::words("Requirement"),
+        Column::numbers("Required share"),
+        Column::numbers("Share inside"),
+        Column::words("Smallest at"),
+        Column::words("Verdict"),
+    ];
+    let mut section = article::Section::new("requirements", "Requirements");
+    section.push(Content::Note(format!("Shares of mechanisms, numerical error included{of_unknown}.").into()));
+    section.push(Content::Table(Table::new(columns, result.requirements.iter().map(row))));
+    (!result.requirements.is_empty()).then_some(section)
+}
+
+fn orbits(result: &StudyResult, writer: &NumberWriter) -> Markup {
+    html! {
+        p {
+            "The path of the pin centre relative to the hole, in the frame of the part with the hole. Inside the circle the pin \
+             does not touch the hole. On the circle the parts are in contact."
+        }
+        div.orbits { @for orbit in &result.orbits { (orbit_figure(orbit, writer)) } }
+    }
+}

@@ -1,0 +1,95 @@
+//! The key table: every bound that is not a point of a curve.
+
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::bound::{bound_error, bound_value, error_parts};
+use crate::words::wording::{
+    MASSES_ADD, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit, reading_beside,
+    response_words, statistic_words, unknown_words,
+};
+use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
+
+/// More rows are left to `bounds.csv`.
+fn most_rows(medium: Medium) -> usize {
+    match medium {
+        Medium::Page => 60,
+        Medium::Terminal => 24,
+    }
+}
+
+/// `None` if no bound was asked for.
+pub(crate) fn bounds_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    if result.bounds.is_empty() {
+        return None;
+    }
+    let is_single =
+        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
+    let single: Vec<&BoundRecord> = result.bounds.iter().filter(is_single).collect();
+    if single.is_empty() {
+        let mut section = Section::headed_on_page("bounds", "Bounds");
+        section.push(Content::sentences(only_curves(result.bounds.len(), writer)));
+        return Some(section);
+    }
+    let over = match has_unknown(&result.inputs) {
+        true => format!(" for all values of the {}", unknown_words(&result.inputs)),
+        false => String::new(),
+    };
+    let heading = Text::by_medium("Bounds", format!("Bounds{over}, numerical error included"));
+    let mut section = Section::new("bounds", heading);
+    let what = format!(
+        "Each statistic lies between its two bounds{over}. The bounds include their numerical error and are rounded outwards."
+    );
+    let of_parts = has_parts(&result.inputs).then(|| MASSES_ADD.to_owned());
+    section.push_on(Medium::Page, Content::sentences([what].into_iter().chain(of_parts)));
+    let shown = &single[..single.len().min(most_rows(writer.medium))];
+    section.push(Content::Table(table(result, shown, writer)));
+    let (left_of_table, left_of_all) = (single.len() - shown.len(), result.bounds.len() - shown.len());
+    if left_of_all > 0 {
+        let tag = Tag::Count("bounds that are not shown");
+        let more = further(left_of_all, "bound", "(points of curves, other treatments) ", &tag, writer);
+        section.push_on(Medium::Page, Content::Note(Text::from(more).code("bounds.csv").plain(".")));
+    }
+    if left_of_table > 0 {
+        let more = count(left_of_table as u64, &writer.about(&Tag::Count("bounds that the terminal leaves out")));
+        section.push_on(Medium::Terminal, Content::Note(format!("{more} more in bounds.csv").into()));
+    }
+    Some(section)
+}
+
+fn table(result: &StudyResult, shown: &[&BoundRecord], writer: &NumberWriter) -> Table {
+    let columns = vec![
+        Column::words(Text::by_medium("Statistic", "statistic")),
+        Column { label: Some("Lower bound"), ..Column::numbers(Text::by_medium("Lower bound, attained at", "lower")) },
+        Column { label: Some("Upper bound"), ..Column::numbers(Text::by_medium("Upper bound, attained at", "upper")) },
+        Column::numbers(Text::by_medium("± numerical error", "± error")),
+        Column { only: Some(Medium::Terminal), ..Column::words("upper attained at") },
+        Column { only: Some(Medium::Page), ..Column::words("Guarantee") },
+    ];
+    let groups = shown
+        .chunk_by(|a, b| a.output == b.output && a.of == b.of && a.at == b.at && a.reading == b.reading)
+        .map(|group| Group {
+            heading: Text::from(response_words(result, (&group[0].output, group[0].of, group[0].at), writer))
+                .plain(reading_beside(result, group[0])),
+            rows: group.iter().map(|bound| row(bound, result, writer)).collect(),
+        });
+    Table { columns, groups: groups.collect(), ..Table::default() }
+}
+
+fn row(bound: &BoundRecord, result: &StudyResult, writer: &NumberWriter) -> Vec<Cell> {
+    let witness =
+        |part: &str, end: &BoundEnd| writer.about(&Tag::bound(bound, part)).witness(&end.witness, &result.inputs);
+    // On a page a remark stands below the number.
+    let below = |number: Text, remark: String| number.on(Medium::Page, Text::from(" ").quiet(remark));
+    let upper_witness = witness("upper witness", &bound.upper);
+    let lower = bound_value(&bound.lower, bound, Rounding::Down, writer);
+    let upper = Text::default().strong(bound_value(&bound.upper, bound, Rounding::Up, writer));
+    vec![
+        statistic_words(bound.statistic, &output_unit(result, &bound.output), writer).into(),
+        below(lower.into(), witness("lower witness", &bound.lower)).into(),
+        below(upper, upper_witness.clone()).into(),
+        below(bound_error(bound, writer).into(), error_parts(bound, writer)).into(),
+        upper_witness.into(),
+        Text::default().quiet(guarantee_words(bound.guarantee, writer)).into(),
+    ]
+}

@@ -1,0 +1,24 @@
+//! The sections that a page and a terminal show of a study, each made once.
+
+mod accuracy;
+mod allowed;
+mod answers;
+mod bounds;
+mod columns;
+mod contributors;
+mod promise;
+mod runs;
+mod surrogate;
+mod surrogate_words;
+mod treatments;
+
+pub(crate) use accuracy::accuracy_section;
+pub(crate) use allowed::{allowed_section, rare_section};
+pub(crate) use answers::answers_section;
+pub(crate) use bounds::bounds_section;
+pub(crate) use columns::{degrees_section, percentiles_section};
+pub(crate) use contributors::contributors_section;
+pub(crate) use promise::promise_section;
+pub(crate) use runs::{double_loop_words, runs_section};
+pub(crate) use surrogate::surrogate_section;
+pub(crate) use treatments::treatments_section;

@@ -1,0 +1,171 @@
+//! The three treatments side by side: band, width, share inside, promise.
+
+use maud::html;
+
+use crate::charts::still_figures::percent_of;
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::study::answer::treatment_sentences;
+use crate::words::wording::{
+    EQUALLY_PROBABLE, WIDTH_DIGITS, band_digits, band_error, deviation_words, has_errors, has_lists, head, place_words,
+    promise_word, response_words, share_words, treatment_words, unknown_words,
+};
+use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
+use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
+
+/// `None` if treatments were not compared.
+pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) -> Option<Section> {
+    const TITLE: &str = "Three treatments of the unknown inputs";
+    if result.treatments.is_empty() {
+        return None;
+    }
+    let mut section = Section::new("treatments", Text::by_medium(TITLE, ""));
+    let counted = if is_learned(result) {
+        "tested, with the surrogate. The shares include the error of the surrogate."
+    } else {
+        "tested, in the runs of the mixed treatment."
+    };
+    let of_lists = has_lists(&result.inputs).then_some(EQUALLY_PROBABLE);
+    let what = format!(
+        "Three treatments of the same inputs. Each gives a band that is meant to hold a promised share of mechanisms. The share \
+         inside depends on the unknown values. It was counted at all unknown values {counted}{}",
+        of_lists.map_or(String::new(), |words| format!(" {words}"))
+    );
+    section.push_on(Medium::Page, Content::sentences([what]));
+    for comparison in &result.treatments {
+        let place = place_words(comparison.at, writer);
+        let heading = format!("{TITLE}: {} {}, {place}", comparison.output, deviation_words(comparison.of));
+        section.push_on(Medium::Terminal, Content::Heading(heading.into()));
+        section.push(Content::Table(table(result, comparison, writer)));
+        let bands = comparison.bands.iter().zip(treatment_sentences(comparison, writer));
+        let words = bands.map(|(band, sentence)| {
+            let name = Text::default().strong(format!("{}. ", treatment_words(band.treatment)));
+            Text::default().on(Medium::Page, name).plain(sentence)
+        });
+        let of_lists = of_lists.map(|words| Text::by_medium("", words));
+        section.push_close(Content::points(words.chain(of_lists)));
+    }
+    Some(section)
+}
+
+/// Whether the bands are those of a surrogate that stands alone.
+fn is_learned(result: &StudyResult) -> bool {
+    result.treatments.iter().flat_map(|comparison| &comparison.bands).any(|band| band.is_by_surrogate)
+}
+
+fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &NumberWriter) -> Table {
+    let band_ends = || comparison.bands.iter().flat_map(|band| [band.lower_si, band.upper_si]);
+    let (from, to) = padded(band_ends().fold(f64::INFINITY, f64::min), band_ends().fold(f64::NEG_INFINITY, f64::max));
+    let promised = comparison.promised_coverage;
+    let least = comparison.bands.iter().map(TreatmentBand::least_share).fold(promised, f64::min);
+    let share_from = ((least - 0.5 * (1.0 - least)).max(0.0) * 20.0).floor() / 20.0;
+    let promise = writer.about(&Tag::Given("promised share")).percent(promised, Rounding::Nearest);
+    // Records of older versions do not hold the errors of bands of direct runs.
+    let has_errors = has_errors(comparison);
+    let error = has_errors.then(|| Column::numbers("± error"));
+    let columns = [
+        Column::words(head("treatment")),
+        Column {
+            label: Some("Band"),
+            ..Column::words(Text::by_medium(format!("Band for {promise} of mechanisms"), "band"))
+        },
+    ];
+    let further = [Column::numbers(head("width")), Column::words(head("share inside")), Column::words(head("promise"))];
+    let row = |band: &TreatmentBand| {
+        let error: Option<Cell> = has_errors.then(|| band_error(band, comparison, writer).into());
+        let tag = Tag::band(comparison, band, "width");
+        let width = writer.about(&tag);
+        let cells = [treatment_words(band.treatment).into(), band_bar(band, comparison, from, to, writer)];
+        let further = [
+            width.rounded(band.width_si(), &comparison.unit, WIDTH_DIGITS, Rounding::Nearest).into(),
+            coverage_strip(band, comparison, share_from, writer),
+            promise_cell(band, promised),
+        ];
+        cells.into_iter().chain(error).chain(further).collect()
+    };
+    let given = Tag::Given("axis");
+    let axis = writer.about(&given);
+    let caption = format!(
+        "Bars: the bands on a common scale. Dots: the share inside at each tested value of the {}, from {} to {}. Vertical line: the \
+         promised {promise}.",
+        unknown_words(&result.inputs),
+        axis.percent(share_from, Rounding::Nearest),
+        axis.percent(1.0, Rounding::Nearest)
+    );
+    Table {
+        title: Text::by_medium(response_words(result, (&comparison.output, comparison.of, comparison.at), writer), ""),
+        caption: caption.into(),
+        ..Table::new(columns.into_iter().chain(error).chain(further).collect(), comparison.bands.iter().map(row))
+    }
+}
+
+/// Whether a band holds what it promises, on a page in the colour of a verdict.
+fn promise_cell(band: &TreatmentBand, promised: f64) -> Cell {
+    let word = promise_word(band, promised);
+    let class = if band.is_promise_unknown(promised) {
+        "verdict undecided"
+    } else if band.keeps_promise(promised) {
+        "verdict met"
+    } else {
+        "verdict not-met"
+    };
+    Cell::Drawn { html: html! { span class=(class) { (word) } }.into_string(), text: word.to_owned() }
+}
+
+fn padded(from: f64, to: f64) -> (f64, f64) {
+    let margin = 0.04 * (to - from);
+    (from - margin, to + margin)
+}
+
+fn colour(treatment: Treatment) -> &'static str {
+    match treatment {
+        Treatment::ProbabilityOnly => "probability",
+        Treatment::IntervalOnly => "worst",
+        Treatment::Mixed => "mixed",
+    }
+}
+
+fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, to: f64, writer: &NumberWriter) -> Cell {
+    let rounded = |part: &str, value_si: f64, rounding| {
+        let digits = band_digits(comparison);
+        writer.about(&Tag::band(comparison, band, part)).rounded(value_si, &comparison.unit, digits, rounding)
+    };
+    let lower = rounded("lower", band.lower_si, Rounding::Down);
+    let upper = rounded("upper", band.upper_si, Rounding::Up);
+    let width = percent_of(band.upper_si - band.lower_si, 0.0, to - from);
+    let text = format!("{lower} to {upper}");
+    let html = html! {
+        svg.bar width="100%" height="20" role="img" aria-label=(format!("Band from {lower} to {upper}")) {
+            line.axis x1="0%" x2="100%" y1="10" y2="10" {}
+            @if from < 0.0 && to > 0.0 {
+                @let zero = percent_of(0.0, from, to);
+                line.zero x1=(zero) x2=(zero) y1="0" y2="20" {}
+            }
+            rect class=(colour(band.treatment)) x=(percent_of(band.lower_si, from, to)) y="4" width=(width) height="12"
+                rx="2" {}
+        }
+        span.range { (text) }
+    };
+    Cell::Drawn { html: html.into_string(), text }
+}
+
+fn coverage_strip(
+    band: &TreatmentBand,
+    comparison: &TreatmentComparison,
+    share_from: f64,
+    writer: &NumberWriter,
+) -> Cell {
+    let text = share_words(band, comparison, writer);
+    let promised = comparison.promised_coverage;
+    let place = |share: f64| percent_of(share, share_from - 0.02 * (1.0 - share_from), 1.0 + 0.02 * (1.0 - share_from));
+    let html = html! {
+        svg.strip width="100%" height="20" role="img" aria-label=(format!("Share inside: {text}")) {
+            line.axis x1="0%" x2="100%" y1="10" y2="10" {}
+            line.range x1=(place(band.least_share())) x2=(place(band.coverage_maximum)) y1="10" y2="10" {}
+            @for point in &band.coverage_at { circle cx=(place(point.coverage)) cy="10" r="2.5" {} }
+            line.promise x1=(place(promised)) x2=(place(promised)) y1="1" y2="19" {}
+        }
+        span.range { (text) }
+    };
+    Cell::Drawn { html: html.into_string(), text }
+}

@@ -1,0 +1,42 @@
+//! The result of a study on a terminal.
+
+use crate::medium::article_text::terminal_text;
+use crate::numbers::number::NumberWriter;
+use crate::study::answer::{Answer, answer, verdict_headline};
+use crate::study::sections::{
+    accuracy_section, allowed_section, answers_section, bounds_section, contributors_section, percentiles_section,
+    promise_section, rare_section, runs_section, surrogate_section, treatments_section,
+};
+use loosepin_result::study::StudyResult;
+use loosepin_text::article::{Content, Section};
+
+/// The result of a study as text for a terminal: the answer, the bounds, the treatments, what failed.
+pub fn study_text(result: &StudyResult) -> String {
+    let writer = &NumberWriter::for_terminal(&result.display_units);
+    let sections = [
+        Some(answer_section(&answer(result, writer))),
+        bounds_section(result, writer),
+        promise_section(result, writer),
+        accuracy_section(result, writer),
+        percentiles_section(result, writer),
+        rare_section(result, writer),
+        allowed_section(result, writer),
+        answers_section(result, writer),
+        surrogate_section(result, writer),
+        contributors_section(result, writer),
+        treatments_section(result, writer),
+        Some(runs_section(result, writer)),
+    ];
+    terminal_text(&result.name, sections.into_iter().flatten())
+}
+
+fn answer_section(answer: &Answer) -> Section {
+    let mut section = Section::new("answer", "");
+    if let Some(verdict) = answer.verdict {
+        section.push(Content::sentences([verdict_headline(verdict)]));
+        section.push_close(Content::points(answer.requirements.iter().chain(&answer.caveats).cloned()));
+    }
+    section.push(Content::sentences([&answer.headline].into_iter().chain(&answer.further).cloned()));
+    section.push_close(Content::points(answer.details.iter().cloned()));
+    section
+}

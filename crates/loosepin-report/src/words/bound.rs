@@ -1,0 +1,65 @@
+//! One bound in figures: its ends, rounded outwards, and the parts of its numerical error.
+
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use loosepin_result::study::{BoundEnd, BoundRecord};
+
+/// The widened end, rounded outwards.
+pub(crate) fn bound_value(end: &BoundEnd, bound: &BoundRecord, rounding: Rounding, writer: &NumberWriter) -> String {
+    let part = match rounding {
+        Rounding::Down => "lower",
+        Rounding::Up => "upper",
+        Rounding::Nearest => "value",
+    };
+    let tag = Tag::bound(bound, part).among(writer.tag());
+    let writer = writer.about(&tag);
+    if bound.statistic.is_probability() {
+        writer.percent(end.widened_si, rounding)
+    } else {
+        writer.down_to_error(end.widened_si, end.error.total_si(), &bound.unit, rounding)
+    }
+}
+
+/// The value that was found at an end, with its numerical error.
+pub(crate) fn found_value(end: &BoundEnd, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error_si = end.error.total_si();
+    let value = if bound.statistic.is_probability() {
+        writer.percent(end.value_si, Rounding::Nearest)
+    } else {
+        writer.down_to_error(end.value_si, error_si, &bound.unit, Rounding::Nearest)
+    };
+    if error_si == 0.0 { value } else { format!("{value} ± {}", part(error_si, bound, writer)) }
+}
+
+/// The larger error of both ends.
+pub(crate) fn bound_error(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let tag = Tag::bound(bound, "error").among(writer.tag());
+    part(bound.lower.error.total_si().max(bound.upper.error.total_si()), bound, &writer.about(&tag))
+}
+
+fn part(error_si: f64, bound: &BoundRecord, writer: &NumberWriter) -> String {
+    if bound.statistic.is_probability() {
+        writer.percent(error_si, Rounding::Up)
+    } else {
+        writer.error(error_si, &bound.unit)
+    }
+}
+
+/// Which parts of the error are not zero, at the end where it is larger.
+pub(crate) fn error_parts(bound: &BoundRecord, writer: &NumberWriter) -> String {
+    let error = if bound.upper.error.total_si() >= bound.lower.error.total_si() {
+        bound.upper.error
+    } else {
+        bound.lower.error
+    };
+    let parts = [("sampling", error.sampling_si), ("search", error.optimisation_si), ("surrogate", error.surrogate_si)];
+    let words: Vec<String> = parts
+        .into_iter()
+        .filter(|(_, value_si)| *value_si != 0.0)
+        .map(|(name, value_si)| {
+            let tag = Tag::bound(bound, &format!("error {name}"));
+            format!("{name} {}", part(value_si, bound, &writer.about(&tag)))
+        })
+        .collect();
+    words.join(", ")
+}

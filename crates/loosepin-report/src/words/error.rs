@@ -1,0 +1,146 @@
+//! The numerical error of an answer: how large it is, where it comes from, and how many runs would halve it.
+
+use crate::numbers::number::NumberWriter;
+use crate::numbers::tag::Tag;
+use crate::study::output_summary::{OutputSummary, largest, smallest};
+use crate::words::wording::{count, is_by_surrogate};
+use loosepin_result::study::{BoundRecord, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment};
+
+/// From this share of the answer on an error is large.
+const LARGE_SHARE: f64 = 0.1;
+/// Random samples that are advised are so many times as many, at most: beyond it nobody would wait.
+const MAX_TIMES: f64 = 100.0;
+
+pub(crate) fn error_sentence(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> String {
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
+    let headline = answers.first();
+    let error_text = headline.and_then(|summary| {
+        let (error_si, unit) = summary.error_si()?;
+        let error = writer.about(&summary.error_tag()).error(error_si, unit);
+        let halved = halving_words(result, *summary, writer).unwrap_or_default();
+        Some(format!("Numerical error of {}: at most {error}, included in it.{halved}", summary.limit_words()))
+    });
+    let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
+    let mut sentence = match error_text {
+        Some(error) if answers.len() > 1 => {
+            format!("{error} The table shows those of the other answers, which are included as well.")
+        }
+        Some(error) => error,
+        None => "The table shows the numerical error of each bound.".to_owned(),
+    };
+    if inner > 0 {
+        let is_answer = headline.is_some_and(|summary| summary.is_unconfirmed());
+        let some = count(inner as u64, &writer.about(&Tag::Count("unconfirmed bounds")));
+        let all = count(mixed().count() as u64, &writer.about(&Tag::Count("bounds")));
+        let subject = match (is_answer, mixed().count()) {
+            (true, _) if inner == 1 => "This answer".to_owned(),
+            (true, _) => format!("{some} of {all} bounds, this answer included,"),
+            (false, 1) => "The only bound".to_owned(),
+            (false, _) => format!("{some} of {all} bounds"),
+        };
+        let needed = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).filter_map(mechanisms_needed).max();
+        let them = if inner == 1 { "it" } else { "them" };
+        let reason = match needed.filter(|needed| *needed > result.counts.inner) {
+            _ if is_by_surrogate(result) => format!("direct runs do not confirm {them}"),
+            Some(needed) => {
+                let needed = count(needed.next_power_of_two(), &writer.about(&Tag::Count("random samples needed")));
+                format!("increase 'inner' to {needed} or more")
+            }
+            None => "increase 'inner'".to_owned(),
+        };
+        sentence.push_str(&format!(" {subject} may be too narrow: {reason}."));
+    }
+    sentence
+}
+
+/// Mechanisms of which a quantile can be counted, with an end on both sides at the confidence of bounds: p^n = 0.005.
+fn mechanisms_needed(bound: &BoundRecord) -> Option<u64> {
+    const BEYOND: f64 = 0.005;
+    let probability = bound.statistic.probability_of_quantile()?;
+    let inside = probability.max(1.0 - probability);
+    (inside < 1.0).then(|| (BEYOND.ln() / inside.ln()).ceil() as u64)
+}
+
+/// What would halve a large error: random samples, or nothing that more runs do. An answer here is a quantile, and its sampling error falls as
+/// 1/sqrt(inner); that of the search over the unknown values falls with `outer` as the statistic is smooth, which is not known beforehand.
+fn halving_words(result: &StudyResult, summary: OutputSummary<'_>, writer: &NumberWriter) -> Option<String> {
+    // Where an accuracy was stated, the record of it tells.
+    if is_by_surrogate(result) || result.accuracy.is_some() || result.counts.inner < 2 {
+        return None;
+    }
+    let (bound, end, error) = furthest(result, summary)?;
+    let answer_si = match summary {
+        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => bound.upper.widened_si.abs(),
+        OutputSummary::Curve(curve) => largest(&curve.mixed.upper_si).max(-smallest(&curve.mixed.lower_si)),
+    };
+    let total_si = error.total_si();
+    let is_large = total_si.is_finite() && total_si > LARGE_SHARE * answer_si;
+    if !is_large || error.surrogate_si > 0.0 {
+        return None;
+    }
+    let (sampling_si, search_si) = (error.sampling_si, error.optimisation_si);
+    let more = |times: f64| {
+        let inner = ((result.counts.inner as f64 * times).ceil() as u64).next_power_of_two();
+        let runs = result.counts.runs as f64 * inner as f64 / result.counts.inner as f64;
+        let inner = count(inner, &writer.about(&Tag::Count("random samples that would halve the error")));
+        let runs = count(two_digits(runs), &writer.about(&Tag::Count("runs that would halve the error")));
+        format!("inner = {inner}, about {runs} runs")
+    };
+    // sampling/sqrt(times) + search = (sampling + search)/2.
+    let times = (2.0 * sampling_si / (sampling_si - search_si)).powi(2);
+    if sampling_si > search_si && times <= MAX_TIMES {
+        return Some(format!(" More random samples should halve it: {}.", more(times)));
+    }
+    let part = |part: &str, error_si: f64| {
+        writer.about(&Tag::bound(bound, &format!("{end} error {part}"))).error(error_si, &bound.unit)
+    };
+    let mut words = format!(
+        " Of it {} comes from the search over the unknown values, which falls slowly with more runs (outer)",
+        part("search", search_si)
+    );
+    if sampling_si > LARGE_SHARE * total_si {
+        words.push_str(&format!(
+            ", and {} from random samples: {} should halve this part",
+            part("sampling", sampling_si),
+            more(4.0)
+        ));
+    }
+    Some(words + ".")
+}
+
+/// A count of two digits, not below `runs`.
+fn two_digits(runs: f64) -> u64 {
+    let unit = 10_f64.powf((runs.log10() - 1.0).floor().max(0.0));
+    ((runs / unit).ceil() * unit) as u64
+}
+
+/// The bound whose error is told, which end of it, and the error.
+fn furthest<'r>(
+    result: &'r StudyResult,
+    summary: OutputSummary<'r>,
+) -> Option<(&'r BoundRecord, &'static str, NumericalError)> {
+    match summary {
+        OutputSummary::Largest(bound, _) | OutputSummary::Bound(bound) => Some((bound, "upper", bound.upper.error)),
+        OutputSummary::Curve(curve) => {
+            let is_of_curve = |bound: &&BoundRecord| {
+                (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
+                    && matches!(bound.at, ResponsePoint::Curve { .. })
+                    && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
+            };
+            let ends =
+                |bound: &'r BoundRecord| [(bound, "lower", bound.lower.error), (bound, "upper", bound.upper.error)];
+            let ends = result.bounds.iter().filter(is_of_curve).flat_map(ends);
+            ends.max_by(|(_, _, a), (_, _, b)| a.total_si().total_cmp(&b.total_si()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::two_digits;
+
+    #[test]
+    fn counts_that_are_advised_have_two_digits() {
+        assert_eq!([66_688.0, 67_000.0, 8.0, 99.5, 99_100.0].map(two_digits), [67_000, 67_000, 8, 100, 100_000]);
+    }
+}

@@ -1,0 +1,251 @@
+//! What stands beside contact forces: the law, the restitution that it delivers, its limits, and what deep penetrations mean.
+
+use crate::numbers::number::{NumberWriter, Rounding};
+use crate::numbers::tag::Tag;
+use crate::words::wording::{capitalised, count, listed};
+use loosepin_result::simulation::{JointSummary, SimulationRecord};
+use loosepin_result::study::{JointImpacts, StudyResult};
+use loosepin_result::{ContactBasis, ContactShape, LongPinForce};
+use loosepin_text::units::SiUnit;
+
+/// Largest penetration over clearance up to which nothing is said. The patch of a point or line contact then reaches to a/R ≈ √(δ/c),
+/// 18° to each side, and all laws of contact suppose a patch that is small beside the pin.
+const DEEPEST_SHARE: f64 = 0.1;
+/// The least impact speed where a model gives none, m/s.
+const USUAL_FLOOR_M_S: f64 = 1e-3;
+/// Digits of a force that is estimated.
+const ESTIMATE_DIGITS: usize = 2;
+
+/// A joint whose forces are shown, whichever record they stand in.
+pub(crate) struct ForcesOf<'a> {
+    joint: &'a str,
+    /// The laws with what they rest on; several where a study has a list.
+    laws: Vec<(&'a str, &'a ContactBasis)>,
+    /// Smallest and largest restitution as stated, and as delivered by a free impact.
+    restitution: Option<[f64; 2]>,
+    delivered: Option<[f64; 2]>,
+    share_outside_validity: Option<f64>,
+    penetration_share: f64,
+    long_pin: Option<&'a LongPinForce>,
+    /// Contacts that began, and whether none was an impact.
+    contacts: u64,
+    has_impacts: bool,
+    /// The fastest of them, where it is known, m/s.
+    fastest_m_s: Option<f64>,
+    /// What distinguishes the ends of a range in tags; a single run has none.
+    ends: [&'static str; 2],
+}
+
+impl<'a> ForcesOf<'a> {
+    pub fn run(joint: &'a JointSummary) -> Self {
+        let both = |value: Option<f64>| value.map(|value| [value; 2]);
+        Self {
+            joint: &joint.joint,
+            laws: joint.basis.iter().map(|basis| (&joint.law[..], basis)).collect(),
+            restitution: both(joint.nominal_restitution),
+            delivered: both(joint.delivered_restitution),
+            share_outside_validity: joint.share_outside_validity,
+            penetration_share: joint.largest_penetration_m / joint.radial_clearance_m,
+            long_pin: joint.long_pin.as_ref(),
+            contacts: joint.contacts,
+            has_impacts: joint.impacts > 0,
+            fastest_m_s: Some(joint.largest_speed_m_s),
+            ends: [""; 2],
+        }
+    }
+
+    pub fn study(joint: &'a JointImpacts) -> Self {
+        Self {
+            joint: &joint.joint,
+            laws: joint.laws.iter().map(|own| (&own.law[..], &own.basis)).collect(),
+            restitution: joint.nominal_restitution,
+            delivered: joint.delivered_restitution,
+            share_outside_validity: joint.share_outside_validity,
+            penetration_share: joint.largest_penetration_share,
+            long_pin: None,
+            contacts: joint.floored_contacts,
+            has_impacts: joint.impacts_per_turn[2] > 0.0,
+            fastest_m_s: None,
+            ends: [" least", " most"],
+        }
+    }
+
+    fn tag(&self, statistic: &str, part: &str) -> Tag {
+        Tag::joint(self.joint, statistic, part)
+    }
+
+    fn percent(&self, statistic: &str, part: &str, share: f64, writer: &NumberWriter) -> String {
+        writer.about(&self.tag(statistic, part)).percent(share, Rounding::Up)
+    }
+
+    /// Each law with what it rests on.
+    pub fn laws(&self, writer: &NumberWriter) -> Vec<String> {
+        self.laws.iter().map(|(law, basis)| law_words(self.joint, law, basis, writer)).collect()
+    }
+
+    /// The law, the restitution that it delivers, its limits; nothing in records of older versions.
+    pub fn sentence(&self, writer: &NumberWriter) -> Option<String> {
+        let laws = self.laws(writer);
+        if laws.is_empty() {
+            return None;
+        }
+        let mut sentence = format!("Contact forces in {} are those of {}.", self.joint, listed(&laws));
+        let details: Vec<String> =
+            [self.restitution_words(writer), self.limits_words(writer)].into_iter().flatten().collect();
+        if !details.is_empty() {
+            sentence.push_str(&format!(" {}.", capitalised(&details.join("; "))));
+        }
+        if let Some(long_pin) = self.long_pin {
+            sentence.push_str(&format!(" {}", long_pin_sentence(self.joint, long_pin, writer)));
+        }
+        Some(sentence)
+    }
+
+    fn restitution_words(&self, writer: &NumberWriter) -> Option<String> {
+        let range = |what: &str, [from, to]: [f64; 2]| {
+            let [least, most] = self.ends;
+            let [from, to] = [(from, least), (to, most)].map(|(end, part)| {
+                writer
+                    .about(&self.tag("restitution", &format!("{what}{part}")))
+                    .shortest((end * 1e4).round() / 1e4, &SiUnit::NONE)
+            });
+            if from == to { from } else { format!("{from} to {to}") }
+        };
+        let (stated, delivered) = (self.restitution?, self.delivered?);
+        Some(format!(
+            "the stated restitution of {} acts as {} in a free impact",
+            range("stated", stated),
+            range("delivered", delivered)
+        ))
+    }
+
+    fn limits_words(&self, writer: &NumberWriter) -> Option<String> {
+        let of_all = |limit: fn(&ContactBasis) -> Option<f64>| {
+            self.laws.iter().filter_map(|(_, basis)| limit(basis)).min_by(f64::total_cmp)
+        };
+        let speed = of_all(|basis| basis.largest_valid_speed_m_s).map(|limit_m_s| {
+            let limit = writer.about(&self.tag("validity", "fastest")).rounded(
+                limit_m_s,
+                &SiUnit::VELOCITY,
+                2,
+                Rounding::Nearest,
+            );
+            match self.share_outside_validity {
+                Some(share) => format!(
+                    "impacts up to {limit} ({} are faster)",
+                    self.percent("impacts", "outside validity", share, writer)
+                ),
+                None => format!("impacts up to {limit}"),
+            }
+        });
+        let depth = of_all(|basis| basis.largest_valid_penetration_m).map(|limit_m| {
+            format!(
+                "penetrations up to {}",
+                writer.about(&self.tag("validity", "deepest")).rounded(limit_m, &SiUnit::LENGTH, 2, Rounding::Down)
+            )
+        });
+        let limits: Vec<String> = [speed, depth].into_iter().flatten().collect();
+        (!limits.is_empty()).then(|| format!("valid for {}", listed(&limits)))
+    }
+
+    /// Says where all contacts began below a least impact speed that the model has raised; nothing where it is the usual one.
+    pub fn slow(&self, writer: &NumberWriter) -> Option<String> {
+        let floors = self.laws.iter().filter_map(|(_, basis)| basis.minimum_impact_speed_m_s);
+        let floor_m_s = floors.min_by(f64::total_cmp).filter(|floor_m_s| *floor_m_s > USUAL_FLOOR_M_S)?;
+        if self.has_impacts || self.contacts == 0 {
+            return None;
+        }
+        let fastest = self.fastest_m_s.map_or(String::new(), |speed_m_s| {
+            format!(
+                " (the fastest at {})",
+                writer.about(&self.tag("impacts", "largest speed")).value(speed_m_s, &SiUnit::VELOCITY)
+            )
+        });
+        Some(format!(
+            "In {} no contact began faster than the least impact speed of {}{fastest}: all are computed as impacts at that speed, which lose \
+             less energy, and none is counted. Lower minimum_impact_speed.",
+            self.joint,
+            writer.about(&Tag::Given("least impact speed")).value_shortest(floor_m_s, &SiUnit::VELOCITY)
+        ))
+    }
+
+    /// What a penetration beyond a tenth of the clearance means; nothing below.
+    pub fn warning(&self, writer: &NumberWriter) -> Option<String> {
+        let share = Some(self.penetration_share).filter(|share| share.is_finite() && *share > DEEPEST_SHARE)?;
+        let reached = format!(
+            "In {} the parts penetrate each other by up to {} of the clearance",
+            self.joint,
+            self.percent("penetration", "largest share", share, writer)
+        );
+        // A contact so soft that the parts pass through each other is none that its law describes.
+        if share > 1.0 {
+            return Some(format!("{reached}: the contact law does not hold. Check Young's modulus and the masses."));
+        }
+        let is_given = self.laws.iter().all(|(_, basis)| basis.shape == ContactShape::Given) && !self.laws.is_empty();
+        Some(if is_given {
+            format!("{reached}, more than a tenth: force and deviation depend on the stiffness that is given.")
+        } else {
+            format!(
+                "{reached}, more than a tenth. Contact laws suppose a patch that is small beside the pin, so force and deviation depend \
+                 on the law: compare another one."
+            )
+        })
+    }
+}
+
+/// How many contacts began slower than the law can be computed with; `None` if none did.
+pub(crate) fn floored_words(joint: &str, contacts: u64, writer: &NumberWriter) -> Option<String> {
+    let number = || count(contacts, &writer.about(&Tag::joint(joint, "impacts", "very slow")));
+    (contacts > 0).then(|| format!("{} computed with the smallest impact speed of the law", number()))
+}
+
+fn law_words(joint: &str, law: &str, basis: &ContactBasis, writer: &NumberWriter) -> String {
+    let tag = Tag::joint(joint, "bearing length", "");
+    let writer = writer.about(&tag);
+    let default = if basis.is_law_named { "" } else { " by default" };
+    let length = |length_m: f64| writer.value_trimmed(length_m, &SiUnit::LENGTH);
+    match basis.shape {
+        ContactShape::Point { unused_length_m: None } => {
+            format!("{law}{default} (point contact, no length of the bearing enters)")
+        }
+        ContactShape::Point { unused_length_m: Some(length_m) } => {
+            format!("{law}{default} (point contact, the bearing's length of {} does not enter)", length(length_m))
+        }
+        ContactShape::Given => format!("{law}{default} (stiffness as given)"),
+        ContactShape::Line { length_m } => format!("{law}{default} (line contact over {})", length(length_m)),
+        ContactShape::Foundation => format!("the elastic foundation between worn surfaces, with the loss of {law}"),
+    }
+}
+
+fn long_pin_sentence(joint: &str, long_pin: &LongPinForce, writer: &NumberWriter) -> String {
+    let LongPinForce { law, length_m, is_length_given, force_n } = long_pin;
+    let length =
+        writer.about(&Tag::joint(joint, "length of a line contact", "")).value_trimmed(*length_m, &SiUnit::LENGTH);
+    let over = if *is_length_given { length } else { format!("{length}, its diameter,") };
+    match force_n {
+        Some(force_n) => format!(
+            "As a line contact over {over} the same impact energy gives about {} ({law}).",
+            writer.about(&Tag::joint(joint, "normal force", "as a line contact")).rounded(
+                *force_n,
+                &SiUnit::FORCE,
+                ESTIMATE_DIGITS,
+                Rounding::Nearest
+            )
+        ),
+        None => format!("A line contact over {over} ({law}) is not defined up to the same impact energy."),
+    }
+}
+
+/// One sentence a joint of a run that carried a force, and a warning where it penetrates deep.
+pub(crate) fn run_sentences(record: &SimulationRecord, writer: &NumberWriter) -> Vec<String> {
+    let joints = record.joints.iter().filter(|joint| joint.peak_force_n > 0.0).map(ForcesOf::run);
+    joints.flat_map(|of| [of.sentence(writer), of.warning(writer), of.slow(writer)]).flatten().collect()
+}
+
+/// The sentences on the joints whose contact force a study is asked about.
+pub(crate) fn study_sentences(result: &StudyResult, writer: &NumberWriter) -> Vec<String> {
+    let is_asked = |joint: &&JointImpacts| {
+        result.outputs.iter().any(|output| output.contact_force_in.as_ref() == Some(&joint.joint))
+    };
+    result.impacts.iter().filter(is_asked).filter_map(|joint| ForcesOf::study(joint).sentence(writer)).collect()
+}

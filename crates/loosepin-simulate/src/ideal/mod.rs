@@ -1,0 +1,7 @@
+//! The ideal mechanism beside a run: what deviations are measured against, and the outputs as columns of numbers. It knows no contact.
+
+pub(crate) mod column;
+pub(crate) mod curve;
+pub(crate) mod free_motion;
+pub(crate) mod path_error;
+pub(crate) mod reference;

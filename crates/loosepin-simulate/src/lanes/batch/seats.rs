@@ -1,0 +1,57 @@
+//! A queue as the passes over lanes see it: runs whose observers sit elsewhere, so that the passes are compiled once for all
+//! kinds of observers.
+
+use super::queue::{Queue, Run};
+use crate::failure::RunFailure;
+use crate::observer::Observer;
+use crate::recording::report::RunReport;
+
+/// Where the observer of a run sits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Seat(usize);
+
+/// A queue of runs whose observers are reached by their seats.
+pub(crate) trait Seated {
+    /// The next run, if any is left.
+    fn next(&mut self) -> Option<Run<Seat>>;
+    /// The observer in a seat; none once its run is over.
+    fn observer(&mut self, seat: Seat) -> Option<&mut dyn Observer>;
+    /// Gives back the observer of a run that is over.
+    fn finished(&mut self, seat: Seat, outcome: Result<RunReport, RunFailure>);
+}
+
+/// The observers of a queue while their runs are on lanes.
+pub(crate) struct Seats<'q, O> {
+    queue: &'q mut dyn Queue<Observer = O>,
+    seats: Vec<Option<O>>,
+}
+
+impl<'q, O> Seats<'q, O> {
+    /// Seats for the observers of `queue`.
+    pub fn new(queue: &'q mut dyn Queue<Observer = O>) -> Self {
+        Self { queue, seats: Vec::new() }
+    }
+}
+
+impl<O: Observer> Seated for Seats<'_, O> {
+    fn next(&mut self) -> Option<Run<Seat>> {
+        let Run { sample, arms, window, observer, followed, resume } = self.queue.next()?;
+        let free = self.seats.iter().position(Option::is_none).unwrap_or_else(|| {
+            self.seats.push(None);
+            self.seats.len() - 1
+        });
+        self.seats[free] = Some(observer);
+        Some(Run { sample, arms, window, observer: Seat(free), followed, resume })
+    }
+
+    fn observer(&mut self, seat: Seat) -> Option<&mut dyn Observer> {
+        let observer = self.seats.get_mut(seat.0)?.as_mut()?;
+        Some(observer)
+    }
+
+    fn finished(&mut self, seat: Seat, outcome: Result<RunReport, RunFailure>) {
+        if let Some(observer) = self.seats.get_mut(seat.0).and_then(Option::take) {
+            self.queue.finished(observer, outcome);
+        }
+    }
+}

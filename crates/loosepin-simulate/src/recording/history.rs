@@ -1,0 +1,737 @@
+//! One run recorded in full: histories, impacts, extremes, energy, orbits, poses.
+
+use crate::engine::{least_evaluations, run};
+use crate::failure::RunFailure;
+use crate::ideal::column::{Column, columns};
+use crate::ideal::reference::IdealReference;
+use crate::input_files::input_files;
+use crate::observer::{Observer, Onset, Separation, Step};
+use crate::recording::bending::BendingRecorder;
+use crate::recording::contact_basis::{contact_basis, long_pin_force};
+use crate::recording::control_history::ControlRecorder;
+use crate::recording::drawing::{add_bending, add_pose, skeleton};
+use crate::recording::flight::FlightClock;
+use crate::recording::report::RunReport;
+use crate::repeats::lyapunov::{ExponentPlan, largest_exponent};
+use crate::repeats::sections::SectionRecorder;
+use crate::repeats::trust::{PositionHistory, measure_trust};
+use crate::repeats::turns::Turns;
+use crate::settings::{Integrator, Settings, Window};
+use crate::stepping::motion::Account;
+use crate::stepping::search::{Peak, maximum_within, may_exceed};
+use crate::watched::Watched;
+use crate::wear::{LifePlan, WearRecorder, worn_life};
+use loosepin_math::Vec2;
+use loosepin_mechanics::dynamics::Dynamics;
+use loosepin_mechanics::mechanism::{Arms, Mechanism, Sample, SampleError, acceleration_at};
+use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Values};
+use loosepin_result::repeat::Repeat;
+use loosepin_result::simulation::{
+    ContactForceHistory, Drawing, EnergyAccount, Extreme, ExtremePoint, ImpactRecord, JointSummary, JointWearRecord,
+    JournalOrbit, OutputHistory, Override, RunCounters, SimulationRecord, SimulationSettings, StopReason, Trust,
+};
+use loosepin_result::study::Deviation;
+use loosepin_text::units::DisplayUnits;
+use std::sync::atomic::AtomicBool;
+
+/// Plan of a run that is recorded in full.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Drive, transient and recorded turns, samples.
+    pub cycle: Cycle,
+    /// Accuracy.
+    pub settings: Settings,
+    /// Whether positions, velocities and accelerations of all bodies are recorded.
+    pub with_states: bool,
+    /// Turns over which the largest Lyapunov exponent is measured, in runs of their own; none where it is not asked for.
+    pub lyapunov_turns: Option<u32>,
+    /// Whether a second run measures how long the positions can be trusted; that costs about as much again.
+    pub second_run: bool,
+    /// Values set on the command line, for the record.
+    pub overrides: Vec<Override>,
+}
+
+impl Plan {
+    /// The cycle that `model` states, with the accuracy of a single run and without further records.
+    pub fn of_model(model: &Model) -> Self {
+        let (cycle, settings) = (model.cycle.clone(), Settings::for_simulation());
+        Self { cycle, settings, with_states: false, lyapunov_turns: None, second_run: false, overrides: Vec::new() }
+    }
+
+    /// That the run comes to its end within the evaluations it may have, and that a history holds what it records. Nothing is run.
+    ///
+    /// # Errors
+    /// One of these, or the drive of the cycle stands still.
+    pub fn check(&self, mechanism: &Mechanism, sample: &Sample<f64>, values: &Values) -> Result<(), RunFailure> {
+        if self.settings.integrator == Integrator::Implicit && mechanism.real.nodal_beams.is_empty() {
+            return Err(RunFailure::ImplicitWithoutNodes);
+        }
+        let rows = self.cycle.recorded_turns * self.cycle.samples_per_turn as f64;
+        if !(rows <= MOST_ROWS as f64) {
+            return Err(RunFailure::TooManyRows { rows, most: MOST_ROWS });
+        }
+        let states = if self.with_states { NUMBERS_OF_A_STATE * mechanism.model.bodies.len() } else { 0 };
+        // The ideal values stand beside those of the run.
+        let numbers = 2 * columns(&mechanism.model).len() + mechanism.contacts.len() + states + NUMBERS_OF_A_ROW;
+        if rows * numbers as f64 > MOST_NUMBERS as f64 {
+            return Err(RunFailure::TooManyNumbers { rows, numbers, most: MOST_NUMBERS });
+        }
+        let least = least_evaluations(mechanism, sample, &self.window(mechanism, values)?, &self.settings);
+        let limit = self.settings.largest_evaluations;
+        if least > limit as f64 {
+            let turns = self.cycle.transient_turns + self.cycle.recorded_turns;
+            return Err(RunFailure::TooManyTurns { turns, least, limit });
+        }
+        Ok(())
+    }
+
+    /// The recorded part of the run.
+    ///
+    /// # Errors
+    /// The drive of the cycle stands still.
+    pub fn window(&self, mechanism: &Mechanism, values: &Values) -> Result<Window, RunFailure> {
+        let turn_s = input(mechanism, values, self.cycle.span)?.turn_s();
+        let start_s = self.cycle.transient_turns * turn_s;
+        Ok(Window { start_s, end_s: start_s + self.cycle.recorded_turns * turn_s })
+    }
+}
+
+/// The input of a cycle that counts by `span`, which has turns.
+///
+/// # Errors
+/// The drive stands still.
+pub fn input(mechanism: &Mechanism, values: &Values, span: CycleSpan) -> Result<CycleInput, RunFailure> {
+    let input = mechanism.model.input(span, values);
+    if input.speed_rad_s.abs() > 0.0 { Ok(input) } else { Err(RunFailure::StandsStill { drive: input.name }) }
+}
+
+/// Rows of a history, at most: a million rows of ten columns are 200 MB of text.
+pub const MOST_ROWS: usize = 1_000_000;
+/// Numbers of a history, at most: a gibibyte.
+pub const MOST_NUMBERS: usize = 1 << 27;
+/// Numbers of a row beside those of outputs, contacts and bodies: the time and the energies.
+const NUMBERS_OF_A_ROW: usize = 10;
+/// Numbers of a row for each body where states are recorded: three coordinates, their rates and accelerations.
+const NUMBERS_OF_A_STATE: usize = 9;
+
+/// A finished run.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    /// Everything for pages and tables.
+    pub record: SimulationRecord,
+    /// States of all bodies, where asked for.
+    pub states: Option<BodyStates>,
+    /// Counters, energy account and joints of the run.
+    pub report: RunReport,
+    /// Why the run counts as failed though it came to its end: its energy account does not bear it out.
+    pub failure: Option<RunFailure>,
+}
+
+/// Motion of the centres of mass (of a flexible body of the middle of its straight frame) at the sample times: for each moving body x, y, angle, then their rates, then their
+/// accelerations; m, rad, s.
+#[derive(Debug, Clone, Default)]
+pub struct BodyStates {
+    /// Names of the bodies.
+    pub bodies: Vec<String>,
+    /// One row for each sample: positions of all bodies, velocities of all, accelerations of all.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// Runs `mechanism` with `values` and records everything.
+///
+/// # Errors
+/// The one reason why the run failed.
+pub fn simulate(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    simulate_until(mechanism, values, plan, &AtomicBool::new(false))
+}
+
+/// As [`simulate`], until `stop` is set, in a moment's time. The run of a Lyapunov exponent goes on to its end.
+///
+/// # Errors
+/// As for [`simulate`]; [`RunFailure::Stopped`].
+pub fn simulate_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &Plan,
+    stop: &AtomicBool,
+) -> Result<Simulation, RunFailure> {
+    record_until(mechanism, values, plan, Extremes::Sought, stop)
+}
+
+/// As [`simulate`], for whoever needs the poses and the paths of journals alone: extremes of outputs are not sought between the samples,
+/// which takes most of the time of a run that is recorded, and none are in the record.
+///
+/// # Errors
+/// As for [`simulate`].
+pub fn simulate_poses(mechanism: &Mechanism, values: &Values, plan: &Plan) -> Result<Simulation, RunFailure> {
+    record_until(mechanism, values, plan, Extremes::LeftOut, &AtomicBool::new(false))
+}
+
+/// Whether the extremes of outputs are sought within every step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Extremes {
+    Sought,
+    LeftOut,
+}
+
+fn record_until(
+    mechanism: &Mechanism,
+    values: &Values,
+    plan: &Plan,
+    sought: Extremes,
+    stop: &AtomicBool,
+) -> Result<Simulation, RunFailure> {
+    let mut sample = Sample::new(mechanism, values)?;
+    plan.check(mechanism, &sample, values)?;
+    if plan.lyapunov_turns.is_some() && mechanism.is_ideal() {
+        return Err(RunFailure::NothingIsFree);
+    }
+    let window = plan.window(mechanism, values)?;
+    let (ideal, ideal_sample) = (mechanism.without_play(), sample.clone().without_play());
+    let input = input(mechanism, values, plan.cycle.span)?;
+    if mechanism.is_driven() {
+        // A loop that cannot turn fully is better told now than where the dynamics run against it.
+        let turns = (plan.cycle.transient_turns + plan.cycle.recorded_turns).min(1.0);
+        IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?.at(turns * input.turn_s(), false)?;
+    }
+    let (turns, settings) = (plan.cycle.recorded_turns, &plan.settings);
+    let life = worn_life(mechanism, &mut sample, &LifePlan { values, window, turns, settings }, stop)?;
+    let reference = IdealReference::new(&ideal, &ideal_sample, window.end_s, &plan.settings)?;
+    let mut recorder = Recorder::new(mechanism, values, reference, input.clone(), plan, &window);
+    recorder.wear.life = life;
+    if sought == Extremes::LeftOut {
+        recorder.extremes.clear();
+    }
+    let mut watched = Watched { observer: &mut recorder, stop };
+    let report = run(mechanism, &sample, &window, &plan.settings, &mut watched)?;
+    if let Some(failure) = recorder.failure {
+        return Err(failure.into());
+    }
+    let wear = recorder.wear.records(mechanism, &report)?;
+    let positions = recorder.positions.take();
+    let mut simulation = recorder.into_simulation(&sample, plan, report, wear);
+    // All of it is kept: whoever asked may want to see what went wrong.
+    if let Err(failure) = simulation.report.check_energy(&mechanism.model) {
+        simulation.record.stop = StopReason::Failed { code: failure.code().to_owned(), words: failure.to_string() };
+        simulation.failure = Some(failure);
+    }
+    if simulation.failure.is_some() {
+        return Ok(simulation);
+    }
+    if let Some(positions) = &positions {
+        let (run, window) = ((mechanism, &sample), (&window, input.turn_s()));
+        simulation.record.trust = measure_trust(run, window, &plan.settings, (positions, &simulation.report), stop)?;
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        let (transient_turns, turn_s) = (plan.cycle.transient_turns, input.turn_s());
+        let exponent = ExponentPlan { transient_turns, turns, turn_s, settings: plan.settings };
+        simulation.record.lyapunov = Some(largest_exponent(mechanism, &sample, &exponent)?);
+    }
+    Ok(simulation)
+}
+
+/// Points at which each step is looked at for extremes, the ends included.
+const POINTS_PER_STEP: usize = 5;
+
+struct Recorder<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    arms: Arms,
+    columns: Vec<Column>,
+    reference: IdealReference<'a>,
+    failure: Option<SampleError>,
+    sample_times_s: Vec<f64>,
+    next_sample: usize,
+    window: Window,
+    input: CycleInput,
+    /// Values and ideal values by column.
+    value_si: Vec<Vec<f64>>,
+    ideal_si: Vec<Vec<f64>>,
+    /// Minimum (negated) and maximum of each column, then of each deviation; none where they are left out.
+    extremes: Vec<[Peak; 2]>,
+    energy: EnergyAccount,
+    energy_at_zero_j: Option<f64>,
+    contact_forces: Vec<Vec<f64>>,
+    controls: ControlRecorder,
+    impacts: Vec<ImpactRecord>,
+    /// Index of the impact at hand, by contact.
+    open_impacts: Vec<Option<usize>>,
+    peak_forces_n: Vec<f64>,
+    largest_speeds_m_s: Vec<f64>,
+    orbits: Vec<(Vec<f64>, Vec<f64>)>,
+    drawing: Drawing,
+    states: Option<BodyStates>,
+    flight: FlightClock,
+    sections: SectionRecorder,
+    wear: WearRecorder,
+    bending: BendingRecorder,
+    /// What a second run is compared with, where there is one.
+    positions: Option<PositionHistory>,
+    with_forces: bool,
+    has_dampers: bool,
+}
+
+impl<'a> Recorder<'a> {
+    fn new(
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        reference: IdealReference<'a>,
+        input: CycleInput,
+        plan: &Plan,
+        window: &Window,
+    ) -> Self {
+        let columns = columns(&mechanism.model);
+        let rows = (plan.cycle.recorded_turns * plan.cycle.samples_per_turn as f64).round().max(1.0) as usize;
+        let span_s = window.end_s - window.start_s;
+        let at =
+            |row: usize| if row == rows { window.end_s } else { window.start_s + span_s * row as f64 / rows as f64 };
+        let (plays, contacts) = (mechanism.plays.len(), mechanism.contacts.len());
+        let positions = || PositionHistory::new(mechanism, values, *window, input.turn_s(), rows);
+        let positions = plan.second_run.then(positions);
+        let sections = SectionRecorder::new(Turns::within(*window, input.turn_s()), plays, columns.len());
+        let names = mechanism.model.bodies[1..].iter().map(|body| body.name.clone()).collect();
+        Self {
+            mechanism,
+            values,
+            arms: Arms::new(mechanism, values),
+            reference,
+            failure: None,
+            sample_times_s: (0..=rows).map(at).collect(),
+            next_sample: 0,
+            window: *window,
+            input,
+            value_si: vec![Vec::with_capacity(rows + 1); columns.len()],
+            ideal_si: vec![Vec::with_capacity(rows + 1); columns.len()],
+            extremes: vec![[Peak::none(); 2]; 2 * columns.len()],
+            energy: EnergyAccount {
+                relative_residual: 0.0,
+                kinetic_j: Vec::new(),
+                potential_j: Vec::new(),
+                stored_j: Vec::new(),
+                contact_loss_j: Vec::new(),
+                friction_loss_j: Vec::new(),
+                damping_loss_j: Vec::new(),
+                supplied_j: Vec::new(),
+                residual_j: Vec::new(),
+            },
+            energy_at_zero_j: None,
+            contact_forces: vec![Vec::new(); contacts],
+            controls: ControlRecorder::new(mechanism, plan.settings.tolerance_m),
+            impacts: Vec::new(),
+            open_impacts: vec![None; contacts],
+            peak_forces_n: vec![0.0; contacts],
+            largest_speeds_m_s: vec![0.0; contacts],
+            orbits: vec![(Vec::new(), Vec::new()); plays],
+            drawing: skeleton(mechanism, values),
+            states: plan.with_states.then(|| BodyStates { bodies: names, rows: Vec::new() }),
+            flight: FlightClock::new(mechanism, window.start_s),
+            sections,
+            wear: WearRecorder::new(mechanism, values),
+            bending: BendingRecorder::new(mechanism),
+            positions,
+            with_forces: plan.with_states || columns.iter().any(|column| column.reading.needs_forces()),
+            has_dampers: mechanism.has_dampers(),
+            columns,
+        }
+    }
+
+    fn record_sections(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(time_s) = self.sections.next_s().filter(|&time_s| time_s <= step.end_s) {
+            let looks = self.look(step, time_s);
+            self.sections.look(step.set_state(time_s), &looks[self.columns.len()..]);
+        }
+    }
+
+    fn drive_angle_rad(&self, time_s: f64) -> f64 {
+        self.input.angle_rad(time_s)
+    }
+
+    /// Values of all columns, then of all deviations, at `time_s` within the step.
+    fn look(&mut self, step: &mut Step<'_, '_>, time_s: f64) -> Vec<f64> {
+        let dynamics = if self.with_forces { step.evaluate(time_s) } else { step.set_state(time_s) };
+        let mut values: Vec<f64> =
+            self.columns.iter().map(|column| column.reading.value(&self.arms, dynamics)).collect();
+        match self.reference.at(time_s, self.with_forces) {
+            Ok(ideal) => {
+                for (index, column) in self.columns.iter().enumerate() {
+                    let ideal_si = column.reading.value(&self.arms, ideal);
+                    values.push(values[index] - ideal_si);
+                }
+            }
+            Err(error) => {
+                self.failure.get_or_insert(error);
+                values.resize(2 * self.columns.len(), f64::NAN);
+            }
+        }
+        values
+    }
+
+    fn note_extremes(&mut self, step: &mut Step<'_, '_>) {
+        let (start_s, end_s) = (step.start_s, step.end_s);
+        if self.extremes.is_empty() {
+            return;
+        }
+        let time = |k: usize| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64;
+        let looks: Vec<Vec<f64>> = (0..POINTS_PER_STEP).map(|k| self.look(step, time(k))).collect();
+        for series in 0..self.extremes.len() {
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let points: Vec<(f64, f64)> =
+                    looks.iter().enumerate().map(|(k, look)| (time(k), sign * look[series])).collect();
+                if !may_exceed(&points, self.extremes[series][side].value) {
+                    continue;
+                }
+                let peak = maximum_within(&points, |time_s| sign * self.look(step, time_s)[series]);
+                self.extremes[series][side].raise(peak.value, peak.time_s);
+            }
+        }
+    }
+
+    /// The largest forces of a step.
+    fn note_peak_forces(&mut self, step: &mut Step<'_, '_>) {
+        for contact in 0..self.open_impacts.len() {
+            if !step.is_in_contact(contact) {
+                continue;
+            }
+            let (start_s, end_s) = (step.start_s, step.end_s);
+            let points: Vec<(f64, f64)> = (0..POINTS_PER_STEP)
+                .map(|k| start_s + (end_s - start_s) * k as f64 / (POINTS_PER_STEP - 1) as f64)
+                .map(|time_s| (time_s, step.normal_force_n(contact, time_s)))
+                .collect();
+            let peak = maximum_within(&points, |time_s| step.normal_force_n(contact, time_s));
+            let largest_n = &mut self.peak_forces_n[contact];
+            *largest_n = largest_n.max(peak.value);
+            if let Some(index) = self.open_impacts[contact] {
+                let impact = &mut self.impacts[index];
+                impact.peak_force_n = impact.peak_force_n.max(peak.value);
+            }
+        }
+    }
+
+    fn record_samples(&mut self, step: &mut Step<'_, '_>) {
+        while let Some(&time_s) = self.sample_times_s.get(self.next_sample).filter(|&&time_s| time_s <= step.end_s) {
+            self.next_sample += 1;
+            self.record_sample(step, time_s);
+        }
+    }
+
+    fn record_sample(&mut self, step: &mut Step<'_, '_>, time_s: f64) {
+        let values = self.look(step, time_s);
+        let count = self.columns.len();
+        for k in 0..count {
+            self.value_si[k].push(values[k]);
+            self.ideal_si[k].push(values[k] - values[count + k]);
+        }
+        let angle_rad = self.drive_angle_rad(time_s);
+        let contacts = 0..self.contact_forces.len();
+        let in_contact: Vec<bool> = contacts.map(|contact| step.is_in_contact(contact)).collect();
+        for (contact, is_in_contact) in in_contact.iter().enumerate() {
+            let force_n = step.normal_force_n(contact, time_s);
+            self.contact_forces[contact].push(if *is_in_contact { force_n } else { 0.0 });
+        }
+        let dynamics = step.set_state(time_s);
+        for (play, (motion, slots)) in dynamics.plays().iter().zip(dynamics.play_slots()).enumerate() {
+            let bearing = &dynamics.kinematics.poses[slots[0]];
+            let e = motion.eccentricity_m.rotated(-bearing.sine, bearing.cosine);
+            self.orbits[play].0.push(e.x);
+            self.orbits[play].1.push(e.y);
+        }
+        add_pose(&mut self.drawing.poses, &self.mechanism.real, &dynamics.kinematics, angle_rad);
+        add_bending(&mut self.drawing, self.mechanism, dynamics);
+        let energy = dynamics.energy(|contact| in_contact[contact]);
+        let total_j = energy.total_j();
+        let at_zero_j = *self.energy_at_zero_j.get_or_insert(total_j);
+        let account = step.account(time_s).unwrap_or(Account {
+            supplied_j: total_j - at_zero_j,
+            contact_loss_j: 0.0,
+            friction_loss_j: 0.0,
+            damping_loss_j: 0.0,
+        });
+        self.energy.kinetic_j.push(energy.kinetic_j);
+        self.energy.potential_j.push(energy.potential_j);
+        self.energy.stored_j.push(energy.stored_j);
+        self.energy.contact_loss_j.push(account.contact_loss_j);
+        self.energy.friction_loss_j.push(account.friction_loss_j);
+        self.energy.supplied_j.push(account.supplied_j);
+        if self.has_dampers {
+            self.energy.damping_loss_j.push(account.damping_loss_j);
+        }
+        if !self.controls.is_empty() {
+            self.controls.record(step.evaluate(time_s));
+        }
+        if let Some(states) = &mut self.states {
+            let dynamics = step.evaluate(time_s);
+            states.rows.push(body_states(self.mechanism, self.values, dynamics));
+        }
+        if let Ok(ideal) = self.reference.at(time_s, false) {
+            let tree = &self.mechanism.ideal;
+            add_pose(&mut self.drawing.ideal_poses, tree, &ideal.kinematics, angle_rad);
+        }
+    }
+
+    fn into_simulation(
+        mut self,
+        sample: &Sample<f64>,
+        plan: &Plan,
+        report: RunReport,
+        wear: Vec<JointWearRecord>,
+    ) -> Simulation {
+        let at_zero_j = report.energy.map_or(self.energy_at_zero_j.unwrap_or(0.0), |account| account.at_start_j);
+        let energy = &mut self.energy;
+        energy.relative_residual = report.energy.map_or(0.0, |account| account.relative_residual());
+        energy.residual_j = (0..energy.kinetic_j.len())
+            .map(|k| {
+                energy.kinetic_j[k] + energy.potential_j[k] + energy.stored_j[k] - at_zero_j
+                    + energy.contact_loss_j[k]
+                    + energy.friction_loss_j[k]
+                    + energy.damping_loss_j.get(k).unwrap_or(&0.0)
+                    - energy.supplied_j[k]
+            })
+            .collect();
+        let joints = self.joint_summaries(sample, plan, &report);
+        let extremes = self.extreme_records();
+        let name_of = |play: usize| self.mechanism.model.play_name(self.mechanism.plays[play]).to_owned();
+        let outputs = self
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(k, column)| OutputHistory {
+                name: column.name.clone(),
+                words: column.words.clone(),
+                unit: column.unit.clone(),
+                magnitude_of_force_in: column
+                    .reading
+                    .force_in()
+                    .filter(|_| column.reading.is_never_negative())
+                    .map(|joint| self.mechanism.model.joints[joint.0].name.clone()),
+                deviation_si: self.value_si[k].iter().zip(&self.ideal_si[k]).map(|(a, b)| a - b).collect(),
+                value_si: self.value_si[k].clone(),
+                ideal_si: self.ideal_si[k].clone(),
+            })
+            .collect();
+        let kind = self.sections.kind(self.mechanism, sample, &self.columns, self.drive_angle_rad(self.window.start_s));
+        let drive_angle_rad: Vec<f64> =
+            self.sample_times_s.iter().map(|&time_s| self.drive_angle_rad(time_s)).collect();
+        let record = SimulationRecord {
+            model: self.mechanism.model.name.clone(),
+            version: loosepin_text::VERSION.to_owned(),
+            overrides: plan.overrides.clone(),
+            settings: SimulationSettings {
+                drive: self.input.name.clone(),
+                drive_speed_rad_s: self.input.is_drive.then_some(self.input.speed_rad_s),
+                transient_turns: plan.cycle.transient_turns,
+                recorded_turns: plan.cycle.recorded_turns,
+                samples_per_turn: plan.cycle.samples_per_turn,
+                tolerance_m: plan.settings.tolerance_m,
+                method: plan.settings.method_name(),
+            },
+            stop: StopReason::Finished,
+            repeat: repeat(&self.mechanism.model, plan),
+            counters: RunCounters {
+                steps: report.counters.steps,
+                rejections: report.counters.rejections,
+                evaluations: report.counters.evaluations,
+                factorizations: report.counters.factorizations,
+                contact_changes: report.counters.events,
+            },
+            extremes,
+            joints,
+            kind,
+            lyapunov: None,
+            trust: Trust::NotMeasured,
+            display_units: self.mechanism.model.shown_in(DisplayUnits::for_duration_s(self.window.end_s)),
+            outputs,
+            contact_forces: (0..self.contact_forces.len())
+                .map(|contact| ContactForceHistory {
+                    joint: self.mechanism.contact_name(contact),
+                    force_n: self.contact_forces[contact].clone(),
+                })
+                .collect(),
+            // What is no pin has no orbit in a hole.
+            orbits: (0..self.orbits.len())
+                .filter(|&play| sample.plays[play].shape.hole().is_some())
+                .map(|play| JournalOrbit {
+                    joint: name_of(play),
+                    label: String::new(),
+                    radial_clearance_m: sample.plays[play].clearance_m,
+                    x_m: self.orbits[play].0.clone(),
+                    y_m: self.orbits[play].1.clone(),
+                    drive_angle_rad: drive_angle_rad.clone(),
+                    // A pin touches its hole at one place.
+                    force_n: self
+                        .contact_forces
+                        .get(self.mechanism.contacts_of(play).start)
+                        .cloned()
+                        .unwrap_or_default(),
+                })
+                .collect(),
+            drive_angle_rad,
+            controls: self.controls.into_histories(&self.sample_times_s),
+            time_s: self.sample_times_s,
+            energy: self.energy,
+            impacts: self.impacts,
+            drawing: self.drawing,
+            quasi_static_check: Vec::new(),
+            measured: Vec::new(),
+            wear,
+            life: self.wear.life_record(self.mechanism),
+            bending: self.bending.records(self.mechanism),
+        };
+        Simulation { record, states: self.states, report, failure: None }
+    }
+
+    fn extreme_records(&self) -> Vec<Extreme> {
+        let point = |peak: Peak, sign: f64| ExtremePoint {
+            value_si: sign * peak.value,
+            time_s: peak.time_s,
+            drive_angle_rad: self.drive_angle_rad(peak.time_s),
+        };
+        let count = self.columns.len();
+        (0..self.extremes.len())
+            .map(|series| {
+                let column = &self.columns[series % count];
+                let of = if series < count { Deviation::Value } else { Deviation::Total };
+                let [minimum, maximum] = self.extremes[series];
+                Extreme {
+                    name: column.name.clone(),
+                    of,
+                    unit: column.unit.clone(),
+                    minimum: point(minimum, -1.0),
+                    maximum: point(maximum, 1.0),
+                }
+            })
+            .collect()
+    }
+
+    fn joint_summaries(&self, sample: &Sample<f64>, plan: &Plan, report: &RunReport) -> Vec<JointSummary> {
+        let model = &self.mechanism.model;
+        let turns = plan.cycle.recorded_turns;
+        let plays = self.mechanism.plays.iter().zip(&sample.plays).zip(&report.plays).enumerate();
+        plays
+            .filter_map(|(index, ((&play, numbers), summary))| {
+                let contact = &model.contacts[model.play_contact(play)?.0];
+                let impacts = summary.contacts - summary.floored_contacts;
+                let contacts = self.mechanism.contacts_of(index);
+                let largest = |values: &[f64]| values[contacts.clone()].iter().copied().fold(0.0, f64::max);
+                Some(JointSummary {
+                    joint: model.play_name(play).to_owned(),
+                    radial_clearance_m: numbers.clearance_m,
+                    law: contact.law.name().to_owned(),
+                    basis: contact_basis(self.mechanism, play, numbers, self.values),
+                    long_pin: long_pin_force(self.mechanism, play, numbers, self.values, summary.largest_penetration_m),
+                    contacts: summary.contacts,
+                    impacts,
+                    impacts_per_turn: Some(impacts as f64 / turns),
+                    largest_penetration_m: summary.largest_penetration_m,
+                    peak_force_n: largest(&self.peak_forces_n),
+                    largest_speed_m_s: largest(&self.largest_speeds_m_s),
+                    nominal_restitution: contact.law.restitution().map(|id| self.values[id]),
+                    delivered_restitution: numbers.delivered_restitution,
+                    share_outside_validity: (numbers.largest_valid_impact_speed_m_s.is_finite() && impacts > 0)
+                        .then(|| summary.impacts_beyond_validity as f64 / impacts as f64),
+                    floored_contacts: summary.floored_contacts,
+                    flight_share: self.flight.share(index, self.window.end_s),
+                    losses_per_turn: self.flight.losses(index) as f64 / turns,
+                })
+            })
+            .collect()
+    }
+}
+
+impl Observer for Recorder<'_> {
+    fn step(&mut self, step: &mut Step<'_, '_>) {
+        self.reference.hold_pieces(0.5 * (step.start_s + step.end_s));
+        self.flight.step(step);
+        self.record_samples(step);
+        self.record_sections(step);
+        self.note_extremes(step);
+        self.note_peak_forces(step);
+        self.wear.step(step);
+        self.bending.step(step);
+        if let Some(positions) = &mut self.positions {
+            positions.step(step);
+        }
+    }
+
+    fn contact_begins(&mut self, onset: &Onset) {
+        if onset.time_s < self.window.start_s {
+            return;
+        }
+        let largest_m_s = &mut self.largest_speeds_m_s[onset.contact];
+        *largest_m_s = largest_m_s.max(onset.speed_m_s);
+        if onset.is_floored {
+            return;
+        }
+        self.open_impacts[onset.contact] = Some(self.impacts.len());
+        self.impacts.push(ImpactRecord {
+            time_s: onset.time_s,
+            drive_angle_rad: self.drive_angle_rad(onset.time_s),
+            joint: self.mechanism.contact_name(onset.contact),
+            speed_m_s: onset.speed_m_s,
+            duration_s: self.window.end_s - onset.time_s,
+            peak_force_n: 0.0,
+            separation_speed_m_s: None,
+        });
+    }
+
+    fn contact_ends(&mut self, separation: &Separation) {
+        if let Some(index) = self.open_impacts[separation.contact].take() {
+            let impact = &mut self.impacts[index];
+            impact.duration_s = separation.time_s - impact.time_s;
+            impact.separation_speed_m_s = Some(separation.speed_m_s);
+        }
+    }
+}
+
+/// Positions of all centres of mass, then velocities, then accelerations; of a flexible body those of the middle of its straight frame.
+fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f64>) -> Vec<f64> {
+    let (mut positions, mut velocities, mut accelerations) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, body) in mechanism.model.bodies.iter().enumerate().skip(1) {
+        let slot = mechanism.real.slot_of_body[index];
+        let centre = body.centre_of_mass_m.map_or(Vec2::zero(), |c| Vec2::new(values[c[0]], values[c[1]]));
+        let pose = &dynamics.kinematics.poses[slot];
+        let twist = &dynamics.kinematics.twists[slot];
+        let change = dynamics.acceleration(slot);
+        let arm = pose.turn(centre);
+        let (position, velocity) = (pose.position_m + arm, twist.at(arm));
+        let acceleration = acceleration_at(&change, twist, arm);
+        positions.extend([position.x, position.y, pose.angle_rad]);
+        velocities.extend([velocity.x, velocity.y, twist.angular]);
+        accelerations.extend([acceleration.x, acceleration.y, change.angular]);
+    }
+    positions.into_iter().chain(velocities).chain(accelerations).collect()
+}
+
+/// The command by which the run that `plan` asks of `model` is made again: what differs from the file is in it.
+fn repeat(model: &Model, plan: &Plan) -> Repeat {
+    let mut arguments: Vec<String> = Vec::new();
+    let mut add = |name: &str, value: String| arguments.extend([name.to_owned(), value]);
+    for change in &plan.overrides {
+        add("--set", format!("{}={}", change.path, change.written));
+    }
+    let (cycle, own) = (&model.cycle, &plan.cycle);
+    if own.recorded_turns != cycle.recorded_turns {
+        add("--turns", own.recorded_turns.to_string());
+    }
+    if own.transient_turns != cycle.transient_turns {
+        add("--transient", own.transient_turns.to_string());
+    }
+    if own.samples_per_turn != cycle.samples_per_turn {
+        add("--samples", own.samples_per_turn.to_string());
+    }
+    if plan.settings.tolerance_m != Settings::for_simulation().tolerance_m {
+        add("--tolerance", format!("{:e} m", plan.settings.tolerance_m));
+    }
+    if plan.settings.integrator == Integrator::Implicit {
+        add("--integrator", "implicit".to_owned());
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        add("--lyapunov", turns.to_string());
+    }
+    if !plan.second_run {
+        arguments.push("--no-second-run".to_owned());
+    }
+    if plan.with_states {
+        arguments.push("--states".to_owned());
+    }
+    Repeat::new("simulate", &arguments, input_files(model))
+}

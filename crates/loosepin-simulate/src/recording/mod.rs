@@ -1,0 +1,13 @@
+//! What is kept of a run for its record: histories, extremes, energy account, impacts, drawings, CSV files. Nothing here changes a run.
+
+pub(crate) mod balance;
+pub(crate) mod bending;
+pub(crate) mod contact_basis;
+pub(crate) mod control_history;
+pub(crate) mod controlled_drawing;
+pub(crate) mod drawing;
+pub(crate) mod flight;
+pub(crate) mod history;
+pub(crate) mod report;
+pub(crate) mod tables;
+pub(crate) mod work;

@@ -1,0 +1,126 @@
+//! The CSV files of a run, SI.
+
+use crate::recording::history::Simulation;
+use loosepin_result::simulation::{ContactForceHistory, OutputHistory, SimulationRecord, Spectrum};
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// A column of `history.csv`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryColumn<'s> {
+    /// Its name, with the unit: `slider_m`. No two columns have the same.
+    pub name: String,
+    /// Its SI unit, for example `m/s^2`.
+    pub unit: &'s str,
+    /// Its values, SI, one for each sample.
+    pub values_si: Cow<'s, [f64]>,
+}
+
+/// The columns of `history.csv`: the time, the angle of the drive, the outputs in file order, then for each output that has an ideal
+/// value this value and the deviation from it, then the states of all bodies where they were recorded.
+pub fn history_columns(simulation: &Simulation) -> Vec<HistoryColumn<'_>> {
+    let record = &simulation.record;
+    let mut columns = Vec::new();
+    add(&mut columns, "time_s".to_owned(), "s", &record.time_s);
+    add(&mut columns, format!("{}_rad", record.settings.drive), "rad", &record.drive_angle_rad);
+    let name = |output: &OutputHistory, what: &str| {
+        format!("{}{what}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()))
+    };
+    for output in &record.outputs {
+        add(&mut columns, name(output, ""), output.unit.symbol(), &output.value_si);
+    }
+    for output in &record.outputs {
+        for (what, values_si) in [("_ideal", &output.ideal_si), ("_deviation", &output.deviation_si)] {
+            if !values_si.is_empty() {
+                add(&mut columns, name(output, what), output.unit.symbol(), values_si);
+            }
+        }
+    }
+    if let Some(states) = &simulation.states {
+        let parts = [
+            [("x_m", "m"), ("y_m", "m"), ("angle_rad", "rad")],
+            [("vx_m_s", "m/s"), ("vy_m_s", "m/s"), ("omega_rad_s", "rad/s")],
+            [("ax_m_s2", "m/s^2"), ("ay_m_s2", "m/s^2"), ("alpha_rad_s2", "rad/s^2")],
+        ];
+        let named =
+            parts.iter().flat_map(|parts| states.bodies.iter().flat_map(move |body| parts.map(|part| (body, part))));
+        for (index, (body, (part, unit))) in named.enumerate() {
+            let values_si = states.rows.iter().map(|row| row[index]).collect();
+            columns.push(HistoryColumn { name: format!("{body}.{part}"), unit, values_si: Cow::Owned(values_si) });
+        }
+    }
+    columns
+}
+
+/// Adds a column of an output or before them; a name that is taken gets a further word.
+fn add<'s>(columns: &mut Vec<HistoryColumn<'s>>, mut name: String, unit: &'s str, values_si: &'s [f64]) {
+    while columns.iter().any(|column| column.name == name) {
+        name.push_str("_output");
+    }
+    columns.push(HistoryColumn { name, unit, values_si: Cow::Borrowed(values_si) });
+}
+
+/// `history.csv`: the [`history_columns`], one row a sample.
+pub fn history_csv(simulation: &Simulation) -> String {
+    let columns = history_columns(simulation);
+    let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+    let mut text = names.join(",");
+    text.push('\n');
+    for row in 0..simulation.record.time_s.len() {
+        for (index, column) in columns.iter().enumerate() {
+            let _ = write!(text, "{}{:?}", if index > 0 { "," } else { "" }, column.values_si[row]);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// `impacts.csv`: one impact a row, in the order of time. An empty separation speed: the run ended in contact.
+pub fn impacts_csv(record: &SimulationRecord) -> String {
+    let mut text = String::from("time_s,joint,speed_m_s,duration_s,peak_force_n,separation_speed_m_s\n");
+    for impact in &record.impacts {
+        let _ = write!(text, "{:?},{},{:?},", impact.time_s, impact.joint, impact.speed_m_s);
+        let _ = write!(text, "{:?},{:?},", impact.duration_s, impact.peak_force_n);
+        if let Some(speed_m_s) = impact.separation_speed_m_s {
+            let _ = write!(text, "{speed_m_s:?}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// `spectrum.csv`: the orders of the drive, one a row, and the amplitude of each output there ([`Spectrum`]); absent where no drive turns
+/// at constant speed or less than a turn was recorded.
+pub fn spectrum_csv(record: &SimulationRecord) -> Option<String> {
+    let of_output = |output: &OutputHistory| {
+        let name = format!("{}{}", output.name.replace(' ', "_"), unit_suffix(output.unit.symbol()));
+        Some((name, record.spectrum(&output.value_si)?))
+    };
+    let of_force = |history: &ContactForceHistory| {
+        Some((format!("{}.contact_force_n", history.joint), record.spectrum(&history.force_n)?))
+    };
+    let outputs = record.outputs.iter().filter_map(of_output);
+    let columns: Vec<(String, Spectrum)> = outputs.chain(record.contact_forces.iter().filter_map(of_force)).collect();
+    let orders = &columns.first()?.1.orders;
+    let mut text = String::from("order");
+    columns.iter().for_each(|(name, _)| text.extend([",", name]));
+    text.push('\n');
+    for (row, order) in orders.iter().enumerate() {
+        let _ = write!(text, "{order:?}");
+        for (_, spectrum) in &columns {
+            let _ = write!(text, ",{:?}", spectrum.amplitudes_si[row]);
+        }
+        text.push('\n');
+    }
+    Some(text)
+}
+
+/// The unit as a suffix of a column name: `m/s^2` becomes `_m_s2`.
+fn unit_suffix(symbol: &str) -> String {
+    let plain: String = symbol
+        .chars()
+        .filter(|c| *c != '^')
+        .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' })
+        .collect();
+    if symbol == "1" { String::new() } else { format!("_{plain}") }
+}

@@ -1,0 +1,8 @@
+//! Whether a motion repeats itself and how long its positions can be trusted: sections once a turn, periods, exponents, second runs.
+
+pub(crate) mod lyapunov;
+pub(crate) mod period;
+pub(crate) mod sections;
+pub(crate) mod swing;
+pub(crate) mod trust;
+pub(crate) mod turns;

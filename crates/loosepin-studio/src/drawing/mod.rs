@@ -1,0 +1,8 @@
+//! What is drawn of a mechanism that is edited: its still picture, dimensions, loads; and a drawing that becomes a model.
+//! Pictures of results come from the report.
+
+pub(crate) mod centres;
+pub(crate) mod dimensions;
+pub(crate) mod drawn;
+pub(crate) mod forces;
+pub(crate) mod still;

@@ -1,0 +1,9 @@
+//! The served folder: models, studies, results and templates in it, read, listed and written.
+//! Nothing outside of it is opened.
+
+pub(crate) mod adopt;
+pub(crate) mod folder;
+pub(crate) mod gallery;
+pub(crate) mod listed;
+pub(crate) mod listing;
+pub(crate) mod stored;

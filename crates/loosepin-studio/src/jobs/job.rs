@@ -1,0 +1,186 @@
+//! One study or one mechanism, run as the command runs it: the same inputs, the same folder, the same bytes.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::SystemTime;
+
+use loosepin::diagnostics::Complaints;
+use loosepin::mechanism::Mechanism;
+use loosepin::model::Model;
+use loosepin::report::{simulation_page, study_page, study_sentences, verdict_words, witness_words};
+use loosepin::results::{Claim, Place, ResultKind, ResultsError};
+use loosepin::simulate::{Plan, SmallestClearance};
+use loosepin::store::{Beginning, RunStore};
+use loosepin::study::files::read_summary;
+use loosepin::study::result::StudyResult;
+use loosepin::study::{
+    Begun, Concluded, Progress, RunOptions, Study, begin_in_folder, conclude, plan_runs, run_inputs, run_into,
+    run_study, store_identity, study_inputs, witness_run,
+};
+
+use crate::files::folder::Folder;
+use crate::files::stored::{stored_study, study_of};
+use crate::messages::Shown;
+use crate::network::refusal::Refusal;
+use crate::view::texts::Texts;
+
+/// Folder below the served one in which results get a folder of their own.
+const RESULTS: &str = "results";
+
+/// What became of a study.
+pub enum Outcome {
+    /// Its results stand in a folder.
+    Finished {
+        /// Path of the folder in the served one.
+        result: String,
+        /// The answer in sentences.
+        words: Vec<String>,
+        /// Over all requirements.
+        verdict: Option<&'static str>,
+    },
+    /// It was stopped; its runs are kept.
+    Stopped,
+}
+
+/// Reads a study of the folder: its texts as the page shows them, or those on the disk.
+///
+/// # Errors
+/// What is wrong with it, in words.
+pub fn read_study(folder: &Folder, path: &str, shown: Option<&Shown>) -> Result<Study, Vec<String>> {
+    let texts = match shown {
+        Some(shown) => Texts::shown(folder, shown),
+        None => Texts::of_study(folder, path),
+    };
+    let texts = texts.map_err(told)?;
+    let file = texts.read().map_err(|complaints| words(&complaints))?;
+    file.into_study().map_err(|complaints| words(&complaints))
+}
+
+/// Runs a study, or finds the one that is there; runs that an earlier attempt has kept are taken over.
+///
+/// # Errors
+/// Why it came to no result, in words.
+pub fn run(
+    folder: &Folder,
+    study: &Study,
+    progress: &dyn Progress,
+    stop: &AtomicBool,
+    threads: usize,
+) -> Result<Outcome, Vec<String>> {
+    run_or_read(folder, study, progress, stop, threads).map_err(|complaints| words(&complaints))
+}
+
+fn told(refusal: Refusal) -> Vec<String> {
+    std::iter::once(refusal.message).chain(refusal.hint).collect()
+}
+
+/// Runs the mechanism at a witness of the finished study in the folder `path`, of the texts that the result holds, as the command does
+/// that the result tells; or finds the run that is there. `named` hears what is run.
+///
+/// # Errors
+/// Why it came to no result, in words.
+pub fn run_witness(
+    folder: &Folder,
+    path: &str,
+    witness: usize,
+    named: &dyn Fn(String),
+    stop: &AtomicBool,
+) -> Result<Outcome, Vec<String>> {
+    let result = stored_study(folder, path).map_err(told)?;
+    let missing = || vec![format!("the result '{path}' has no witness {witness}")];
+    let command = result.witness_commands.get(witness).ok_or_else(missing)?;
+    let study = study_of(&result).map_err(told)?;
+    let (settings, plan) = witness_run(&study, &command.witness).ok_or_else(missing)?;
+    let values = witness_words(&result).into_iter().nth(witness).map(|words| words.values.join(", "));
+    named(format!("{}: {}", study.model.name, values.unwrap_or_default()));
+    simulated(folder, &study.model, &settings, &plan, stop).map_err(|complaints| words(&complaints))
+}
+
+fn simulated(
+    folder: &Folder,
+    model: &Model,
+    settings: &[String],
+    plan: &Plan,
+    stop: &AtomicBool,
+) -> Result<Outcome, Complaints> {
+    let set = model.set_values(settings)?;
+    if let Some(smallest) = SmallestClearance::of(&set.model, &set.values) {
+        smallest.check(plan.settings.tolerance_m).map_err(|error| Complaints::one(&error, None))?;
+    }
+    let complain = |error: ResultsError| Complaints::one(&error, None);
+    let claim = Claim {
+        kind: ResultKind::Simulation,
+        name: model.name.clone(),
+        inputs: run_inputs(model, settings, plan, &[]),
+        place: Place::Within(folder.opened().clone(), RESULTS.into()),
+        with_force: false,
+    };
+    let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
+    let mut results = claim.take().map_err(complain)?;
+    let finished = |results: &Path, words: Vec<String>| Outcome::Finished {
+        result: results.strip_prefix(folder.root()).unwrap_or(results).display().to_string(),
+        words,
+        verdict: None,
+    };
+    if results.is_finished() {
+        return Ok(finished(results.path(), Vec::new()));
+    }
+    match run_into(&mut results, (&mechanism, &set), plan, &[], &simulation_page, stop) {
+        Ok(run) => {
+            let mut failed = Complaints::new();
+            run.failure.into_iter().for_each(|failure| failed.push(failure));
+            Ok(finished(results.path(), words(&failed)))
+        }
+        Err(complaints) => {
+            if !results.is_finished() {
+                results.abandon().map_err(complain)?;
+            }
+            if stop.load(Ordering::Relaxed) { Ok(Outcome::Stopped) } else { Err(complaints) }
+        }
+    }
+}
+
+fn run_or_read(
+    folder: &Folder,
+    study: &Study,
+    progress: &dyn Progress,
+    stop: &AtomicBool,
+    threads: usize,
+) -> Result<Outcome, Complaints> {
+    let inputs = study_inputs(study, &[], None);
+    let place = Place::Within(folder.opened().clone(), RESULTS.into());
+    let claim = Claim { kind: ResultKind::Study, name: study.name.clone(), inputs, place, with_force: false };
+    let is_there = claim.is_finished().map_err(|error| Complaints::one(&error, None))?;
+    if !is_there {
+        plan_runs(study).map_err(|error| error.complaint(study))?;
+    }
+    let identity = store_identity(&claim.inputs);
+    let (results, store) = match begin_in_folder(&claim, |lock| RunStore::begin(lock, &identity, Beginning::GoOn))? {
+        Begun::Open(results, store) => (results, store),
+        Begun::Finished(results) => {
+            let result = read_summary(&results).map_err(|error| Complaints::one(&error, None))?;
+            return Ok(finished(folder, results.path(), &result));
+        }
+    };
+    let started = SystemTime::now();
+    let options = RunOptions { store: Some(&store), ..RunOptions::new(threads, progress, stop) };
+    let outcome = run_study(study, &claim.inputs.to_string(), &options);
+    Ok(match conclude(study, results, store, outcome, &study_page, (started, threads))? {
+        Concluded::Finished { run, folder: results } => finished(folder, results.path(), &run.result),
+        Concluded::Interrupted { .. } => Outcome::Stopped,
+    })
+}
+
+fn finished(folder: &Folder, results: &Path, result: &StudyResult) -> Outcome {
+    let below = results.strip_prefix(folder.root()).unwrap_or(results);
+    Outcome::Finished {
+        result: below.display().to_string(),
+        words: study_sentences(result),
+        verdict: result.verdict().map(verdict_words),
+    }
+}
+
+/// As the command prints them, one by one.
+fn words(complaints: &Complaints) -> Vec<String> {
+    complaints.sorted().into_iter().map(ToString::to_string).collect()
+}

@@ -1,0 +1,349 @@
+//! What is asked by plain requests: files, templates, results.
+
+use axum::body::Bytes;
+use axum::extract::{Path, Query, State};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
+use loosepin::VERSION;
+use loosepin::diagnostics::{Code, Problem};
+use loosepin::import::{ImportError, ImportOptions, import_dxf};
+use loosepin::results::REPORT_FILE;
+use loosepin::templates::find_template;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::drawing::drawn::Drawn;
+use crate::drawing::still::NamedPoses;
+use crate::edit::{self, Edit, Restructured};
+use crate::files::folder::{LARGEST_TEXT, StoredText};
+use crate::files::gallery::cards;
+use crate::files::listing::listing;
+use crate::messages::{Change, Look, SentText};
+use crate::network::page;
+use crate::network::refusal::{Refusal, json};
+use crate::studio::Studio;
+use crate::view::texts::{Texts, model_beside, plain};
+
+/// What a report may do in its frame: show itself and save figures. It has an origin of its own, so that it cannot ask the studio.
+const REPORT_POLICY: &str = "sandbox allow-scripts allow-downloads; default-src 'none'; style-src 'unsafe-inline'; \
+    script-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; frame-ancestors 'self'";
+/// Ends and centres of an imported drawing that are one, m: as the command takes them.
+const SAME_PLACE_M: f64 = 1e-5;
+/// Largest page of a result that is shown, bytes.
+const LARGEST_REPORT: usize = 64 << 20;
+
+/// What comes of a request.
+pub type Answer = Result<Response, Refusal>;
+
+/// Why nothing comes of what somebody typed or drew.
+#[derive(Serialize)]
+pub struct Refused {
+    message: String,
+    hint: Option<String>,
+}
+
+impl From<Refusal> for Refused {
+    fn from(Refusal { message, hint, .. }: Refusal) -> Self {
+        Self { message, hint }
+    }
+}
+
+pub async fn index(headers: HeaderMap) -> Response {
+    // The guard has seen that there is one, and that it is this machine.
+    page::index(headers.get("host").and_then(|host| host.to_str().ok()).unwrap_or("127.0.0.1"))
+}
+
+pub async fn asset(Path(name): Path<String>) -> Response {
+    page::asset(&name)
+}
+
+pub async fn hello(State(studio): State<Studio>) -> Response {
+    #[derive(Serialize)]
+    struct Limits {
+        text_bytes: usize,
+    }
+    #[derive(Serialize)]
+    struct Hello {
+        version: &'static str,
+        folder: String,
+        limits: Limits,
+    }
+    let folder = studio.folder.root().display().to_string();
+    json(&Hello { version: VERSION, folder, limits: Limits { text_bytes: LARGEST_TEXT } })
+}
+
+pub async fn templates(State(studio): State<Studio>) -> Answer {
+    let folder = studio.folder.clone();
+    let cards = in_background(move || Ok(cards(&folder))).await?;
+    Ok(json(&cards))
+}
+
+pub async fn folder(State(studio): State<Studio>) -> Answer {
+    let folder = studio.folder.clone();
+    let listing = in_background(move || Ok(listing(&folder))).await?;
+    Ok(json(&listing))
+}
+
+#[derive(Deserialize)]
+pub struct Opened {
+    path: String,
+}
+
+#[derive(Serialize)]
+struct OpenedText {
+    path: String,
+    text: String,
+    tag: String,
+}
+
+pub async fn open(
+    State(studio): State<Studio>,
+    query: Result<Query<Opened>, axum::extract::rejection::QueryRejection>,
+) -> Answer {
+    #[derive(Serialize)]
+    struct Both {
+        model: Option<OpenedText>,
+        study: Option<OpenedText>,
+    }
+    let Query(Opened { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
+    let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
+    let both = in_background(move || {
+        let first = studio.folder.read(&path)?;
+        Ok(match model_beside(&path, &first.text) {
+            None => Both { model: Some(opened(path, first)), study: None },
+            Some(model_path) => {
+                let model_path = plain(&model_path);
+                let model = studio.folder.read(&model_path).ok().map(|found| opened(model_path, found));
+                Both { model, study: Some(opened(path, first)) }
+            }
+        })
+    });
+    Ok(json(&both.await?))
+}
+
+pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Saved {
+        path: String,
+        text: String,
+        tag: Option<String>,
+    }
+    #[derive(Serialize)]
+    struct Tag {
+        tag: String,
+    }
+    let Saved { path, text, tag } = parsed(&body)?;
+    let tag = in_background(move || studio.folder.write(&path, &text, tag.as_deref())).await?;
+    Ok(json(&Tag { tag }))
+}
+
+/// How well a number is known, written into the texts of the page.
+pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Known {
+        model: SentText,
+        study: Option<SentText>,
+        path: String,
+        text: String,
+    }
+    /// What somebody types is no fault of the page: a refusal is an answer.
+    #[derive(Serialize)]
+    struct Changes {
+        changes: Vec<Change>,
+        refusal: Option<Refused>,
+    }
+    let Known { model, study, path, text } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let changes = in_background(move || {
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        Ok(match edit::know(&folder, &texts, &path, &text) {
+            Ok(changes) => Changes { changes, refusal: None },
+            Err(refusal) => Changes { changes: Vec::new(), refusal: Some(refusal.into()) },
+        })
+    });
+    Ok(json(&changes.await?))
+}
+
+/// Links, joints and bodies that come, go or get other names, in the texts of the page.
+pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Wished {
+        model: SentText,
+        study: Option<SentText>,
+        edit: Edit,
+        #[serde(default)]
+        poses: NamedPoses,
+    }
+    #[derive(Serialize)]
+    struct Done {
+        #[serde(flatten)]
+        done: Option<Restructured>,
+        refusal: Option<Refused>,
+    }
+    let Wished { model, study, edit, poses } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let done = in_background(move || {
+        let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
+        Ok(match edit::restructured(&folder, &texts, &edit, &poses) {
+            Ok(done) => Done { done: Some(done), refusal: None },
+            Err(refusal) => Done { done: None, refusal: Some(refusal.into()) },
+        })
+    });
+    Ok(json(&done.await?))
+}
+
+pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct New {
+        template: String,
+        folder: String,
+    }
+    #[derive(Serialize)]
+    struct Written {
+        model: String,
+        study: String,
+    }
+    let New { template, folder } = parsed(&body)?;
+    let template = find_template(&template).ok_or_else(|| {
+        Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
+    })?;
+    let written = Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
+    let texts = [("model.toml", template.model), ("study.toml", template.study)];
+    in_background(move || studio.folder.write_new_folder(&folder, &texts)).await?;
+    Ok(json(&written))
+}
+
+/// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
+pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Sent {
+        #[serde(flatten)]
+        drawn: Drawn,
+        folder: Option<String>,
+    }
+    #[derive(Serialize)]
+    struct Said {
+        says: Vec<String>,
+        refusal: Option<Refused>,
+        study: Option<String>,
+    }
+    let Sent { drawn, folder: name } = parsed(&body)?;
+    let folder = studio.folder.clone();
+    let said = in_background(move || {
+        let wrong = |refusal: Refusal| Said { says: Vec::new(), refusal: Some(refusal.into()), study: None };
+        let texts = match drawn.texts() {
+            Ok(texts) => texts,
+            Err(refusal) => return Ok(wrong(refusal)),
+        };
+        let says = match texts.says {
+            Ok(says) => says,
+            Err(found) => return Ok(wrong(Refusal::bad(found.join("\n")))),
+        };
+        let Some(name) = name else { return Ok(Said { says, refusal: None, study: None }) };
+        folder.write_new_folder(&name, &[("model.toml", &texts.model), ("study.toml", &texts.study)])?;
+        Ok(Said { says, refusal: None, study: Some(format!("{name}/study.toml")) })
+    });
+    Ok(json(&said.await?))
+}
+
+/// A drawing in the DXF format becomes the skeleton of a model, in a new folder.
+pub async fn import(
+    State(studio): State<Studio>,
+    query: Result<Query<Imported>, axum::extract::rejection::QueryRejection>,
+    drawing: Bytes,
+) -> Answer {
+    #[derive(Serialize)]
+    struct Said {
+        model: String,
+        notes: Vec<String>,
+    }
+    let Query(Imported { folder: name, title, unit }) =
+        query.map_err(|_| Refusal::bad("say where to: /api/import?folder=press&title=press"))?;
+    let folder = studio.folder.clone();
+    let said = in_background(move || {
+        let options = ImportOptions { unit: unit.filter(|unit| !unit.is_empty()), tolerance_m: SAME_PLACE_M };
+        let imported = import_dxf(&title, &drawing, &options).map_err(|error| {
+            // The hint of the command names its options.
+            let hint = match error {
+                ImportError::NoUnit | ImportError::ForeignUnit { .. } => {
+                    Some("choose the unit beside the button".to_owned())
+                }
+                _ => error.hint(),
+            };
+            Refusal { hint, ..Refusal::bad(error.to_string()) }
+        })?;
+        folder.write_new_folder(&name, &[("model.toml", &imported.model)])?;
+        Ok(Said { model: format!("{name}/model.toml"), notes: imported.notes })
+    });
+    Ok(json(&said.await?))
+}
+
+#[derive(Deserialize)]
+pub struct Imported {
+    folder: String,
+    title: String,
+    unit: Option<String>,
+}
+
+pub async fn explain(Path(code): Path<String>) -> Answer {
+    #[derive(Serialize)]
+    struct Explained {
+        code: &'static str,
+        title: &'static str,
+        text: &'static str,
+    }
+    let code: Code =
+        code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such code of a complaint"))?;
+    let entry = code.entry();
+    Ok(json(&Explained { code: entry.text, title: entry.title, text: entry.explanation }))
+}
+
+pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
+    #[derive(Deserialize)]
+    struct Viewed {
+        path: String,
+    }
+    #[derive(Serialize)]
+    struct Address {
+        address: String,
+    }
+    let Viewed { path } = parsed(&body)?;
+    let report = format!("{}/{REPORT_FILE}", path.trim_end_matches('/'));
+    studio.folder.info(&report)?;
+    let ticket = studio
+        .tickets
+        .issue(report)
+        .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
+    Ok(json(&Address { address: format!("/view/{ticket}") }))
+}
+
+pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {
+    let gone = || Refusal::new(StatusCode::NOT_FOUND, "this address of a report was used already, or is too old");
+    let path = studio.tickets.redeem(&ticket).ok_or_else(gone)?;
+    let page = in_background(move || studio.folder.bytes(&path, LARGEST_REPORT)).await?;
+    let headers = [("content-type", "text/html; charset=utf-8"), ("content-security-policy", REPORT_POLICY)];
+    Ok((headers, page).into_response())
+}
+
+pub async fn missing() -> Refusal {
+    Refusal::new(StatusCode::NOT_FOUND, "the studio has no such address")
+}
+
+/// A body as what is asked.
+///
+/// # Errors
+/// It is something else.
+pub fn parsed<T: DeserializeOwned>(body: &Bytes) -> Result<T, Refusal> {
+    serde_json::from_slice(body).map_err(|error| Refusal::bad(format!("this body is none of the studio's: {error}")))
+}
+
+/// What takes longer than the other connections are to wait.
+///
+/// # Errors
+/// That of the work.
+pub async fn in_background<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, Refusal> + Send + 'static,
+) -> Result<T, Refusal> {
+    let failed = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "the program met an error of its own");
+    tokio::task::spawn_blocking(work).await.map_err(failed)?
+}

@@ -1,0 +1,149 @@
+//! The server: where it listens, what it shares among connections, how it ends.
+
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use axum::Router;
+use axum::extract::DefaultBodyLimit;
+use axum::middleware::from_fn_with_state;
+use axum::routing::{get, post, put};
+use loosepin::diagnostics::{Code, problems};
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+
+use crate::files::folder::{Folder, LARGEST_TEXT};
+use crate::jobs::queue::Jobs;
+use crate::network::connections::accept;
+use crate::network::guard::guard;
+use crate::network::result_routes;
+use crate::network::routes;
+use crate::network::socket;
+use crate::network::times::Times;
+use crate::network::token::Token;
+use crate::studio::Studio;
+
+/// Largest body of a request: a text, each letter escaped.
+const LARGEST_BODY: usize = 4 * LARGEST_TEXT;
+/// Most requests whose bodies are read at once: they hold 32 MiB together.
+const MOST_BODIES: usize = 8;
+/// Most live connections.
+const MOST_SEATS: usize = 8;
+/// How often it is looked whether the server is to end.
+const TICK: Duration = Duration::from_millis(100);
+
+problems! {
+    /// Why the studio cannot be served.
+    #[derive(Debug)]
+    pub enum StudioError {
+        Folder { folder: PathBuf, source: io::Error } => Code::FolderNotUsable,
+            says("cannot serve {}: {source}", folder.display()),
+            hint("give a folder that is there, for example: loosepin serve .");
+        Port { port: u16, source: io::Error } => Code::FolderNotUsable,
+            says("cannot listen on port {port} of this machine: {source}"),
+            hint("leave --port out to take a free one");
+        Threads { source: io::Error } => Code::NoThreads,
+            says("the system refused to start the threads of the studio"),
+            hint("raise the limit of memory (ulimit -v, ulimit -d) or of processes (ulimit -u)");
+        System { source: io::Error } => Code::FolderNotUsable,
+            says("the system does not let the studio run: {source}");
+    }
+}
+
+/// A server that is about to serve.
+pub struct Serving<'s> {
+    /// The address to open, with the token in its fragment.
+    pub address: String,
+    /// The folder.
+    pub folder: &'s Path,
+}
+
+/// Serves the studio of `folder` on this machine alone until `stop` is set; `port` 0 takes a free one. `ready` hears the address.
+///
+/// # Errors
+/// The folder is not there; the port is in use.
+pub fn serve(folder: &Path, port: u16, stop: &AtomicBool, ready: impl FnOnce(&Serving<'_>)) -> Result<(), StudioError> {
+    serve_within(&Times::default(), folder, port, stop, ready)
+}
+
+/// As [`serve`], waiting for clients as long as `times` says.
+///
+/// # Errors
+/// As [`serve`].
+pub fn serve_within(
+    times: &Times,
+    folder: &Path,
+    port: u16,
+    stop: &AtomicBool,
+    ready: impl FnOnce(&Serving<'_>),
+) -> Result<(), StudioError> {
+    let system = |source| StudioError::System { source };
+    let served = Folder::new(folder).map_err(|source| StudioError::Folder { folder: folder.to_owned(), source })?;
+    let token = Token::new().map_err(|error| system(io::Error::other(error.to_string())))?;
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)?;
+    let (jobs, workers) = Jobs::begin(&served).map_err(|source| StudioError::Threads { source })?;
+    let studio = Studio {
+        token,
+        folder: served,
+        jobs: Arc::clone(&jobs),
+        tickets: Arc::default(),
+        seats: Arc::new(Semaphore::new(MOST_SEATS)),
+        bodies: Arc::new(Semaphore::new(MOST_BODIES)),
+        times: *times,
+    };
+    let outcome = runtime.block_on(async {
+        let wanted = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+        let listener = TcpListener::bind(wanted).await.map_err(|source| StudioError::Port { port, source })?;
+        let bound = listener.local_addr().map_err(system)?;
+        let address = format!("http://{bound}/#token={}", studio.token.text());
+        ready(&Serving { address, folder: studio.folder.root() });
+        tokio::select! {
+            () = accept(listener, router(studio.clone()), *times) => {}
+            () = stopped(stop) => {}
+        }
+        Ok(())
+    });
+    jobs.close();
+    // A study that runs keeps its runs before the program ends.
+    for worker in workers {
+        let _ = worker.join();
+    }
+    runtime.shutdown_background();
+    outcome
+}
+
+async fn stopped(stop: &AtomicBool) {
+    while !stop.load(Ordering::Relaxed) {
+        tokio::time::sleep(TICK).await;
+    }
+}
+
+fn router(studio: Studio) -> Router {
+    Router::new()
+        .route("/", get(routes::index))
+        .route("/{name}", get(routes::asset))
+        .route("/live", get(socket::live))
+        .route("/view/{ticket}", get(routes::report))
+        .route("/api/hello", get(routes::hello))
+        .route("/api/templates", get(routes::templates))
+        .route("/api/folder", get(routes::folder))
+        .route("/api/open", get(routes::open))
+        .route("/api/file", put(routes::save))
+        .route("/api/new", post(routes::new))
+        .route("/api/know", post(routes::know))
+        .route("/api/restructure", post(routes::restructure))
+        .route("/api/draw", post(routes::draw))
+        .route("/api/import", post(routes::import))
+        .route("/api/explain/{code}", get(routes::explain))
+        .route("/api/view", post(routes::view))
+        .route("/api/compare", post(result_routes::compare))
+        .route("/api/result", post(result_routes::result))
+        .route("/api/adopt", post(result_routes::adopt))
+        .fallback(routes::missing)
+        .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(from_fn_with_state(studio.clone(), guard))
+        .with_state(studio)
+}

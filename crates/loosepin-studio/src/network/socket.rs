@@ -1,0 +1,214 @@
+//! A live connection: looks up, what is seen of them down, jobs to everybody.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use axum::extract::ws::{Message, Utf8Bytes, WebSocket, WebSocketUpgrade};
+use axum::extract::{Extension, State};
+use axum::response::Response;
+use loosepin::VERSION;
+use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::watch;
+use tokio::time::timeout;
+
+use crate::files::folder::{Folder, LARGEST_TEXT};
+use crate::jobs::queue::Task;
+use crate::messages::{FromPage, Look, Seen, ToPage};
+use crate::network::mailbox::Mailbox;
+use crate::network::time_limit::{LONGEST_LOOK, within};
+use crate::network::visitors::Visitor;
+use crate::studio::Studio;
+use crate::view::look::{cut, look_until};
+
+/// Longest message: two texts, each letter escaped.
+const LARGEST_MESSAGE: usize = 4 * LARGEST_TEXT;
+/// Most messages in a second: twice those of a screen that drags.
+const MOST_A_SECOND: u32 = 200;
+/// How often the files of the last look are looked at.
+const WATCH: Duration = Duration::from_secs(1);
+
+/// Opens a live connection.
+pub async fn live(
+    State(studio): State<Studio>,
+    Extension(visitor): Extension<Visitor>,
+    upgrade: WebSocketUpgrade,
+) -> Response {
+    let upgrade = upgrade.max_message_size(LARGEST_MESSAGE).max_frame_size(LARGEST_MESSAGE);
+    upgrade.on_upgrade(async move |socket| converse(studio, visitor, socket).await)
+}
+
+async fn converse(studio: Studio, visitor: Visitor, mut socket: WebSocket) {
+    let hello = timeout(studio.times.hello, socket.recv()).await;
+    let Ok(Some(Ok(Message::Text(first)))) = hello else { return };
+    let is_known = matches!(serde_json::from_str(&first), Ok(FromPage::Hello { token }) if studio.token.is(&token));
+    if !is_known {
+        let _ = tell(&mut socket, &ToPage::Refused { message: "the token of the studio is missing or wrong" }).await;
+        return;
+    }
+    visitor.show_token();
+    // Taken by those alone who have shown the token.
+    let Ok(_seat) = studio.seats.try_acquire() else {
+        let message = "too many pages of the studio are open: close some of them";
+        let _ = tell(&mut socket, &ToPage::Refused { message }).await;
+        return;
+    };
+    visitor.go_live();
+    let mut jobs = studio.jobs.listen();
+    if tell(&mut socket, &ToPage::Hello { version: VERSION, jobs: studio.jobs.all() }).await.is_err() {
+        return;
+    }
+    let mailbox = Arc::new(Mailbox::new());
+    // One answer waits at most: a newer one takes its place.
+    let (answers, mut seen) = watch::channel(Utf8Bytes::default());
+    let (worker_box, worker_folder) = (Arc::clone(&mailbox), studio.folder.clone());
+    let worker = std::thread::Builder::new().spawn(move || look_on(&worker_folder, &worker_box, &answers));
+    let Ok(worker) = worker else {
+        let message = "the system refused to start a thread for this page: close other programs, and load it again";
+        let _ = tell(&mut socket, &ToPage::Refused { message }).await;
+        return;
+    };
+    let mut rate = Rate::new();
+    let mut watched = Watched::default();
+    let mut ticks = tokio::time::interval(WATCH);
+    loop {
+        let outcome = tokio::select! {
+            message = socket.recv() => match message {
+                // Pings count too: each is answered.
+                _ if !rate.admits() => break,
+                Some(Ok(Message::Text(text))) => match serde_json::from_str(&text) {
+                    Ok(FromPage::Look(look)) => {
+                        watched.looked(&look);
+                        mailbox.put(*look);
+                        Ok(())
+                    }
+                    Ok(FromPage::Run { study, shown }) => {
+                        add(&studio, &mut socket, Task::Study { path: study, shown }).await
+                    }
+                    Ok(FromPage::Simulate { result, witness }) => {
+                        add(&studio, &mut socket, Task::Witness { result, witness }).await
+                    }
+                    Ok(FromPage::Stop { id }) => {
+                        studio.jobs.stop(id);
+                        Ok(())
+                    }
+                    Ok(FromPage::Hello { .. }) => Ok(()),
+                    Err(error) => {
+                        let message = format!("this message is none of the studio's: {error}");
+                        tell(&mut socket, &ToPage::Refused { message: &message }).await
+                    }
+                },
+                Some(Ok(Message::Ping(_) | Message::Pong(_))) => Ok(()),
+                _ => break,
+            },
+            Ok(()) = seen.changed() => {
+                let text = seen.borrow_and_update().clone();
+                send(&mut socket, text).await
+            }
+            job = jobs.recv() => match job {
+                Ok(job) => tell(&mut socket, &ToPage::Job { job: &job }).await,
+                // The next message on each job says how far it is.
+                Err(RecvError::Lagged(_)) => Ok(()),
+                Err(RecvError::Closed) => break,
+            },
+            _ = ticks.tick() => {
+                let mut outcome = Ok(());
+                for path in watched.changed(&studio.folder) {
+                    outcome = outcome.and(tell(&mut socket, &ToPage::Changed { path: &path }).await);
+                }
+                outcome
+            }
+        };
+        if outcome.is_err() {
+            break;
+        }
+    }
+    mailbox.close();
+    // It ends with the look that it is at.
+    drop(worker);
+}
+
+/// Adds a job, or says why not.
+async fn add(studio: &Studio, socket: &mut WebSocket, task: Task) -> Result<(), axum::Error> {
+    match studio.jobs.add(task) {
+        Ok(()) => Ok(()),
+        Err(message) => tell(socket, &ToPage::Refused { message: &message }).await,
+    }
+}
+
+/// Answers looks until the connection ends. A look that meets an error of ours costs its answer, not the connection.
+fn look_on(folder: &Folder, mailbox: &Mailbox<Look>, answers: &watch::Sender<Utf8Bytes>) {
+    while let Some(request) = mailbox.take() {
+        let told = |seen: &Seen| serde_json::to_string(&ToPage::Seen(seen)).unwrap_or_default();
+        let late = || {
+            let _ = answers.send(told(&cut(&request, LONGEST_LOOK)).into());
+        };
+        let text = catch_unwind(AssertUnwindSafe(|| {
+            within(LONGEST_LOOK, late, |stop| told(&look_until(folder, &request, stop)))
+        }));
+        // What came too late is answered already.
+        let Some(text) = text.transpose() else { continue };
+        let text = text.unwrap_or_else(|_| {
+            let message = "the program met an error of its own while it read these texts";
+            serde_json::to_string(&ToPage::Refused { message }).unwrap_or_default()
+        });
+        if answers.send(text.into()).is_err() {
+            return;
+        }
+    }
+}
+
+async fn tell(socket: &mut WebSocket, message: &ToPage<'_>) -> Result<(), axum::Error> {
+    send(socket, serde_json::to_string(message).unwrap_or_default().into()).await
+}
+
+/// Sends a text, or ends where the page takes nothing for too long: see [`crate::network::stream`].
+async fn send(socket: &mut WebSocket, text: Utf8Bytes) -> Result<(), axum::Error> {
+    socket.send(Message::Text(text)).await
+}
+
+/// Messages of the second that runs.
+struct Rate {
+    began: Instant,
+    count: u32,
+}
+
+impl Rate {
+    fn new() -> Self {
+        Self { began: Instant::now(), count: 0 }
+    }
+
+    fn admits(&mut self) -> bool {
+        if self.began.elapsed() >= Duration::from_secs(1) {
+            *self = Self::new();
+        }
+        self.count += 1;
+        self.count <= MOST_A_SECOND
+    }
+}
+
+/// The files of the last look, with what the disk had of them when it was last looked at.
+#[derive(Default)]
+struct Watched(Vec<(String, Option<std::time::SystemTime>)>);
+
+impl Watched {
+    fn looked(&mut self, look: &Look) {
+        let paths = || std::iter::once(&look.model.path).chain(look.study.iter().map(|study| &study.path));
+        if !paths().eq(self.0.iter().map(|(path, _)| path)) {
+            self.0 = paths().map(|path| (path.clone(), None)).collect();
+        }
+    }
+
+    /// Those that are not as they were a tick ago.
+    fn changed(&mut self, folder: &Folder) -> Vec<String> {
+        let mut changed = Vec::new();
+        for (path, known) in &mut self.0 {
+            let found = folder.info(path).ok().and_then(|found| found.modified);
+            if known.is_some() && found != *known {
+                changed.push(path.clone());
+            }
+            *known = found;
+        }
+        changed
+    }
+}

@@ -1,0 +1,233 @@
+//! From texts to what the page shows of them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use loosepin::diagnostics::{Complaint, Complaints};
+use loosepin::model::Model;
+use loosepin::report::{LiveLimit, live_bands, motion_sentences, moving_drawing};
+use loosepin::result::motion::MotionRecord;
+use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
+use loosepin::study::InputFile;
+use loosepin::units::{Dimension, format_value};
+
+use crate::drawing::dimensions::dimensions;
+use crate::drawing::forces::forces;
+use crate::drawing::still::{NamedPoses, placed, still_drawing};
+use crate::edit::{Gripped, gripped, kept_closure, nearest, refused_drag, why_not};
+use crate::files::folder::Folder;
+use crate::messages::{Look, Outline, Seen, SeenBody, SeenJoint, SeenLimit, SeenOutput, SeenPin, SeenPoint, View};
+use crate::view::complaints::seen;
+use crate::view::limits::limits;
+use crate::view::quantities::quantities;
+use crate::view::texts::Texts;
+
+const MM_PER_M: f64 = 1e3;
+/// A run that is followed for a drawing is shown at so many instants, at most.
+const CONTROLLED_POSITIONS: usize = 121;
+/// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
+const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";
+/// Fewest and most positions in a turn.
+const POSITIONS: [usize; 2] = [12, 720];
+
+/// Reads the texts of the page, changed as a drag changes them. A study that cannot be read does not hide its model.
+/// Where `stop` is set, it comes to its end soon, and its answer is good for nothing.
+pub fn look_until(folder: &Folder, look: &Look, stop: &AtomicBool) -> Seen {
+    let began = Instant::now();
+    let before = Texts::sent(folder, look);
+    let drag = look.grip.as_ref().map(|grip| match Model::from_source(Arc::clone(&before.model)) {
+        Ok(model) => gripped(&model, &before, grip),
+        Err(_) => refused_drag("the model cannot be read: mend its problems first".to_owned()),
+    });
+    let (mut seen, drawing) = seen_after(folder, look, &before, drag.as_ref(), stop);
+    if let (Some(grip), Some(drag), Some(drawing)) = (&look.grip, &drag, &drawing)
+        && let Some(kept) = kept_closure(folder, &before, grip, drag, drawing, stop)
+    {
+        match (kept.drag, &mut seen.reshaped) {
+            (Some(drag), _) => seen = seen_after(folder, look, &before, Some(&drag), stop).0,
+            (None, Some(reshaped)) => reshaped.words.push(OTHER_CLOSURE.to_owned()),
+            (None, None) => {}
+        }
+    }
+    seen.cost_ms = began.elapsed().as_secs_f64() * 1e3;
+    seen
+}
+
+/// What is seen of texts after a drag, and the mechanism where it moves.
+fn seen_after(
+    folder: &Folder,
+    look: &Look,
+    before: &Texts,
+    drag: Option<&Gripped>,
+    stop: &AtomicBool,
+) -> (Seen, Option<Drawing>) {
+    let texts = match drag {
+        Some(drag) => before.with(folder, drag.model.as_deref(), drag.study.as_deref()),
+        None => Texts { model: before.model.clone(), study: before.study.clone() },
+    };
+    let mut complaints = Complaints::new();
+    let file = texts.read().or_else(|found| {
+        complaints.extend(found);
+        // Reading the model alone: its own complaints are told already.
+        Texts { model: texts.model.clone(), study: None }.read()
+    });
+    let mut reshaped = drag.map(|drag| drag.reshaped.clone());
+    let mut drawing = None;
+    let view = file.ok().and_then(|file| {
+        let warnings = match &file {
+            InputFile::Model(model) => &model.warnings,
+            InputFile::Study(study) => &study.warnings,
+        };
+        warnings.iter().for_each(|warning: &Complaint| complaints.push(warning.clone()));
+        let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
+        match file.ideal_motion_until(positions, &[], stop) {
+            Ok(record) => {
+                if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
+                    reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
+                }
+                let view = view(&file, &record, &texts);
+                drawing = Some(record.drawing);
+                Some(view)
+            }
+            Err(_) if stop.load(Ordering::Relaxed) => None,
+            Err(found) => file
+                .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
+                .map(|drawing| controlled(&file, &drawing, &texts))
+                .or_else(|| {
+                    let view = look.poses.as_ref().map(|poses| {
+                        let mut poses = poses.clone();
+                        poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
+                        incomplete(&file, &found, &poses, &texts)
+                    });
+                    complaints.extend(found);
+                    view
+                }),
+        }
+    });
+    let complaints = seen(&complaints, &texts);
+    (Seen { seq: look.seq, complaints, view, reshaped, cost_ms: 0.0, is_cut: false }, drawing)
+}
+
+/// As [`look_until`], to its end.
+#[cfg(test)]
+pub fn look(folder: &Folder, look: &Look) -> Seen {
+    look_until(folder, look, &AtomicBool::new(false))
+}
+
+/// The answer to a look that took longer than it may.
+pub fn cut(look: &Look, limit: Duration) -> Seen {
+    let cost_ms = limit.as_secs_f64() * 1e3;
+    Seen { seq: look.seq, complaints: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
+}
+
+fn view(file: &InputFile, record: &MotionRecord, texts: &Texts) -> View {
+    let limits = match (file, &texts.study) {
+        (InputFile::Study(study), Some(source)) => limits(study, source),
+        _ => Vec::new(),
+    };
+    let (lines, limits): (Vec<LiveLimit>, Vec<Option<SeenLimit>>) = limits.into_iter().unzip();
+    View {
+        title: title(file),
+        mobility: record.mobility.clone(),
+        incomplete: None,
+        sentences: motion_sentences(record),
+        drawing: moving_drawing(&record.drawing, &record.drive),
+        bands: live_bands(record, &lines),
+        limits: limits.into_iter().flatten().collect(),
+        outline: outline(file.model(), &record.drawing, outputs(record)),
+        quantities: quantities(file.model(), texts),
+    }
+}
+
+/// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
+fn controlled(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
+    let model = file.model();
+    View {
+        title: title(file),
+        mobility: "Moved by its actuators".to_owned(),
+        incomplete: None,
+        sentences: vec![
+            "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone."
+                .to_owned(),
+        ],
+        drawing: moving_drawing(drawing, "the cycle"),
+        bands: Vec::new(),
+        limits: Vec::new(),
+        outline: outline(model, drawing, named_outputs(model)),
+        quantities: quantities(model, texts),
+    }
+}
+
+/// What does not move yet is drawn where its bodies were put.
+fn incomplete(file: &InputFile, found: &Complaints, poses: &NamedPoses, texts: &Texts) -> View {
+    let model = file.model();
+    let words = why_not(file, found);
+    let drawing = still_drawing(model, &placed(model, poses));
+    View {
+        title: title(file),
+        mobility: words.clone(),
+        incomplete: Some(words),
+        sentences: Vec::new(),
+        drawing: moving_drawing(&drawing, "the cycle"),
+        bands: Vec::new(),
+        limits: Vec::new(),
+        outline: outline(model, &drawing, named_outputs(model)),
+        quantities: quantities(model, texts),
+    }
+}
+
+fn named_outputs(model: &Model) -> Vec<SeenOutput> {
+    model.outputs.iter().map(|output| SeenOutput { name: output.name.clone(), words: output.name.clone() }).collect()
+}
+
+fn title(file: &InputFile) -> String {
+    match file {
+        InputFile::Model(model) => model.name.clone(),
+        InputFile::Study(study) => study.name.clone(),
+    }
+}
+
+fn outputs(record: &MotionRecord) -> Vec<SeenOutput> {
+    // An error of a path belongs to its output, and has no value of its own.
+    let outputs = record.outputs.iter().filter(|output| !output.value_si.is_empty());
+    let outputs = outputs.map(|output| (&output.name, &output.words));
+    let outputs = outputs.chain(record.efforts.iter().map(|effort| (&effort.name, &effort.words)));
+    outputs.map(|(name, words)| SeenOutput { name: name.clone(), words: words.clone() }).collect()
+}
+
+fn outline(model: &Model, drawing: &Drawing, outputs: Vec<SeenOutput>) -> Outline {
+    let point =
+        |point: &DrawnPoint| SeenPoint { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
+    let part = |body: &DrawnBody| SeenBody { name: body.name.clone(), points: body.points.iter().map(point).collect() };
+    Outline {
+        bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
+        joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
+        drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
+        outputs,
+        forces: forces(model),
+        parts: drawing.bodies.iter().map(part).collect(),
+        dimensions: dimensions(model),
+    }
+}
+
+fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> SeenJoint {
+    let has_play = joint.radial_clearance_m > 0.0;
+    let is_pin = joint.kind.turns();
+    let point = drawing.bodies.get(joint.first.body).and_then(|body| body.points.get(joint.first.point));
+    SeenJoint {
+        name: joint.name.clone(),
+        kind: joint.kind.words(),
+        play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
+        pin: point.filter(|_| is_pin).map(|point| SeenPin {
+            body: joint.first.body,
+            x: point.x_m * MM_PER_M,
+            y: point.y_m * MM_PER_M,
+        }),
+        points: [joint.first, joint.second].map(|end| {
+            let body = drawing.bodies.get(end.body);
+            let point = body.and_then(|body| body.points.get(end.point));
+            body.zip(point).map(|(body, point)| format!("{}.{}", body.name, point.name)).unwrap_or_default()
+        }),
+    }
+}

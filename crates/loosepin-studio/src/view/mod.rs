@@ -1,0 +1,10 @@
+//! From the texts in the page to what the page shows of them: bands, complaints, numbers with their places.
+//! Nothing is written.
+
+pub(crate) mod complaints;
+pub(crate) mod fixes;
+pub(crate) mod limits;
+pub(crate) mod look;
+pub(crate) mod places;
+pub(crate) mod quantities;
+pub(crate) mod texts;
