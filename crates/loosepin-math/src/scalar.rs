@@ -1,10 +1,10 @@
 //! [`Real`] for plain numbers.
 
-use super::angle::sin_cos;
-use super::exponential::power;
 use super::fused::multiply_add;
 use super::real::Real;
-use super::whole_range::{any_exponential, any_logarithm, any_power};
+use crate::functions::angle::sin_cos;
+use crate::functions::exponential::power;
+use crate::functions::whole_range::{any_exponential, any_logarithm, any_power};
 
 impl Real for f64 {
     type Mask = bool;

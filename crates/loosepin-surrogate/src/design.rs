@@ -1,7 +1,7 @@
 //! Points of runs in standard coordinates, and how they are split to hold some out.
 
 use super::input::Input;
-use super::polynomial::Family;
+use crate::chaos::polynomial::Family;
 use loosepin_uncertainty::hash;
 
 /// Points at which something was evaluated, as the surrogates see them.

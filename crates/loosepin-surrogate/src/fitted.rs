@@ -1,9 +1,9 @@
 //! One number as a function of the inputs: the four kinds behind one interface.
 
-use super::chaos::Chaos;
 use super::design::{Design, mean_and_deviation};
-use super::ensemble::Ensemble;
-use super::kriging::Kriging;
+use crate::chaos::expansion::Chaos;
+use crate::gaussian::kriging::Kriging;
+use crate::network::ensemble::Ensemble;
 use serde::{Deserialize, Serialize};
 
 /// A kind of surrogate.

@@ -5,10 +5,10 @@
 //! of a Gaussian process, and the number of neurons, which is itself chosen by this error.
 
 use super::design::Design;
-use super::ensemble::Ensemble;
 use super::fitted::{Fitted, Form, Kind, Like};
 use super::modes::Modes;
 use super::options::Options;
+use crate::network::ensemble::Ensemble;
 use loosepin_uncertainty::hash;
 
 /// Folds, and the number of different points below which each point is a fold of its own.

@@ -1,6 +1,6 @@
 //! An input of a surrogate, and the standard coordinates in which the surrogates see it.
 
-use super::polynomial::Family;
+use crate::chaos::polynomial::Family;
 use loosepin_uncertainty::{Distribution, Interval, RandomVariable, normal_quantile};
 use serde::{Deserialize, Serialize};
 

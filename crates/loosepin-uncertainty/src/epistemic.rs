@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::evidence::Evidence;
 use super::fuzzy::FuzzyNumber;
 use super::interval::Interval;
-use super::second_order::SecondOrder;
+use crate::variables::second_order::SecondOrder;
 
 /// Two or more different numbers, in the order in which they were given.
 ///

@@ -5,7 +5,7 @@ use crate::estimators::estimate::{Confidence, Estimate, mean_of};
 use crate::estimators::moments::{mean, variance};
 use crate::estimators::replicates::differences;
 use crate::estimators::sample::Sample;
-use crate::search::noise::Noise;
+use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::Event;
 

@@ -6,7 +6,7 @@ use crate::estimators::estimate::{Confidence, Estimate};
 use crate::estimators::index::{Index, probability_of_index};
 use crate::estimators::moments::mean;
 use crate::estimators::sample::Sample;
-use crate::search::noise::Noise;
+use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::Event;
 

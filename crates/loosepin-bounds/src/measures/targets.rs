@@ -2,7 +2,7 @@
 
 use crate::data::direction::{Direction, extreme_point, range_of};
 use crate::estimators::estimate::{Confidence, Estimate};
-use crate::search::noise::Noise;
+use crate::search::models::noise::Noise;
 use crate::search::target::{SEARCH_RESOLUTION, Target, TargetKind};
 
 /// A gain below this share of the sampling error at the extreme is not worth a point.

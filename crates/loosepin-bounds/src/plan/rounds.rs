@@ -16,9 +16,9 @@ use crate::measures::measure::Measure;
 use crate::measures::of_statistic::{estimator, work_out};
 use crate::readings::experiment::Experiment;
 use crate::readings::random_set::{run_target, values_by_run};
-use crate::search::models::{MOST_LOCATED_TARGETS, Search};
+use crate::search::models::of_points::{MOST_LOCATED_TARGETS, Search};
+use crate::search::models::shared_grids::SharedGrids;
 use crate::search::search_box::Place;
-use crate::search::shared_grids::SharedGrids;
 use crate::search::target::Target;
 
 /// After the first round, the remaining points are spent in this many rounds.

@@ -11,11 +11,11 @@ use crate::estimators::pool::Pool;
 use crate::estimators::sample::Sample;
 use crate::measures::mean::Mean;
 use crate::measures::measure::Estimator;
-use crate::search::models::Search;
-use crate::search::prediction::Allowance;
+use crate::search::models::of_points::Search;
+use crate::search::models::prediction::Allowance;
+use crate::search::models::shared_grids::SharedGrids;
 use crate::search::scouts::{Observed, ends_by_chance};
 use crate::search::search_box::Place;
-use crate::search::shared_grids::SharedGrids;
 use crate::search::target::Target;
 
 /// Of more columns than this, which are the poses of curves, so many are read, evenly among them.

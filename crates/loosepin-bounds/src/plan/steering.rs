@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::data::direction::Direction;
 use crate::data::problem::Request;
-use crate::search::models::MOST_LOCATED_TARGETS;
+use crate::search::models::of_points::MOST_LOCATED_TARGETS;
 use loosepin_terms::Statistic;
 
 /// A statistic, and which of its extremes are sought.

@@ -10,7 +10,7 @@ use crate::data::direction::Direction;
 use crate::data::problem::Request;
 use crate::estimators::estimate::Estimate;
 use crate::measures::measure::Measure;
-use crate::search::models::Search;
+use crate::search::models::of_points::Search;
 use loosepin_terms::Estimation;
 
 impl Experiment<'_> {

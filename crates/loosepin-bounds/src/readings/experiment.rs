@@ -6,10 +6,10 @@ use crate::data::direction::Direction;
 use crate::data::table::{Purpose, SampleTable};
 use crate::estimators::pool::Pool;
 use crate::measures::measure::Measure;
-use crate::search::models::Search;
+use crate::search::models::of_points::Search;
+use crate::search::models::shared_grids::SharedGrids;
 use crate::search::parts::{Cut, Element};
 use crate::search::search_box::{Place, Region};
-use crate::search::shared_grids::SharedGrids;
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::EpistemicVariable;
 

@@ -7,7 +7,7 @@ use crate::data::direction::{Direction, extreme_among};
 use crate::estimators::pool::PoolPoint;
 use crate::estimators::sample::Sample;
 use crate::measures::measure::Measure;
-use crate::search::models::{Branch, Search, smoothed};
+use crate::search::models::of_points::{Branch, Search, smoothed};
 use crate::search::search_box::Region;
 use crate::search::target::Target;
 use loosepin_terms::Event;

@@ -6,8 +6,8 @@ use super::experiment::Experiment;
 use crate::data::direction::{Direction, extreme_point};
 use crate::measures::measure::{Estimator, Measure};
 use crate::measures::quantile::Quantile;
-use crate::search::models::Branch;
-use crate::search::prediction::Allowance;
+use crate::search::models::of_points::Branch;
+use crate::search::models::prediction::Allowance;
 use crate::search::target::Target;
 
 /// Values of an interval at which it is taken as known, in shares of its width.

@@ -14,7 +14,7 @@ use crate::estimators::pool::Pool;
 use crate::estimators::probability::{ShareLimits, probability};
 use crate::measures::measure::Measure;
 use crate::measures::probability::Probability;
-use crate::search::models::TARGETS_AT_ONCE;
+use crate::search::models::of_points::TARGETS_AT_ONCE;
 use loosepin_terms::Event;
 
 /// Values at which the distribution functions are evaluated, equally spaced over everything that was seen.

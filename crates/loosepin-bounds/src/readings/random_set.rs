@@ -27,7 +27,7 @@ use crate::estimators::moments::mean;
 use crate::estimators::probability::share;
 use crate::estimators::sample::Sample;
 use crate::measures::quantile::Quantile;
-use crate::search::noise::Noise;
+use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
 use loosepin_terms::{Estimation, Event, Statistic};
 

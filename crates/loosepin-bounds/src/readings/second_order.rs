@@ -25,12 +25,12 @@ use crate::estimators::estimate::{Confidence, replicate_error};
 use crate::measures::measure::Measure;
 use crate::measures::of_statistic::estimator;
 use crate::search::design::{first_points, structural_point_count};
-use crate::search::models::{Branch, Search};
-use crate::search::noise::Noise;
-use crate::search::prediction::Allowance;
+use crate::search::models::noise::Noise;
+use crate::search::models::of_points::{Branch, Search};
+use crate::search::models::prediction::Allowance;
+use crate::search::models::target_model::Forecast;
 use crate::search::search_box::{Axes, Place, Region};
 use crate::search::target::{Target, TargetKind};
-use crate::search::target_model::Forecast;
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
 

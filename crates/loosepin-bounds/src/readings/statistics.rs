@@ -11,7 +11,7 @@ use crate::estimators::estimate::Estimate;
 use crate::estimators::sample::Sample;
 use crate::measures::measure::Measure;
 use crate::measures::of_statistic::{estimator, work_out};
-use crate::search::models::{Search, TARGETS_AT_ONCE};
+use crate::search::models::of_points::{Search, TARGETS_AT_ONCE};
 use crate::search::parts::Cut;
 
 impl Experiment<'_> {

@@ -15,9 +15,9 @@ use crate::estimators::pool::Pool;
 use crate::estimators::quantile::quantile;
 use crate::measures::measure::{Estimator, Measure};
 use crate::measures::quantile::Quantile;
-use crate::search::models::Search;
+use crate::search::models::of_points::Search;
+use crate::search::models::shared_grids::SharedGrids;
 use crate::search::search_box::Region;
-use crate::search::shared_grids::SharedGrids;
 use crate::search::target::SEARCH_RESOLUTION;
 
 /// A band for a column, by one treatment.

@@ -1,10 +1,10 @@
 //! Climbs of models to their summits between the candidates, by their slopes. The targets of curves are thousands: each end takes some ten
 //! evaluations of a model, where the search along the axes for a single number takes a hundred and more.
 
-use super::prediction::Allowance;
 use super::search_box::{Axes, Region};
-use super::target_model::TargetModel;
 use crate::data::direction::Direction;
+use crate::search::models::prediction::Allowance;
+use crate::search::models::target_model::TargetModel;
 use loosepin_math::descent::minimise;
 
 /// A step of a climb, in units of the box: about the distance of candidates in a plane.
@@ -89,13 +89,13 @@ impl<'a> Climb<'a> {
 mod tests {
     use crate::data::direction::Direction;
     use crate::search::design::{candidates, first_points};
-    use crate::search::local::LocalSmoothers;
-    use crate::search::models::{MOST_LOCATED_TARGETS, Search};
-    use crate::search::noise::Noise;
-    use crate::search::prediction::Allowance;
+    use crate::search::models::local::LocalSmoothers;
+    use crate::search::models::noise::Noise;
+    use crate::search::models::of_points::{MOST_LOCATED_TARGETS, Search};
+    use crate::search::models::prediction::Allowance;
+    use crate::search::models::target_model::TargetModel;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};
-    use crate::search::target_model::TargetModel;
 
     fn target(values: Vec<f64>, kind: TargetKind) -> Target {
         Target { values, kind, noise: Noise::NONE, resolutions: [1e-9; 2] }

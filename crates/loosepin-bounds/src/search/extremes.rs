@@ -1,11 +1,11 @@
 //! Extremes that have been attained, with the models of their surroundings.
 
-use super::models::{Branch, Modelled, Search};
 use super::parts::Element;
 use super::search_box::Region;
 use super::target::Target;
-use super::target_model::TargetModel;
 use crate::data::direction::{Direction, extreme_among};
+use crate::search::models::of_points::{Branch, Modelled, Search};
+use crate::search::models::target_model::TargetModel;
 
 /// An extreme that may be looked around.
 pub(super) struct Extreme<'a> {

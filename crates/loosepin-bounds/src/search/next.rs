@@ -1,11 +1,11 @@
 //! The next points of a search.
 
-use super::models::{Modelled, Search};
 use super::parts::Element;
-use super::prediction::Allowance;
 use super::search_box::Place;
 use super::target::Target;
 use crate::data::direction::Direction;
+use crate::search::models::of_points::{Modelled, Search};
+use crate::search::models::prediction::Allowance;
 
 impl Search<'_> {
     /// At most `count` places: where two slopes meet and where models promise more than was attained; where neither is, the

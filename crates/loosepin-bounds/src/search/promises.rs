@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use super::models::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
 use super::parts::Element;
-use super::prediction::Allowance;
 use super::reach::{locate, reach, reach_with_kinks};
 use super::search_box::{Axes, Place, Region};
 use super::target::Target;
-use super::target_model::Forecast;
 use crate::data::direction::{Direction, extreme_among};
+use crate::search::models::of_points::{Branch, LEAST_DISTANCE_IN_ROUND, Modelled, Search, TARGETS_AT_ONCE};
+use crate::search::models::prediction::Allowance;
+use crate::search::models::target_model::Forecast;
 
 /// This many promising places for each new point are located precisely.
 const LOCATED_PER_POINT: usize = 2;
@@ -215,10 +215,10 @@ fn distinct(axes: &Axes, promises: Vec<Promise>, count: usize) -> Vec<Promise> {
 mod tests {
     use crate::data::direction::{Direction, extreme};
     use crate::search::design::{candidates, first_points};
-    use crate::search::models::{Modelled, Search};
-    use crate::search::noise::Noise;
+    use crate::search::models::noise::Noise;
+    use crate::search::models::of_points::{Modelled, Search};
+    use crate::search::models::prediction::Allowance;
     use crate::search::parts::Element;
-    use crate::search::prediction::Allowance;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};
 

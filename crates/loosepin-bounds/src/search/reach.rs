@@ -1,15 +1,15 @@
 //! How far models let a target go.
 
-use super::broken_reach::reach_of_break;
 use super::climb::Climb;
 use super::furthest::Furthest;
-use super::local::LocalFits;
-use super::models::{Branch, Search};
-use super::prediction::{Allowance, Prediction};
 use super::search_box::{Axes, Region};
 use super::target::Target;
-use super::target_model::TargetModel;
 use crate::data::direction::Direction;
+use crate::search::models::local::LocalFits;
+use crate::search::models::of_points::{Branch, Search};
+use crate::search::models::prediction::{Allowance, Prediction};
+use crate::search::models::target_model::TargetModel;
+use crate::search::rough::broken_reach::reach_of_break;
 
 /// Summits that are climbed to, at most, and how far their candidates lie apart along some axis, in units of the box.
 const MOST_SUMMITS: usize = 3;

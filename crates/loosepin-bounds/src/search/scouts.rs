@@ -1,8 +1,8 @@
 //! Single runs at random u as scouts: where they lie further from what the models expect than chance lets them, nobody has looked.
 
-use super::models::Search;
 use super::search_box::Place;
 use crate::data::direction::Direction;
+use crate::search::models::of_points::Search;
 
 /// Where the runs at a point hardly differ they have this share of the largest standard deviation at any point.
 const LEAST_DEVIATION: f64 = 1e-3;
@@ -70,7 +70,7 @@ impl Search<'_> {
 mod tests {
     use super::{Observed, ends_by_chance};
     use crate::data::direction::Direction;
-    use crate::search::models::Search;
+    use crate::search::models::of_points::Search;
     use crate::search::search_box::{Axes, Place};
     use loosepin_uncertainty::normal_quantile;
 

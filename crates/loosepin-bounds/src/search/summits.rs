@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 
 use super::extremes::Extreme;
-use super::local::LocalSmoothers;
-use super::models::{Search, defined};
-use super::prediction::Allowance;
 use super::search_box::{Axes, Place};
-use super::target_model::TargetModel;
+use crate::search::models::local::LocalSmoothers;
+use crate::search::models::of_points::{Search, defined};
+use crate::search::models::prediction::Allowance;
+use crate::search::models::target_model::TargetModel;
 use loosepin_math::descent::minimise;
 
 /// A local model has this many points for each term of a polynomial of degree 2.
@@ -104,8 +104,8 @@ mod tests {
     use super::Search;
     use crate::data::direction::Direction;
     use crate::search::design::candidates;
-    use crate::search::models::Modelled;
-    use crate::search::noise::Noise;
+    use crate::search::models::noise::Noise;
+    use crate::search::models::of_points::Modelled;
     use crate::search::parts::Element;
     use crate::search::search_box::{Axes, Place, Region};
     use crate::search::target::{Target, TargetKind};

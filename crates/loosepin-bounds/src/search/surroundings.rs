@@ -1,10 +1,10 @@
 //! The surroundings of what has been attained, looked at where the models promise nothing more.
 
 use super::extremes::Extreme;
-use super::models::{Modelled, Search};
 use super::parts::Element;
-use super::prediction::Allowance;
 use super::search_box::Place;
+use crate::search::models::of_points::{Modelled, Search};
+use crate::search::models::prediction::Allowance;
 use loosepin_uncertainty::{hash, normal};
 
 /// Where the models promise nothing more, the surroundings of each extreme are looked at: at these distances along each axis, in

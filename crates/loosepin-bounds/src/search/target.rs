@@ -1,8 +1,8 @@
 //! A quantity whose extremes are sought.
 
-use super::noise::Noise;
 use crate::data::direction::{Direction, extreme};
 use crate::estimators::index::index_resolution;
+use crate::search::models::noise::Noise;
 
 /// Resolution of a search as a share of the range of its target: gains below it are not pursued, so it is always conceded.
 pub(crate) const SEARCH_RESOLUTION: f64 = 1e-6;

@@ -13,8 +13,8 @@
 
 use super::radau_tables::{ALPHA, BETA, ERROR, GAMMA, NODES, T, T_INVERSE, WEIGHTS};
 use super::{StepRows, System};
-use crate::complex_lu::ComplexLu;
-use crate::real_lu::RealLu;
+use crate::solve::complex_lu::ComplexLu;
+use crate::solve::real_lu::RealLu;
 
 /// Newton iterations of a step.
 const ITERATIONS: usize = 8;

@@ -1,15 +1,16 @@
 //! Mass matrix, forces and accelerations.
 
-use super::beam_room::BeamRoom;
-use super::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
-use super::element_force::{ActuatorForce, LoadForce};
 use super::inverse::InverseDynamics;
-use super::joint_friction::JointFrictions;
-use super::nodal_room::NodalRoom;
-use super::play::PlayMotion;
 use crate::contact::PlayState;
+use crate::dynamics::elements::beam_room::BeamRoom;
+use crate::dynamics::elements::element_force::{ActuatorForce, LoadForce};
+use crate::dynamics::elements::joint_friction::JointFrictions;
+use crate::dynamics::elements::nodal_room::NodalRoom;
+use crate::dynamics::play::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
+use crate::dynamics::play::motion::PlayMotion;
+use crate::mechanism::constraints;
 use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, constraints, moved, room, turned_by,
+    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, moved, room, turned_by,
 };
 use crate::model::{ActsOn, Course, FeedForward, PlayId};
 use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};

@@ -1,8 +1,8 @@
 //! Forces in the joints, ideal ones included.
 
-use super::contact_motion::ContactMotion;
 use super::equations::Dynamics;
-use super::flanks;
+use crate::dynamics::play::contact_motion::ContactMotion;
+use crate::dynamics::play::flanks;
 use crate::mechanism::{CouplingGeometry, CouplingPlace, KeptPoints, acceleration_at};
 use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};

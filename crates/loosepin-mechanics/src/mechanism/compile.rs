@@ -1,19 +1,20 @@
 //! A model compiled for computing.
 
-use super::beam_points::point_beyond_beam;
-use super::contact_place::{ContactPlace, contact_name, contact_places};
-use super::control::KnownChain;
 use super::error::MechanismError;
-use super::geometry::Geometry;
-use super::initial::{StartEquations, initial_numbers};
-use super::kinematics::Kinematics;
-use super::mobility::{self, Mobility};
-use super::nodal_start::set_undeformed;
-use super::offset::demand_drives;
-use super::stressed::StressedBody;
-use super::tooth_force::demand_fit;
-use super::tree::{Attachment, DrivenLoop, JointPlace, Tree};
-use super::{assembly, constraints::RowOwner};
+use super::loops::constraints::RowOwner;
+use super::tree::assembly;
+use crate::mechanism::beginning::initial::{StartEquations, initial_numbers};
+use crate::mechanism::beginning::nodal_start::set_undeformed;
+use crate::mechanism::beginning::offset::demand_drives;
+use crate::mechanism::loops::contact_place::{ContactPlace, contact_name, contact_places};
+use crate::mechanism::loops::tooth_force::demand_fit;
+use crate::mechanism::parts::control::KnownChain;
+use crate::mechanism::parts::stressed::StressedBody;
+use crate::mechanism::tree::beam_points::point_beyond_beam;
+use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::kinematics::Kinematics;
+use crate::mechanism::tree::mobility::{self, Mobility};
+use crate::mechanism::tree::tree::{Attachment, DrivenLoop, JointPlace, Tree};
 use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;
 

@@ -1,7 +1,7 @@
 //! Compile and sample errors as complaints at a place of the model file.
 
-use super::blocking::{Blocking, blocking};
 use super::error::{MechanismError, SampleError};
+use crate::mechanism::tree::blocking::{Blocking, blocking};
 use crate::model::{CycleSpan, Model};
 use loosepin_text::diagnostics::{Complaint, Place, Problem};
 

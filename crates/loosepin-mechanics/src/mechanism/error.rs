@@ -1,6 +1,6 @@
 //! Why a model is no mechanism, or a sample of it cannot be built.
 
-use super::constraints::Opening;
+use crate::mechanism::loops::constraints::Opening;
 use crate::model::{PeriodProblem, QuantityError, describe_path};
 use loosepin_text::diagnostics::{Code, problems};
 use loosepin_text::units::{Dimension, counted, format_apart, format_value, listed, quoted};

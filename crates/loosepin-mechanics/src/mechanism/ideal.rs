@@ -1,15 +1,15 @@
 //! The ideal motion: positions, velocities and accelerations with every clearance at zero.
 
 use super::compile::Mechanism;
-use super::constraints::{self, Opening};
-use super::drive::{Drives, room};
-use super::drive_place::drive_place;
 use super::error::{DrivePlace, SampleError};
-use super::geometry::Geometry;
-use super::kinematics::{Kinematics, Twist};
-use super::mobility::eliminate_free;
-use super::tree::Tree;
-use super::ways_on::{WaysOn, ways_on};
+use crate::mechanism::loops::constraints::{self, Opening};
+use crate::mechanism::parts::drive::{Drives, room};
+use crate::mechanism::parts::drive_place::drive_place;
+use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::kinematics::{Kinematics, Twist};
+use crate::mechanism::tree::mobility::eliminate_free;
+use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::ways_on::{WaysOn, ways_on};
 use crate::model::TimeDual;
 use loosepin_math::{Dual, solve_square};
 

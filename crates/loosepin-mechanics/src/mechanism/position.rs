@@ -11,8 +11,8 @@
 //!
 //! The last three terms are the Euler, Coriolis and centrifugal parts.
 
-use super::kinematics::{Kinematics, Pose, Twist, acceleration_at};
-use super::tree::Tree;
+use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist, acceleration_at};
+use crate::mechanism::tree::tree::Tree;
 use crate::model::{Axis, BodyId, PointId, Position};
 use loosepin_math::{Real, Vec2};
 

@@ -1,26 +1,26 @@
 //! One row of the parameter table: all numbers of one sample of a mechanism.
 
-use super::beam_points::point_off_section;
 use super::compile::Mechanism;
-use super::contact_place::ContactPlace;
-use super::control::ControlGeometry;
-use super::coupling_geometry::CouplingGeometry;
-use super::drive::Drives;
 use super::error::SampleError;
-use super::flanks::Flanks;
-use super::foundation::foundation;
-use super::geometry::Geometry;
-use super::initial::initial_numbers;
-use super::joint_friction::JointFriction;
-use super::load::LoadGeometry;
-use super::offset::{StartOffset, start_offsets};
 use super::play_shape::{CircularSlotShape, PinShape, PlayShape, SliderBlock, SlotShape, flank_radii_m};
-use super::points::{direction, point_m};
-use super::spring::SpringGeometry;
-use super::stressed::SectionNumbers;
 use crate::contact::{
     Film, FilmBearing, FilmDescription, Foundation, FrictionLaw, NormalContact, NormalLaw, TouchingParts,
 };
+use crate::mechanism::beginning::initial::initial_numbers;
+use crate::mechanism::beginning::offset::{StartOffset, start_offsets};
+use crate::mechanism::loops::contact_place::ContactPlace;
+use crate::mechanism::loops::coupling_geometry::CouplingGeometry;
+use crate::mechanism::parts::control::ControlGeometry;
+use crate::mechanism::parts::drive::Drives;
+use crate::mechanism::parts::flanks::Flanks;
+use crate::mechanism::parts::foundation::foundation;
+use crate::mechanism::parts::joint_friction::JointFriction;
+use crate::mechanism::parts::load::LoadGeometry;
+use crate::mechanism::parts::spring::SpringGeometry;
+use crate::mechanism::parts::stressed::SectionNumbers;
+use crate::mechanism::tree::beam_points::point_off_section;
+use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::points::{direction, point_m};
 use crate::model::{Contact, JointId, JointKind, JointPlay, PlayId, PlayParts, QuantityId, SlidingVelocity, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
 use std::sync::Arc;

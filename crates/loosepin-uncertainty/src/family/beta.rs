@@ -1,8 +1,8 @@
 //! The beta distribution with four parameters.
 
 use super::{Family, Tails, ordered, positive};
-use crate::distribution::DistributionError;
-use crate::incomplete_beta::{incomplete_beta, inverse_incomplete_beta};
+use crate::functions::incomplete_beta::{incomplete_beta, inverse_incomplete_beta};
+use crate::variables::distribution::DistributionError;
 
 /// Shapes α and β, between two ends; F = I_x(α, β) of the share x of the way.
 #[derive(Debug)]

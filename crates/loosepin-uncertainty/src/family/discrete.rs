@@ -1,7 +1,7 @@
 //! A few values with their probabilities.
 
 use super::{Family, Tails, finite, positive};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// How far probabilities may sum up to something else than 1: a few more digits than people write.
 const SUM_TOLERANCE: f64 = 1e-9;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Family, Tails, finite};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// Every one of n measured values with probability 1/n.
 ///

@@ -2,7 +2,7 @@
 
 use super::weibull::hazard;
 use super::{Family, Tails, finite};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// From a lower end x0 on, with mean m: P(X > x) = exp(-(x - x0)/(m - x0)).
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! The gamma distribution.
 
 use super::{Family, Tails, finite, positive};
-use crate::distribution::DistributionError;
-use crate::incomplete_gamma::{incomplete_gamma, inverse_incomplete_gamma};
+use crate::functions::incomplete_gamma::{incomplete_gamma, inverse_incomplete_gamma};
+use crate::variables::distribution::DistributionError;
 
 /// Shape k, scale θ, from a lower end x0 on: P(X <= x) = P(k, (x - x0)/θ), the regularised incomplete gamma function.
 #[derive(Debug)]

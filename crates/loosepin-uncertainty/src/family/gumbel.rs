@@ -1,7 +1,7 @@
 //! The Gumbel distribution of largest values.
 
 use super::{Family, Tails, finite, positive};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// Euler's constant γ = -ψ(1).
 const EULER: f64 = 0.577_215_664_901_532_9;

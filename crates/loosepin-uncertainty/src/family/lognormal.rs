@@ -1,7 +1,7 @@
 //! The lognormal distribution.
 
 use super::{Family, Tails, positive};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// By mean m and standard deviation s of the variable itself; ln X is normal with σ² = ln(1 + s²/m²), μ = ln m - σ²/2.
 #[derive(Debug)]

@@ -30,8 +30,8 @@ pub(super) use truncated_normal::TruncatedNormal;
 pub(super) use uniform::Uniform;
 pub(super) use weibull::Weibull;
 
-use super::distribution::DistributionError;
-use super::normal::{normal_cdf, normal_quantile};
+use crate::functions::normal::{normal_cdf, normal_quantile};
+use crate::variables::distribution::DistributionError;
 
 /// The least share of a distribution that a truncation may keep: below it the distribution functions lose digits.
 pub(super) const LEAST_SHARE_KEPT: f64 = 1e-100;

@@ -1,8 +1,8 @@
 //! The normal distribution.
 
 use super::{Family, Tails, finite, positive};
-use crate::distribution::DistributionError;
-use crate::normal::normal_cdf;
+use crate::functions::normal::normal_cdf;
+use crate::variables::distribution::DistributionError;
 
 /// Mean μ and standard deviation σ; F(x) = Φ((x - μ)/σ).
 #[derive(Debug)]

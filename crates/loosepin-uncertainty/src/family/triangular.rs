@@ -1,7 +1,7 @@
 //! The triangular distribution.
 
 use super::{Family, Tails, finite, ordered};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// Between two ends, most likely at the mode.
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Discrete, Family, LEAST_SHARE_KEPT, Tails};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// What lies between `lower` and `upper` (an end may be infinite), rescaled: F_t(x) = (F(x) - F(lower))/(F(upper) - F(lower)).
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! The normal distribution cut to an interval.
 
 use super::{Family, LEAST_SHARE_KEPT, Tails, finite, ordered, positive};
-use crate::distribution::DistributionError;
-use crate::normal::{normal_cdf, normal_quantile};
+use crate::functions::normal::{normal_cdf, normal_quantile};
+use crate::variables::distribution::DistributionError;
 
 /// Cuts narrower than this, in standard deviations before the cut, have their moments from a power series.
 const NARROW: f64 = 1.0;

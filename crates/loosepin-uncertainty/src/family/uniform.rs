@@ -1,7 +1,7 @@
 //! The uniform distribution.
 
 use super::{Family, Tails, ordered};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// Between two ends.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! The Weibull distribution.
 
 use super::{Family, Tails, finite, positive};
-use crate::distribution::DistributionError;
+use crate::variables::distribution::DistributionError;
 
 /// Shape k, scale λ, from a lower end x0 on: P(X > x) = exp(-((x - x0)/λ)^k).
 #[derive(Debug)]

@@ -14,7 +14,7 @@ pub use form::{PlayForm, PlayFreedom};
 pub use pin::PinShape;
 pub use slot::SlotShape;
 
-use super::flanks::Flanks;
+use crate::mechanism::parts::flanks::Flanks;
 use loosepin_math::{Real, Vec2, numbers};
 
 /// Makes the enum of all shapes, and `ask_shape!(shape, parts => answer)`, which asks the shape at hand.

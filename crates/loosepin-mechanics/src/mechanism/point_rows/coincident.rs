@@ -1,7 +1,7 @@
 //! Two rows: the points coincide, x and y.
 
 use super::form::PointRows;
-use crate::mechanism::cut_geometry::CutGeometry;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
 use loosepin_math::{Real, Vec2};
 
 /// The way from the first point to the second less the eccentricity, m.

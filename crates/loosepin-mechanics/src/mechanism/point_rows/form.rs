@@ -1,6 +1,6 @@
 //! The interface of a form of rows.
 
-use crate::mechanism::cut_geometry::CutGeometry;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
 use loosepin_math::{Real, Vec2};
 
 /// What a form of rows says of itself at a state. Of a form with one row the second entries are zero.

@@ -8,7 +8,7 @@ mod form;
 mod on_circle;
 mod on_line;
 
-use super::cut_geometry::CutGeometry;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
 use crate::model::Keeps;
 use coincident::Coincident;
 use form::PointRows;

@@ -3,7 +3,7 @@
 //! With e from the first point to the second and u = e/|e|, Φ = |e| - R. How the first body turns does not matter.
 
 use super::form::PointRows;
-use crate::mechanism::cut_geometry::CutGeometry;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
 use loosepin_math::{Real, Vec2};
 
 /// u, |e| and Φ.

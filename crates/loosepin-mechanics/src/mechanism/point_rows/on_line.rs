@@ -4,8 +4,8 @@
 //! dn/dt = -ω d, dd/dt = ω n.
 
 use super::form::PointRows;
-use crate::mechanism::cut_geometry::CutGeometry;
-use crate::mechanism::points::direction;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
+use crate::mechanism::tree::points::direction;
 use loosepin_math::{Real, Vec2};
 
 /// Directions along and across the line in the ground's frame, and e.

@@ -1,0 +1,148 @@
+//! Flexible bodies in the equations of motion.
+//!
+//! With V = AᵀṘ of the frame's root, ω and q̇ = E_q ż, and T = [Aᵀ J_R; e_θ; E_q], the body adds Tᵀ M T to the mass matrix and
+//! -Tᵀ (h + M (Aᵀ (γ_R - g), γ_θ, 0) + (0, 0, K q + C q̇)) to the forces (F3), γ the acceleration where the free coordinates have none.
+
+use crate::dynamics::equations::Dynamics;
+use crate::mechanism::{acceleration_at, moved, turned_by};
+use loosepin_flexible::Inertia;
+use loosepin_math::{Real, Vec2};
+
+impl<T: Real> Dynamics<'_, T> {
+    /// Adds mass matrix and forces of all flexible bodies. Not every mechanism has them: out of line, or the compiler would take many
+    /// times as long for the evaluation as a whole.
+    #[inline(never)]
+    pub(in crate::dynamics) fn add_beams(&mut self) {
+        self.beam_loss_w = T::zero();
+        for index in 0..self.mechanism.real.beams.len() {
+            self.add_beam(index);
+        }
+        for index in 0..self.mechanism.real.nodal_beams.len() {
+            self.add_nodal_beam(index);
+        }
+    }
+
+    fn add_beam(&mut self, index: usize) {
+        let tree = &self.mechanism.real;
+        let n = tree.free;
+        let (place, numbers, room) = (&tree.beams[index], &self.sample.real.beams[index], &mut self.beam_rooms[index]);
+        let link = &tree.links[place.slot - 1];
+        let pose = &self.kinematics.poses[place.slot];
+        let (twist, bias) = (&self.kinematics.twists[place.slot], &self.kinematics.biases[place.slot]);
+        let (q, rates) = (&self.coordinates[place.coordinates.clone()], &self.rates[place.coordinates.clone()]);
+        let beam = &numbers.beam;
+        let axis = pose.turn(numbers.axis);
+        let root_arm = pose.turn(numbers.root_m);
+        let into_frame = |vector: Vec2<T>| vector.rotated(-axis.y, axis.x);
+        beam.inertia(&place.shapes, q, rates, twist.angular, &mut room.inertia);
+        room.inertia.add_to_shapes(&numbers.added_mass);
+        let Inertia { size, mass, bias: own_bias, .. } = &room.inertia;
+        let size = *size;
+
+        // Accelerations of the frame without those of the free coordinates, and weight.
+        let fall = into_frame(acceleration_at(bias, twist, root_arm) - self.sample.real.gravity_m_s2);
+        let given = [fall.x, fall.y, bias.angular];
+        for (row, force) in room.forces.iter_mut().enumerate() {
+            let products = mass[row * size..row * size + 3].iter().zip(given);
+            *force = products.fold(-own_bias[row], |sum, (mass, given)| (-*mass).mul_add(given, sum));
+        }
+        if numbers.damping.is_empty() {
+            beam.add_elastic(&place.shapes, q, rates, &mut room.forces[3..]);
+            if place.is_damped {
+                self.beam_loss_w += beam.damping_loss_w(&place.shapes, rates);
+            }
+        } else {
+            beam.add_stiffness(&place.shapes, q, &mut room.forces[3..]);
+            let rows = numbers.damping.chunks_exact(rates.len());
+            for ((row, force), rate) in rows.zip(&mut room.forces[3..]).zip(rates) {
+                let drag = product(row, rates);
+                *force -= drag;
+                self.beam_loss_w = drag.mul_add(*rate, self.beam_loss_w);
+            }
+        }
+
+        let partials = self.kinematics.partials(place.slot);
+        let turned_arm = root_arm.turned();
+        let on_root = Vec2::new(room.forces[0], room.forces[1]).rotated(axis.y, axis.x);
+        for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
+            let velocity = moved(*partial, turned_arm, dependence.turning);
+            let force = &mut self.forces[dependence.coordinate];
+            let sum = turned_by(*force, room.forces[2], dependence.turning);
+            *force = on_root.x.mul_add(velocity.x, on_root.y.mul_add(velocity.y, sum));
+            let own = into_frame(velocity);
+            for (row, carried) in room.carried[k * size..(k + 1) * size].iter_mut().enumerate() {
+                let row = &mass[row * size..row * size + 3];
+                let moving = row[0].mul_add(own.x, row[1] * own.y);
+                *carried = turned_by(moving, row[2], dependence.turning);
+            }
+            for (l, other) in link.dependences[..=k].iter().enumerate() {
+                let (high, low) =
+                    (dependence.coordinate.max(other.coordinate), dependence.coordinate.min(other.coordinate));
+                if low >= n {
+                    continue;
+                }
+                let to =
+                    if high < n { &mut self.mass[high * n + low] } else { &mut self.driven_mass[(high - n) * n + low] };
+                let of_other = &room.carried[l * size..(l + 1) * size];
+                let sum = of_other[0].mul_add(own.x, of_other[1].mul_add(own.y, *to));
+                *to = turned_by(sum, of_other[2], dependence.turning);
+            }
+            for (shape, coordinate) in place.coordinates.clone().enumerate() {
+                let coupling = room.carried[k * size + 3 + shape];
+                let (high, low) = (dependence.coordinate.max(coordinate), dependence.coordinate.min(coordinate));
+                if high < n {
+                    self.mass[high * n + low] += coupling;
+                } else {
+                    self.driven_mass[(high - n) * n + low] += coupling;
+                }
+            }
+        }
+        for (shape, coordinate) in place.coordinates.clone().enumerate() {
+            self.forces[coordinate] += room.forces[3 + shape];
+            for (other, column) in place.coordinates.clone().take(shape + 1).enumerate() {
+                self.mass[coordinate * n + column] += mass[(3 + shape) * size + 3 + other];
+            }
+        }
+    }
+
+    /// Force that the flexible body `index` needs at the last evaluation, Σ m (a - g), N.
+    pub(in crate::dynamics) fn beam_force_n(&self, index: usize) -> Vec2<T> {
+        let (place, numbers) = (&self.mechanism.real.beams[index], &self.sample.real.beams[index]);
+        let pose = &self.kinematics.poses[place.slot];
+        let axis = pose.turn(numbers.axis);
+        let change = self.acceleration(place.slot);
+        let at_root = acceleration_at(&change, &self.kinematics.twists[place.slot], pose.turn(numbers.root_m));
+        let fall = (at_root - self.sample.real.gravity_m_s2).rotated(-axis.y, axis.x);
+        let Inertia { size, mass, bias, .. } = &self.beam_rooms[index].inertia;
+        let of_shapes = &self.accelerations[place.coordinates.clone()];
+        let along = |row: usize| {
+            let row_of = &mass[row * size..(row + 1) * size];
+            let frame =
+                row_of[0].mul_add(fall.x, row_of[1].mul_add(fall.y, row_of[2].mul_add(change.angular, bias[row])));
+            row_of[3..].iter().zip(of_shapes).fold(frame, |sum, (mass, change)| mass.mul_add(*change, sum))
+        };
+        Vec2::new(along(0), along(1)).rotated(axis.y, axis.x)
+    }
+
+    /// Kinetic, potential and strain energy of the flexible body `index` at the last state that was set, J.
+    pub(in crate::dynamics) fn beam_energy_j(&self, index: usize) -> [T; 3] {
+        let (place, numbers) = (&self.mechanism.real.beams[index], &self.sample.real.beams[index]);
+        let (pose, twist) = (&self.kinematics.poses[place.slot], &self.kinematics.twists[place.slot]);
+        let (q, rates) = (&self.coordinates[place.coordinates.clone()], &self.rates[place.coordinates.clone()]);
+        let (axis, root_arm) = (pose.turn(numbers.axis), pose.turn(numbers.root_m));
+        let velocity = twist.at(root_arm).rotated(-axis.y, axis.x);
+        let mut kinetic_j = numbers.beam.kinetic_j(&place.shapes, q, rates, velocity, twist.angular);
+        for (row, rate) in numbers.added_mass.chunks_exact(rates.len()).zip(rates) {
+            let momentum = product(row, rates);
+            kinetic_j = (momentum * *rate).mul_add(T::from_f64(0.5), kinetic_j);
+        }
+        let centre = numbers.beam.centre_of_mass_m(&place.shapes, q).rotated(axis.y, axis.x);
+        let height = self.sample.real.gravity_m_s2.dot(pose.position_m + root_arm + centre);
+        [kinetic_j, -(numbers.beam.mass_kg * height), numbers.beam.strain_j(&place.shapes, q)]
+    }
+}
+
+/// Product of a row of a matrix with a vector.
+fn product<T: Real>(row: &[T], vector: &[T]) -> T {
+    row.iter().zip(vector).fold(T::zero(), |sum, (entry, number)| entry.mul_add(*number, sum))
+}

@@ -1,0 +1,275 @@
+//! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
+
+use crate::mechanism::point_rows::KeptPoints;
+use crate::mechanism::tree::cut_geometry::CutGeometry;
+use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at, moved};
+use crate::mechanism::tree::tree::Tree;
+use crate::model::{JointId, Model, describe_path};
+use loosepin_math::{Real, Vec2};
+use loosepin_text::units::{Dimension, format_value};
+use std::fmt;
+
+/// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line or a circle, sine of the
+/// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
+#[inline(always)]
+pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
+        let keeps = cut.rows.keeps;
+        let residuals = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
+        out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
+        if cut.rows.holds_angle {
+            out[row + cut.rows.count() - 1] = turn(numbers, &poses).sin_cos().0;
+        }
+        row += cut.rows.count();
+    }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.residual(places, kinematics);
+    }
+}
+
+/// How far the second body of a cut is turned from the first, rad.
+#[inline(always)]
+fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
+    poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0]
+}
+
+/// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
+#[inline(always)]
+pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let columns = tree.coordinates();
+    out.fill(T::zero());
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
+        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+        let keeps = cut.rows.keeps;
+        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+        let turn_cosine = if cut.rows.holds_angle { turn(numbers, &poses).sin_cos().1 } else { T::zero() };
+        for (side, sign) in [(0, -T::one()), (1, T::one())] {
+            let slot = cut.slots[side];
+            if slot == 0 {
+                continue;
+            }
+            let dependences = &tree.links[slot - 1].dependences;
+            for (dependence, partial) in dependences.iter().zip(kinematics.partials(slot)) {
+                let column = dependence.coordinate;
+                let turning = T::from_f64(dependence.turning);
+                let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
+                let rates = kept.rates(velocity, (side == 0).then_some(turning));
+                for (k, rate) in rates.into_iter().enumerate().take(keeps.count()) {
+                    out[(row + k) * columns + column] += rate;
+                }
+                if cut.rows.holds_angle {
+                    out[(row + cut.rows.count() - 1) * columns + column] += turning * sign * turn_cosine;
+                }
+            }
+        }
+        row += cut.rows.count();
+    }
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        numbers.add_gradient(places, tree, kinematics, &mut out[row * columns..(row + 1) * columns]);
+        row += 1;
+    }
+}
+
+/// dΦ for a motion of the bodies that `moves` names, each with a velocity of the origin of its frame and an angular velocity.
+/// A cut both of whose bodies move does not feel it where they move as one.
+#[inline(always)]
+pub fn gradient<T: Real>(
+    tree: &Tree,
+    geometry: &Geometry<T>,
+    kinematics: &Kinematics<T>,
+    moves: impl Fn(usize) -> bool,
+    motion: impl Fn(usize) -> (Vec2<T>, T),
+    out: &mut [T],
+) {
+    out.fill(T::zero());
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let sides = cut.slots.map(&moves);
+        if sides[0] != sides[1] {
+            let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
+            let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+            let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
+            let (linear, spin) = motion(cut.slots[side]);
+            let velocity = linear.plus(arms[side].turned(), spin) * sign;
+            let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+            let keeps = cut.rows.keeps;
+            let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+            let rates = kept.rates(velocity, (side == 0).then_some(spin));
+            out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
+            if cut.rows.holds_angle {
+                out[row + cut.rows.count() - 1] = spin * sign * turn(numbers, &poses).sin_cos().1;
+            }
+        }
+        row += cut.rows.count();
+    }
+    let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
+    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+        let [first, second] =
+            [0, 1].map(|side| numbers.joints[side].rate(&places[side], kinematics, places[side].slots.map(of)));
+        out[row] = second - numbers.slope(places, kinematics) * first;
+        row += 1;
+    }
+}
+
+/// Cosine of the angle between the bodies of the cut whose rows begin at `row`, which may be ±1 where they do not turn against
+/// each other: its multiplier is a moment over it.
+#[inline(always)]
+pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
+    let mut first = 0;
+    let index = tree.cuts.iter().position(|cut| {
+        first += cut.rows.count();
+        row < first
+    });
+    let Some(index) = index else { return T::one() };
+    let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
+    let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+    turn(numbers, &poses).sin_cos().1
+}
+
+/// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+#[inline(always)]
+pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+    let mut row = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
+        let arms = [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]));
+        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
+        let twists = cut.slots.map(|slot| kinematics.twists[slot]);
+        let changes = cut.slots.map(|slot| kinematics.biases[slot]);
+        let acceleration =
+            acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
+        let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
+        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
+        let keeps = cut.rows.keeps;
+        let kept = KeptPoints::at(keeps, numbers, poses[0].angle_rad, gap);
+        let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
+        out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
+        if cut.rows.holds_angle {
+            let (sine, cosine) = turn(numbers, &poses).sin_cos();
+            let spin = twists[1].angular - twists[0].angular;
+            out[row + cut.rows.count() - 1] =
+                cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();
+        }
+        row += cut.rows.count();
+    }
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+        *out = numbers.bias(places, kinematics);
+    }
+}
+
+/// The joint or coupling that imposes a constraint row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowOwner {
+    /// A cut joint.
+    Joint(JointId),
+    /// A coupling, by its index in the model.
+    Coupling(usize),
+}
+
+impl RowOwner {
+    /// The owner of constraint row `row` of `tree`.
+    pub fn of(tree: &Tree, row: usize) -> Self {
+        let mut first = 0;
+        for cut in &tree.cuts {
+            first += cut.rows.count();
+            if row < first {
+                return Self::Joint(cut.joint);
+            }
+        }
+        Self::Coupling(tree.coupling_indices[row - first])
+    }
+
+    /// Path of its table in the file.
+    pub fn path(self, model: &Model) -> String {
+        match self {
+            Self::Joint(joint) => format!("joint.{}", model.joints[joint.0].name),
+            Self::Coupling(index) => model.couplings[index].path.clone(),
+        }
+    }
+
+    /// Its name in words, for example `joint 'rod'`.
+    pub fn words(self, model: &Model) -> String {
+        describe_path(&self.path(model))
+    }
+
+    /// Dimension of its residual. Rows that say that two bodies do not turn against each other count as lengths here.
+    pub fn dimension(self, model: &Model) -> Dimension {
+        match self {
+            Self::Joint(_) => Dimension::LENGTH,
+            Self::Coupling(index) => {
+                model.joints[model.couplings[index].second.0].kind.coordinate().unwrap_or(Dimension::ANGLE)
+            }
+        }
+    }
+}
+
+/// The constraint that is furthest from being met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Opening {
+    /// Path of the joint or coupling.
+    pub path: String,
+    /// How far it stays open, m or rad; not a number where lengths are so large that none holds it.
+    pub gap: f64,
+    /// Dimension of the residual.
+    pub dimension: Dimension,
+}
+
+impl Opening {
+    /// The worst of `residuals` of the constraint rows of `tree`; none where there are none.
+    pub fn worst(model: &Model, tree: &Tree, residuals: &[f64]) -> Self {
+        let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].abs().total_cmp(&residuals[b].abs()));
+        let Some(row) = worst else {
+            return Self { path: "joint".to_owned(), gap: 0.0, dimension: Dimension::LENGTH };
+        };
+        let owner = RowOwner::of(tree, row);
+        Self { path: owner.path(model), gap: residuals[row].abs(), dimension: owner.dimension(model) }
+    }
+}
+
+/// Path of the joint or coupling that is furthest from being met, and how far as a share of `size_m` for lengths and in rad for angles: the
+/// worst of `residuals` of the constraint rows of `tree`; 0 where there are none.
+pub fn worst_for_its_size(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
+    let mut units = Vec::with_capacity(residuals.len());
+    for cut in &tree.cuts {
+        units.extend((0..cut.rows.count()).map(|row| if cut.rows.is_angle(row) { 1.0 } else { size_m }));
+    }
+    for index in &tree.coupling_indices {
+        let is_length = RowOwner::Coupling(*index).dimension(model) == Dimension::LENGTH;
+        units.push(if is_length { size_m } else { 1.0 });
+    }
+    let gap = |row: usize| (residuals[row] / units[row]).abs();
+    let worst = (0..residuals.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
+    worst.map_or_else(|| ("joint".to_owned(), 0.0), |row| (RowOwner::of(tree, row).path(model), gap(row)))
+}
+
+impl fmt::Display for Opening {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = describe_path(&self.path);
+        if self.gap.is_finite() {
+            write!(f, "{path} stays {} open", format_value(self.gap, self.dimension))
+        } else {
+            write!(f, "the gap of {path} is too large for a number")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Opening;
+    use loosepin_text::units::Dimension;
+
+    #[test]
+    fn a_gap_that_no_number_holds_is_not_shown_as_one() {
+        let said = |gap: f64| Opening { path: "joint.guide".to_owned(), gap, dimension: Dimension::LENGTH }.to_string();
+        assert_eq!(said(1.5e-3), "joint 'guide' stays 1.5 mm open");
+        for gap in [f64::NAN, f64::INFINITY] {
+            assert_eq!(said(gap), "the gap of joint 'guide' is too large for a number");
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! The spanning tree: which joint carries which body, loops that ideal joints close, mobility, poses and velocities of all bodies.
+//! Contacts and loads do not belong here.
+
+pub(in crate::mechanism) mod assembly;
+pub(in crate::mechanism) mod beam;
+pub(in crate::mechanism) mod beam_points;
+pub(in crate::mechanism) mod blocking;
+pub(in crate::mechanism) mod cut_geometry;
+pub(in crate::mechanism) mod geometry;
+pub(in crate::mechanism) mod kinematics;
+pub(in crate::mechanism) mod mobility;
+pub(in crate::mechanism) mod nodal_beam;
+pub(in crate::mechanism) mod points;
+pub(in crate::mechanism) mod tree;
+pub(in crate::mechanism) mod ways_on;

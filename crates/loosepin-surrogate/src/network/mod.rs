@@ -1,0 +1,5 @@
+//! Neural networks.
+
+pub(crate) mod ensemble;
+pub(crate) mod layer;
+pub(crate) mod training;

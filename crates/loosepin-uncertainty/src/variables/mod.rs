@@ -1,0 +1,8 @@
+//! Random variables: distributions as they are stated, checked, fitted, with parameters that are themselves uncertain.
+
+pub(crate) mod distribution;
+pub(crate) mod open_end;
+pub(crate) mod parameter;
+pub(crate) mod random_variable;
+pub(crate) mod sample_fit;
+pub(crate) mod second_order;
