@@ -1,9 +1,7 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
-use super::description::RareMethod;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_result::study::{Deviation, Reduction, Side, Together};
-use loosepin_surrogate::{Choice, Kind};
+use loosepin_result::study::{Deviation, Reduction};
 
 /// The words of a table.
 pub(super) const fn words<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
@@ -36,10 +34,6 @@ pub(super) const DEVIATIONS: [(&str, Deviation); 4] = [
     (Deviation::Total.word(), Deviation::Total),
 ];
 
-/// How inputs are loosened together.
-pub(super) const TOGETHER: [(&str, Together); 2] =
-    [("proportional", Together::Proportional), ("frontier", Together::Frontier)];
-
 /// How a curve becomes one number; the words are those of results too.
 pub(super) const REDUCTIONS: [(&str, Reduction); 6] = {
     let mut table = [("", Reduction::Maximum); 6];
@@ -51,33 +45,6 @@ pub(super) const REDUCTIONS: [(&str, Reduction); 6] = {
     }
     table
 };
-
-/// Ways to estimate a probability; nothing where it is only counted.
-pub(super) const METHODS: [(&str, Option<RareMethod>); 4] = [
-    ("count", None),
-    ("importance", Some(RareMethod::Importance)),
-    ("subset", Some(RareMethod::Subset)),
-    ("automatic", Some(RareMethod::Automatic)),
-];
-
-/// Kinds of surrogates; nothing stands for no surrogate.
-pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [
-    ("auto", Some(Choice::Auto)),
-    ("chaos", Some(Choice::Only(Kind::Chaos))),
-    ("kriging", Some(Choice::Only(Kind::Kriging))),
-    ("network", Some(Choice::Only(Kind::Network))),
-    ("none", None),
-];
-
-/// Which direct runs are made beside a surrogate, and whether it is then alone.
-pub(super) const DIRECT_RUNS: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
-
-/// Ends of a statistic that are promised.
-pub(super) const PROMISED_ENDS: [(&str, &[Side]); 3] =
-    [("upper", &[Side::Upper]), ("lower", &[Side::Lower]), ("both", &Side::BOTH)];
-
-/// What decides a requirement, and whether it is a promise.
-pub(super) const DECIDED_BY: [(&str, bool); 2] = [("search", false), ("promise", true)];
 
 /// Statistics without a number; nothing stands for what contributes.
 pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.len() + 1] = {
