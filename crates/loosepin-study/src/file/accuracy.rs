@@ -9,7 +9,7 @@ use super::reader::StudyReader;
 use super::sizes::MOST_RUNS;
 use super::study::Study;
 use super::target::AccuracyTarget;
-use super::words::{NUMBERS, statistic_name};
+use super::words::{numbers, statistic_name};
 use loosepin_result::study::Budget;
 use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
 use loosepin_text::document::{Entry, Written, listed};
@@ -32,7 +32,7 @@ problems! {
             says("'{name}' is no statistic with an accuracy"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and")),
+                None => format!("there is {}", listed(&numbers().map(str::to_owned).collect::<Vec<_>>(), "and")),
             }));
         /// A statistic that is not asked of the output.
         NotAsked { statistic: &'static str, output: String, asked: Vec<String> } => Code::UnknownReference,
@@ -219,9 +219,9 @@ impl Study {
 }
 
 fn asked_statistic(name: &str) -> Result<&'static str, AccuracyProblem> {
-    NUMBERS.into_iter().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
+    numbers().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
         name: name.to_owned(),
-        nearest: nearest_name(name, NUMBERS).map(str::to_owned),
+        nearest: nearest_name(name, numbers()).map(str::to_owned),
     })
 }
 

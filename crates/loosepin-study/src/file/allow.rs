@@ -65,7 +65,8 @@ impl StudyReader {
             None if allowances.is_empty() => "none".to_owned(),
             None => allowances.len().to_string(),
         };
-        let word = TogetherWord::CHOICES.iter().find(|known| known.1.0 == together).map_or("", |known| known.0).to_owned();
+        let word =
+            TogetherWord::CHOICES.iter().find(|known| known.1.0 == together).map_or("", |known| known.0).to_owned();
         self.refused(&StudyProblem::Together { word, found }, entry.span)
     }
 

@@ -78,8 +78,7 @@ const OF_STATISTICS: [Key; WITH_A_NUMBER.len() + 1] = {
     }
     keys
 };
-const STATISTIC_KEYS: Keys =
-    Keys::new("a statistic with a number", &OF_STATISTICS).with_exactly_one(&[&STATISTICS]);
+const STATISTIC_KEYS: Keys = Keys::new("a statistic with a number", &OF_STATISTICS).with_exactly_one(&[&STATISTICS]);
 
 /// A question.
 #[derive(Debug, Clone, PartialEq)]

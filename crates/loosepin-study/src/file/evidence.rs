@@ -6,9 +6,7 @@ use loosepin_mechanics::model::QuantityId;
 use loosepin_text::document::{Entry, Kind, Reads};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
-use loosepin_uncertainty::{
-    Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS,
-};
+use loosepin_uncertainty::{Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS};
 
 record! {
     /// an interval and the mass of evidence that lies in it
@@ -66,7 +64,12 @@ impl StudyReader {
         self.evidence_of(found, culprit.unwrap_or(written), dimension)
     }
 
-    pub(super) fn box_of_quantiles(&mut self, written: &Entry<'_>, support: Interval, quantity: QuantityId) -> Option<Evidence> {
+    pub(super) fn box_of_quantiles(
+        &mut self,
+        written: &Entry<'_>,
+        support: Interval,
+        quantity: QuantityId,
+    ) -> Option<Evidence> {
         let dimension = self.model.quantities[quantity].dimension;
         let entries = self.reader.list(written)?;
         if entries.is_empty() {

@@ -93,10 +93,8 @@ impl StudyReader {
             } else {
                 None
             };
-            let is_plain = known.interval.is_some()
-                || known.periodic.is_some()
-                || known.any_of.is_some()
-                || known.fit.is_some();
+            let is_plain =
+                known.interval.is_some() || known.periodic.is_some() || known.any_of.is_some() || known.fit.is_some();
             let variable = match (&known.support, is_plain) {
                 (Some(support), true) => {
                     self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span)
@@ -112,7 +110,12 @@ impl StudyReader {
     }
 
     /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
-    fn structured(&mut self, known: &EpistemicTable<'_>, quantity: QuantityId, path: &str) -> Option<EpistemicVariable> {
+    fn structured(
+        &mut self,
+        known: &EpistemicTable<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<EpistemicVariable> {
         if let Some(written) = &known.quantiles {
             let support = self.support(known, written, quantity, path)?;
             return self.box_of_quantiles(written, support, quantity).map(Into::into);
@@ -149,7 +152,8 @@ impl StudyReader {
     /// Reads a law that is one of a list.
     fn read_law(&mut self, entry: &Entry<'_>, contact: ContactId) {
         let Some(EpistemicTable { table, any_of, .. }) = EpistemicTable::read(self, entry) else { return };
-        let others = EpistemicTable::KEYS.keys.iter().filter(|key| any_of.as_ref().is_none_or(|own| own.name != key.name));
+        let others =
+            EpistemicTable::KEYS.keys.iter().filter(|key| any_of.as_ref().is_none_or(|own| own.name != key.name));
         for interval in others.filter_map(|key| table.get(key.name)) {
             self.complain(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
         }

@@ -351,9 +351,7 @@ impl StudyReader {
         scatter_si: Option<f64>,
     ) -> Option<(usize, Option<ReadingScatter>)> {
         let stated = table.repeats.as_ref().and_then(|entry| self.reader.count_of(entry));
-        if let (Some(entry), true) =
-            (&table.repeats, table.dead_travel.as_ref().is_some_and(|entry| entry.is_list()))
-        {
+        if let (Some(entry), true) = (&table.repeats, table.dead_travel.as_ref().is_some_and(|entry| entry.is_list())) {
             let problem = MeasuredProblem::RepeatsOfList { entry: entry.path.describe(), found: values_si.len() };
             return self.refused(&problem, entry.span);
         }

@@ -69,8 +69,8 @@ pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts, states_nominal};
-pub(super) use words::statistic_name;
 use words::READINGS;
+pub(super) use words::statistic_name;
 
 use crate::outputs::study_outputs;
 use crate::question::read_questions;

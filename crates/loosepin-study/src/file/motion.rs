@@ -156,17 +156,17 @@ impl StudyReader {
         known: &[MeasuredMotion],
     ) -> Option<MeasuredMotion> {
         let motion = MotionTable::read(self, entry)?;
-        let MotionTable { table, output, component, of, joint, order, within, highest_order, sampled, file, .. } = &motion;
+        let MotionTable { table, output, component, of, joint, order, within, highest_order, sampled, file, .. } =
+            &motion;
         let words = || table.path.describe();
         motion.kind?;
         let feature_entry = motion.feature.as_ref()?;
         let feature_word = self.reader.text(feature_entry)?.to_owned();
         let feature = self.reader.choice(feature_entry, &FEATURES)?;
         let (needed, others) = match feature {
-            FeatureWord::Impacts => (
-                vec![("joint", joint)],
-                vec![output, component, of, order, within, highest_order, sampled, file],
-            ),
+            FeatureWord::Impacts => {
+                (vec![("joint", joint)], vec![output, component, of, order, within, highest_order, sampled, file])
+            }
             FeatureWord::Order => (vec![("order", order), ("output", output)], vec![joint, within]),
             FeatureWord::Dwell => (vec![("within", within), ("output", output)], vec![joint, order]),
             FeatureWord::Reduced(_) => (vec![("output", output)], vec![joint, order, within]),
@@ -241,7 +241,8 @@ impl StudyReader {
             Some(entry) => Some(IsSampled::read(self, entry)?.0),
             None => None,
         };
-        let needs = motion.file.is_some() || motion.highest_order.is_some() || !matches!(feature, FeatureWord::Reduced(_));
+        let needs =
+            motion.file.is_some() || motion.highest_order.is_some() || !matches!(feature, FeatureWord::Reduced(_));
         let words = table.path.describe();
         if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
             return Some(MotionSubject::Located { output, deviation, reduction });

@@ -8,8 +8,8 @@ use super::sampling::MOST_INNER;
 use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
 use loosepin_result::study::Side;
 use loosepin_text::document::{Entry, Kind, Reads, Value, count};
-use loosepin_text::units::{Rule, format_number};
 use loosepin_text::record;
+use loosepin_text::units::{Rule, format_number};
 use loosepin_uncertainty::EpistemicVariable;
 
 record! {

@@ -115,8 +115,7 @@ impl StudyReader {
         let output = self.output(whole, &table.output, &table.component);
         let deviation = self.deviation(table.of.as_ref(), output);
         let location = self.location([&table.over, &table.poses, &None], output.zip(deviation));
-        let probability_at_least =
-            table.probability_at_least.as_ref().and_then(|entry| self.reader.number_of(entry));
+        let probability_at_least = table.probability_at_least.as_ref().and_then(|entry| self.reader.number_of(entry));
         let output = output?;
         let dimension = self.outputs[output].dimension;
         let limit = if let Some(entry) = within {
@@ -131,9 +130,7 @@ impl StudyReader {
         let probability_at_least = probability_at_least?;
         let is_promised = self.is_decided_by_promise(table.decided_by.as_ref(), probability_at_least);
         // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
-        if probability_at_least == 1.0
-            && !self.random.is_empty()
-        {
+        if probability_at_least == 1.0 && !self.random.is_empty() {
             let problem = StudyProblem::CertaintyOfSamples { entry: probability_entry.path.describe() };
             let place = Place::new(&self.reader.source, probability_entry.span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));

@@ -40,11 +40,7 @@ impl StudyReader {
         }
     }
 
-    fn rows_of_specimen(
-        &mut self,
-        entry: &Entry<'_>,
-        random: Option<&Entry<'_>>,
-    ) -> Option<(Copula, SpecimenRows)> {
+    fn rows_of_specimen(&mut self, entry: &Entry<'_>, random: Option<&Entry<'_>>) -> Option<(Copula, SpecimenRows)> {
         let written = SpecimenTable::read(self, entry)?.mechanisms?;
         let file = self.reader.text(&written)?.to_owned();
         let sample = match read_beside(&self.reader.source, &file).and_then(JointSample::from_source) {

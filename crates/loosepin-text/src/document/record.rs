@@ -142,7 +142,24 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 /// in a file. `as KEY` takes a key that tables share. `for` names the trait of what reads the table.
 ///
 /// Of a `lenient struct` what is wrong or missing counts as left out after the complaint about it, so that everything else in the table is
-/// checked too: every field without `or` is an option, of required keys as well.
+/// checked too: every field without `or` is an option, of required keys as well. It can be read where it is left out.
+///
+/// ```
+/// use loosepin_text::diagnostics::Source;
+/// use loosepin_text::document::{Kind, Reader, Reads, count};
+/// use loosepin_text::record;
+///
+/// record! {
+///     /// how often something is done
+///     lenient struct Repeats for Reads;
+///     /// how often
+///     optional times: u64 = count(1, 10), "2", or 1;
+///     /// what is done
+///     required name: String = Kind::Text, "\"turn\"";
+/// }
+/// let repeats = Repeats::read_or_usual(&mut Reader::new(&Source::new("", "")), None);
+/// assert_eq!((repeats.times, repeats.name), (1, None));
+/// ```
 #[macro_export]
 macro_rules! record {
     ($(#[doc = $doc:literal])+ $visibility:vis lenient struct $($rest:tt)+) => {
