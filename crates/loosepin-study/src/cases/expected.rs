@@ -85,12 +85,11 @@ impl ExpectedReader<'_> {
             .into_iter()
             .map(|value_si| ExpectedNumber { value_si, settings: Vec::new(), at: None, words: None })
             .collect();
-        let instants: [(_, fn(f64) -> At, _); 3] = [
-            (&table.angle, At::Angle, Dimension::ANGLE),
+        for (entry, at, dimension) in [
+            (&table.angle, At::Angle as fn(f64) -> At, Dimension::ANGLE),
             (&table.time, At::Time, Dimension::TIME),
             (&table.penetration, At::Penetration, Dimension::LENGTH),
-        ];
-        for (entry, at, dimension) in instants {
+        ] {
             let Some(entry) = entry else { continue };
             let instants = self.one_or_each(entry, dimension)?;
             self.same_length(entry, instants.len(), numbers.len())?;

@@ -66,18 +66,18 @@ impl StudyReader {
 
     pub(super) fn weibull(&mut self, table: Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let WeibullTable { shape, scale, lower, .. } = WeibullTable::of(self, table)?;
-        let [shape, scale, lower] = self.from_an_end([&shape, &scale, &lower], dimension)?;
+        let [shape, scale, lower] = self.shape_scale_and_end([&shape, &scale, &lower], dimension)?;
         Some(Distribution::Weibull { shape, scale, lower })
     }
 
     pub(super) fn gamma(&mut self, table: Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let GammaTable { shape, scale, lower, .. } = GammaTable::of(self, table)?;
-        let [shape, scale, lower] = self.from_an_end([&shape, &scale, &lower], dimension)?;
+        let [shape, scale, lower] = self.shape_scale_and_end([&shape, &scale, &lower], dimension)?;
         Some(Distribution::Gamma { shape, scale, lower })
     }
 
     /// Shape, scale and lower end of a distribution that goes on without end above it.
-    fn from_an_end(
+    fn shape_scale_and_end(
         &mut self,
         [shape, scale_entry, lower]: [&Option<Entry<'_>>; 3],
         dimension: Dimension,
