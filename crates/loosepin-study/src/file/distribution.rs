@@ -20,19 +20,19 @@ const SHAPES: RangeInclusive<f64> = 0.05..=1e6;
 impl StudyReader {
     pub(super) fn normal(&mut self, table: Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let NormalTable { mean, standard_deviation: deviation, .. } = NormalTable::of(self, table)?;
-        let (mean, standard_deviation) = self.moments(&mean, &deviation, dimension, false)?;
+        let (mean, standard_deviation) = self.moments(&mean, &deviation, dimension, None)?;
         Some(Distribution::Normal { mean, standard_deviation })
     }
 
     pub(super) fn lognormal(&mut self, table: Table<'_>, dimension: Dimension) -> Option<Distribution> {
-        let LognormalTable { mean, standard_deviation: deviation, .. } = LognormalTable::of(self, table)?;
-        let (mean, standard_deviation) = self.moments(&mean, &deviation, dimension, true)?;
+        let LognormalTable { table, mean, standard_deviation: deviation } = LognormalTable::of(self, table)?;
+        let (mean, standard_deviation) = self.moments(&mean, &deviation, dimension, Some(&table))?;
         Some(Distribution::Lognormal { mean, standard_deviation })
     }
 
     pub(super) fn truncated_normal(&mut self, table: Table<'_>, dimension: Dimension) -> Option<Distribution> {
         let table = TruncatedNormalTable::of(self, table)?;
-        let moments = self.moments(&table.mean, &table.standard_deviation, dimension, false);
+        let moments = self.moments(&table.mean, &table.standard_deviation, dimension, None);
         let (lower, upper) = self.ends(&table.lower, &table.upper, dimension)?;
         let (mean, standard_deviation) = moments?;
         Some(Distribution::TruncatedNormal { mean, standard_deviation, lower, upper })

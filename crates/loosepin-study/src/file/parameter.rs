@@ -73,12 +73,13 @@ impl StudyReader {
     }
 
     /// Mean and standard deviation. Where the mean is not written it is the value in the model, so that one dimension has one nominal value.
+    /// `positive_mean` is the table where the mean must be above zero.
     pub(super) fn moments(
         &mut self,
         mean_entry: &Option<Entry<'_>>,
         deviation_entry: &Option<Entry<'_>>,
         dimension: Dimension,
-        positive_mean: bool,
+        positive_mean: Option<&Table<'_>>,
     ) -> Option<(f64, f64)> {
         let mean = match mean_entry {
             None if !self.parameters.is_inner => self.parameters.nominal_si,
@@ -86,7 +87,16 @@ impl StudyReader {
         };
         let deviation = self.parameter(deviation_entry, dimension);
         let (mean, deviation) = (mean?, deviation?);
-        let mean_is_possible = !positive_mean || self.positive(mean_entry, mean, dimension);
+        let mean_is_possible = match (positive_mean, mean_entry) {
+            (None, _) => true,
+            (Some(table), None) if mean <= 0.0 => {
+                let (entry, found) = (table.path.join("mean").describe(), format_value(mean, dimension));
+                let rule = "> 0, and is the value in the model where it is left out".to_owned();
+                self.reader.complain(&StudyProblem::DistributionRule { entry, found, rule }, table.span);
+                false
+            }
+            (Some(_), _) => self.positive(mean_entry, mean, dimension),
+        };
         (self.positive(deviation_entry, deviation, dimension) && mean_is_possible).then_some((mean, deviation))
     }
 
