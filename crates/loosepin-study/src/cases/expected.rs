@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use super::case::{At, Case, Check, ExpectedNumber, History, Numbers, Ours, Quantity, QuantityKind, Reduce, What};
 use super::dimension::{dimension_of, si_unit, state_dimension, stiffness_dimension};
-use super::keys::{COLUMN_KEYS, EXPECTED_KEYS, HISTORY_KEYS, NUMBER_KEYS, ORIGINS, QUANTITIES, REDUCTIONS};
 use super::problem::CaseProblem;
 use super::reference::{Reference, open_reference};
 use super::script_file::read_script;
+use super::tables::{ColumnTable, ExpectedTable, HistoryTable, NumberTable, Origin, QUANTITIES};
 use loosepin_mechanics::model::{BodyId, Motion, Position, Relative};
 use loosepin_simulate::accuracy::position_outputs;
 use loosepin_simulate::{Column, columns, input};
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
-use loosepin_text::document::{Entry, Reader, Table, Written, parse_toml};
+use loosepin_text::document::{Entry, Reader, Reads, Value, Written, parse_toml};
 use loosepin_text::units::{Dimension, ReadableUnit, Rule, SiUnit};
 
 /// Parts of a state of a body, in the order of `history.csv`: positions, velocities, accelerations.
@@ -26,16 +26,17 @@ const STATE_PARTS: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "a
 pub(super) fn read_expected(source: &Arc<Source>, folder: &Path, case: &Case) -> Result<Vec<Check>, Complaints> {
     let toml = parse_toml(source)?;
     let mut reader = Reader::new(source);
-    let root = reader.root(toml.get_ref(), &EXPECTED_KEYS);
+    let root = reader.root(toml.get_ref(), &ExpectedTable::KEYS);
+    let root = ExpectedTable::of(&mut reader, root).expect("every key may be left out");
     let mut file = ExpectedReader { reader, case, span_s: cycle_s(case)? };
     let mut checks = Vec::new();
-    if let Some(entry) = root.get("expected") {
-        for entry in file.reader.named(&entry, "a number") {
+    if let Some(entry) = &root.expected {
+        for entry in file.reader.named(entry, "a number") {
             checks.extend(file.numbers(&entry));
         }
     }
-    if let Some(entry) = root.get("history") {
-        for entry in file.reader.named(&entry, "a history") {
+    if let Some(entry) = &root.history {
+        for entry in file.reader.named(entry, "a history") {
             checks.extend(file.history(&entry, folder));
         }
     }
@@ -61,43 +62,45 @@ struct ExpectedReader<'c> {
     span_s: f64,
 }
 
+impl Reads for ExpectedReader<'_> {
+    fn document(&mut self) -> &mut Reader {
+        &mut self.reader
+    }
+}
+
 impl ExpectedReader<'_> {
     fn numbers(&mut self, entry: &Entry<'_>) -> Option<Check> {
-        let table = self.reader.table(entry, &NUMBER_KEYS)?;
-        let origin = self.origin(&table);
-        let source = self.text(&table, "source");
-        self.text(&table, "reason");
+        let table = NumberTable::read(self, entry)?;
         let quantity = self.quantity(&table);
-        let settings = self.settings(&table);
+        let settings = self.settings(table.set.as_ref());
         let (quantity, due) = quantity?;
-        let values = self.one_or_each(&table.get("value")?, due)?;
+        let value = table.value.as_ref()?;
+        let values = self.one_or_each(value, due)?;
         if values.is_empty() {
-            self.nothing(&table.get("value")?);
+            self.nothing(value);
         }
-        let tolerance_si = self.reader.measured(&table.get("tolerance")?, due, Rule::NonNegative)?;
-        let unit = self.unit(&table.get("value")?, due);
+        let tolerance_si = self.reader.measured(table.tolerance.as_ref()?, due, Rule::NonNegative)?;
+        let unit = self.unit(value, due);
         let mut numbers: Vec<ExpectedNumber> = values
             .into_iter()
             .map(|value_si| ExpectedNumber { value_si, settings: Vec::new(), at: None, words: None })
             .collect();
-        for (key, dimension) in
-            [("angle", Dimension::ANGLE), ("time", Dimension::TIME), ("penetration", Dimension::LENGTH)]
-        {
-            let Some(entry) = table.get(key) else { continue };
-            let instants = self.one_or_each(&entry, dimension)?;
-            self.same_length(&entry, instants.len(), numbers.len())?;
-            let texts = self.texts(&entry);
+        for (entry, at, dimension) in [
+            (&table.angle, At::Angle as fn(f64) -> At, Dimension::ANGLE),
+            (&table.time, At::Time, Dimension::TIME),
+            (&table.penetration, At::Penetration, Dimension::LENGTH),
+        ] {
+            let Some(entry) = entry else { continue };
+            let instants = self.one_or_each(entry, dimension)?;
+            self.same_length(entry, instants.len(), numbers.len())?;
+            let texts = self.texts(entry);
             for ((number, instant), text) in numbers.iter_mut().zip(instants).zip(texts) {
-                number.at = Some(match key {
-                    "angle" => At::Angle(instant),
-                    "time" => At::Time(instant),
-                    _ => At::Penetration(instant),
-                });
+                number.at = Some(at(instant));
                 number.words = Some(format!("at {text}"));
             }
         }
-        if let (Some(settings), Some(entry)) = (settings?, table.get("set")) {
-            self.same_length(&entry, settings.len(), numbers.len())?;
+        if let (Some(settings), Some(entry)) = (settings?, &table.set) {
+            self.same_length(entry, settings.len(), numbers.len())?;
             for (number, setting) in numbers.iter_mut().zip(settings) {
                 let (path, value) = setting.split_once('=').unwrap_or((&setting, ""));
                 let quantity = path.rsplit('.').next().unwrap_or(path);
@@ -107,26 +110,18 @@ impl ExpectedReader<'_> {
         }
         Some(Check {
             name: entry.name.replace('_', " "),
-            origin: origin?,
-            source: source?,
+            origin: table.origin?.0,
+            source: table.source.filter(|_| table.reason.is_some())?,
             place: self.reader.place(entry.key_span),
             what: What::Numbers(Numbers { quantity, numbers, tolerance_si, unit }),
         })
     }
 
-    fn origin(&mut self, table: &Table<'_>) -> Option<&'static str> {
-        self.reader.choice(&table.get("origin")?, &ORIGINS.map(|origin| (origin, origin)))
-    }
-
-    fn text(&mut self, table: &Table<'_>, key: &str) -> Option<String> {
-        self.reader.text(&table.get(key)?).map(str::to_owned)
-    }
-
     /// The settings, checked against the model; none where the key is not written.
-    fn settings(&mut self, table: &Table<'_>) -> Option<Option<Vec<String>>> {
-        let Some(entry) = table.get("set") else { return Some(None) };
+    fn settings(&mut self, written: Option<&Entry<'_>>) -> Option<Option<Vec<String>>> {
+        let Some(entry) = written else { return Some(None) };
         let mut settings = Vec::new();
-        for entry in self.reader.list(&entry)? {
+        for entry in self.reader.list(entry)? {
             let text = self.reader.text(&entry)?.to_owned();
             if let Err(complaints) = self.case.model.set_values(std::slice::from_ref(&text)) {
                 let place = self.reader.place(entry.span);
@@ -184,20 +179,21 @@ impl ExpectedReader<'_> {
     }
 
     /// How the numbers are obtained, and what they measure.
-    fn quantity(&mut self, table: &Table<'_>) -> Option<(Quantity, Dimension)> {
-        let entry = table.get("quantity")?;
-        let (word, kind, keys) =
-            self.reader.choice(&entry, &QUANTITIES.map(|(word, kind, keys)| (word, (word, kind, keys))))?;
+    fn quantity(&mut self, written: &NumberTable<'_>) -> Option<(Quantity, Dimension)> {
+        let table = &written.table;
+        let (word, kind, keys) = self
+            .reader
+            .choice(written.quantity.as_ref()?, &QUANTITIES.map(|(word, kind, keys)| (word, (word, kind, keys))))?;
         for key in ["joint", "output", "state", "reduce", "angle", "time", "penetration", "span"] {
             if let Some(entry) = table.get(key).filter(|_| !keys.contains(&key)) {
                 let problem = CaseProblem::KeyWithoutEffect { entry: entry.path.describe(), quantity: word };
                 self.reader.complain(&problem, entry.key_span);
             }
         }
-        let play = if keys.contains(&"joint") { Some(self.play(table)?) } else { None };
-        let column = if keys.contains(&"output") { Some(self.column(table, kind)?) } else { None };
-        let reduce = match table.get("reduce") {
-            Some(entry) => Some(self.reader.choice(&entry, &REDUCTIONS)?),
+        let play = if keys.contains(&"joint") { Some(self.play(written)?) } else { None };
+        let column = if keys.contains(&"output") { Some(self.column(written, kind)?) } else { None };
+        let reduce = match &written.reduce {
+            Some(entry) => Some(Reduce::read(self, entry)?),
             None => None,
         };
         let needs_instant = keys.contains(&"output") && reduce.is_none();
@@ -209,26 +205,26 @@ impl ExpectedReader<'_> {
         if keys.contains(&"penetration") && !self.reader.demand(table, "penetration") {
             return None;
         }
-        let span_s = match table.get("span") {
-            Some(entry) => self.reader.measured(&entry, Dimension::TIME, Rule::Positive)?,
+        let span_s = match &written.span {
+            Some(entry) => self.reader.measured(entry, Dimension::TIME, Rule::Positive)?,
             None => self.span_s,
         };
         let due = self.dimension(kind, play, column.as_ref(), reduce);
         Some((Quantity { kind, play, column, reduce, span_s }, due))
     }
 
-    fn play(&mut self, table: &Table<'_>) -> Option<usize> {
-        if !self.reader.demand(table, "joint") {
+    fn play(&mut self, written: &NumberTable<'_>) -> Option<usize> {
+        if !self.reader.demand(&written.table, "joint") {
             return None;
         }
-        let entry = table.get("joint")?;
-        let name = self.reader.text(&entry)?;
+        let entry = written.joint.as_ref()?;
+        let name = self.reader.text(entry)?;
         let mechanism = &self.case.mechanism;
         let known: Vec<String> =
             mechanism.plays.iter().map(|&play| mechanism.model.play_name(play).to_owned()).collect();
         let found = known.iter().position(|known| known == name);
         if found.is_none() {
-            self.unknown(&entry, "joint with play", name, known);
+            self.unknown(entry, "joint with play", name, known);
         }
         found
     }
@@ -239,9 +235,9 @@ impl ExpectedReader<'_> {
     }
 
     /// The output, or the state of a body read as one.
-    fn column(&mut self, table: &Table<'_>, kind: QuantityKind) -> Option<Column> {
-        if let Some(entry) = table.get("state") {
-            let (body, part) = self.state(&entry)?;
+    fn column(&mut self, written: &NumberTable<'_>, kind: QuantityKind) -> Option<Column> {
+        if let Some(entry) = &written.state {
+            let (body, part) = self.state(entry)?;
             let angle = Position::Angle(Relative::to_ground(BodyId(body + 1)));
             let (reading, unit) = match part {
                 2 => (Motion::position(angle), SiUnit::ANGLE),
@@ -249,18 +245,18 @@ impl ExpectedReader<'_> {
                 8 => (Motion::acceleration(angle), SiUnit::ANGULAR_ACCELERATION),
                 _ => {
                     let known = ["angle", "omega", "alpha"].map(str::to_owned).to_vec();
-                    self.unknown(&entry, "state for single values called", STATE_PARTS[part], known);
+                    self.unknown(entry, "state for single values called", STATE_PARTS[part], known);
                     return None;
                 }
             };
-            let name = self.reader.text(&entry)?.to_owned();
+            let name = self.reader.text(entry)?.to_owned();
             return Some(Column { output: 0, words: name.clone(), name, unit, reading: reading.into() });
         }
-        if !self.reader.demand(table, "output") {
+        if !self.reader.demand(&written.table, "output") {
             return None;
         }
-        let entry = table.get("output")?;
-        let index = self.output(&entry)?;
+        let entry = written.output.as_ref()?;
+        let index = self.output(entry)?;
         let column = columns(&self.case.mechanism.model).swap_remove(index);
         let is_quasi_static = matches!(
             kind,
@@ -268,7 +264,7 @@ impl ExpectedReader<'_> {
         );
         let known: Vec<String> = position_outputs(&self.case.mechanism).into_iter().map(|output| output.name).collect();
         if is_quasi_static && !known.contains(&column.name) {
-            self.unknown(&entry, "output of positions", &column.name, known);
+            self.unknown(entry, "output of positions", &column.name, known);
             return None;
         }
         Some(column)
@@ -331,19 +327,20 @@ impl ExpectedReader<'_> {
     }
 
     fn history(&mut self, entry: &Entry<'_>, folder: &Path) -> Vec<Check> {
-        let Some(table) = self.reader.table(entry, &HISTORY_KEYS) else { return Vec::new() };
-        let origin = self.origin(&table);
-        let source = self.text(&table, "source");
-        self.text(&table, "reason");
-        let reference = table.get("file").and_then(|entry| {
+        let Some(table) = HistoryTable::read(self, entry) else { return Vec::new() };
+        let reference = table.file.and_then(|entry| {
             let file = self.reader.text(&entry)?.to_owned();
             open_reference(&mut self.reader, folder, &file, entry.span)
         });
-        let listed = table.get("columns").and_then(|entry| self.reader.list(&entry)).unwrap_or_default();
-        if let Some(columns) = table.get("columns").filter(|_| listed.is_empty()) {
-            self.nothing(&columns);
+        let listed = table.columns.as_ref().and_then(|entry| self.reader.list(entry)).unwrap_or_default();
+        if let Some(columns) = table.columns.as_ref().filter(|_| listed.is_empty()) {
+            self.nothing(columns);
         }
-        let (Some(origin), Some(source), Some(reference)) = (origin, source, reference) else { return Vec::new() };
+        let (Some(Origin(origin)), Some(source), Some(_), Some(reference)) =
+            (table.origin, table.source, table.reason, reference)
+        else {
+            return Vec::new();
+        };
         let mut checks = Vec::new();
         for listed in listed {
             if let Some((name, history)) = self.history_column(&listed, &reference) {
@@ -356,25 +353,25 @@ impl ExpectedReader<'_> {
     }
 
     fn history_column(&mut self, entry: &Entry<'_>, reference: &Arc<Reference>) -> Option<(String, History)> {
-        let table = self.reader.table(entry, &COLUMN_KEYS)?;
-        let wanted = table.get("column")?;
+        let table = ColumnTable::read(self, entry)?;
+        let wanted = table.column?;
         let name = self.reader.text(&wanted)?;
         let Some(column) = reference.columns.iter().position(|known| known == name) else {
             self.unknown(&wanted, "column", name, reference.columns.clone());
             return None;
         };
-        let (ours, due, words) = if let Some(entry) = table.get("output") {
+        let (ours, due, words) = if let Some(entry) = table.output {
             let index = self.output(&entry)?;
             let column = columns(&self.case.mechanism.model).swap_remove(index);
             (Ours::Output(index), dimension_of(&column.unit), column.name)
         } else {
-            let entry = table.get("state")?;
+            let entry = table.state?;
             let (body, part) = self.state(&entry)?;
             let bodies = self.case.model.bodies.len() - 1;
             let index = (part / 3 * bodies + body) * 3 + part % 3;
             (Ours::State(index), state_dimension(part), self.reader.text(&entry)?.to_owned())
         };
-        let entry = table.get("tolerance")?;
+        let entry = table.tolerance?;
         let tolerance_si = self.reader.measured(&entry, due, Rule::NonNegative)?;
         let unit = self.unit(&entry, due);
         Some((words, History { reference: Arc::clone(reference), columns: vec![(column, ours)], tolerance_si, unit }))

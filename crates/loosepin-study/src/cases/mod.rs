@@ -10,12 +10,12 @@ mod expected;
 mod folder;
 mod history;
 mod ideal;
-mod keys;
 mod obtain;
 mod problem;
 pub use loosepin_result::cases as record;
 mod reference;
 mod script_file;
+mod tables;
 
 pub use case::Case;
 pub use compare::{compare, compare_all};

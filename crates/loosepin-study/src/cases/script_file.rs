@@ -8,9 +8,9 @@ use super::case::{
     Case, Check, ExpectedNumber, History, ImpactNumber, Impacts, Numbers, Ours, Quantity, QuantityKind, What,
 };
 use super::dimension::{si_unit, stiffness_dimension};
-use super::keys::{IMPACT_KEYS, SCRIPT_KEYS};
 use super::problem::CaseProblem;
 use super::reference::open_reference;
+use super::tables::{ENERGY_KEYS, ExpectedTable, IMPACT_KEYS, JOINT_KEYS, REFERENCE_KEYS};
 use loosepin_text::diagnostics::Place;
 use loosepin_text::document::{Reader, Table};
 use loosepin_text::units::{Dimension, ReadableUnit, decimal_exponent, power_of_ten};
@@ -36,10 +36,9 @@ const RESIDUAL_SHARE: f64 = 1e-8;
 const FILE: &str = "reference.csv";
 
 /// Reads the tables of a script, where the file has them.
-pub(super) fn read_script(reader: &mut Reader, root: &Table<'_>, folder: &Path, case: &Case) -> Vec<Check> {
-    let [reference_keys, energy_keys, joint_keys] = SCRIPT_KEYS.map(|(_, keys)| keys);
-    let Some(entry) = root.get("reference") else { return Vec::new() };
-    let Some(table) = reader.table(&entry, reference_keys) else { return Vec::new() };
+pub(super) fn read_script(reader: &mut Reader, root: &ExpectedTable<'_>, folder: &Path, case: &Case) -> Vec<Check> {
+    let Some(entry) = &root.reference else { return Vec::new() };
+    let Some(table) = reader.table(entry, &REFERENCE_KEYS) else { return Vec::new() };
     let source = table.get("source").and_then(|entry| reader.text(&entry)).unwrap_or_default();
     // The script writes the origin in front of its source.
     let source = source.strip_prefix("peer: ").unwrap_or(source).to_owned();
@@ -62,12 +61,12 @@ pub(super) fn read_script(reader: &mut Reader, root: &Table<'_>, folder: &Path, 
         let history = History { reference: reference.clone(), columns, tolerance_si, unit: si_unit(unit) };
         found.push(name.to_owned(), What::History(history));
     }
-    if let Some(table) = root.get("energy").and_then(|entry| reader.table(&entry, energy_keys)) {
+    if let Some(table) = root.energy.as_ref().and_then(|entry| reader.table(entry, &ENERGY_KEYS)) {
         found.energies(reader, &table);
     }
     found.residual();
-    for entry in root.get("joint").map(|entry| reader.named(&entry, "a joint")).unwrap_or_default() {
-        let Some(table) = reader.table(&entry, joint_keys) else { continue };
+    for entry in root.joint.as_ref().map(|entry| reader.named(entry, "a joint")).unwrap_or_default() {
+        let Some(table) = reader.table(&entry, &JOINT_KEYS) else { continue };
         let name_of = |play: usize| case.model.play_name(case.mechanism.plays[play]);
         match (0..case.mechanism.plays.len()).find(|&play| name_of(play) == entry.name) {
             Some(play) => found.joint(reader, &table, entry.name, play, case),

@@ -9,10 +9,10 @@ use super::reader::StudyReader;
 use super::sizes::MOST_RUNS;
 use super::study::Study;
 use super::target::AccuracyTarget;
-use super::words::{NUMBERS, statistic_name};
+use super::words::{numbers, statistic_name};
 use loosepin_result::study::Budget;
 use loosepin_text::diagnostics::{Code, Complaint, Place, Source, Span, nearest_name, problems};
-use loosepin_text::document::{Entry, Table, Written, listed};
+use loosepin_text::document::{Entry, Written, listed};
 use loosepin_text::units::{Dimension, ExpressionProblem, Measured, Rule, format_value, parse_quantity};
 
 problems! {
@@ -32,7 +32,7 @@ problems! {
             says("'{name}' is no statistic with an accuracy"),
             hint_of(Some(match nearest {
                 Some(nearest) => format!("did you mean '{nearest}'?"),
-                None => format!("there is {}", listed(&NUMBERS.map(str::to_owned), "and")),
+                None => format!("there is {}", listed(&numbers().map(str::to_owned).collect::<Vec<_>>(), "and")),
             }));
         /// A statistic that is not asked of the output.
         NotAsked { statistic: &'static str, output: String, asked: Vec<String> } => Code::UnknownReference,
@@ -219,9 +219,9 @@ impl Study {
 }
 
 fn asked_statistic(name: &str) -> Result<&'static str, AccuracyProblem> {
-    NUMBERS.into_iter().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
+    numbers().find(|known| *known == name).ok_or_else(|| AccuracyProblem::UnknownStatistic {
         name: name.to_owned(),
-        nearest: nearest_name(name, NUMBERS).map(str::to_owned),
+        nearest: nearest_name(name, numbers()).map(str::to_owned),
     })
 }
 
@@ -272,13 +272,13 @@ pub(crate) struct WrittenAccuracies {
 }
 
 impl StudyReader {
-    /// Reads the accuracies under `accuracy`: one, or a list.
-    pub fn accuracies(&mut self, table: &Table<'_>) -> WrittenAccuracies {
+    /// Reads the accuracies at an entry: one, or a list.
+    pub fn accuracies(&mut self, entry: Option<&Entry<'_>>) -> WrittenAccuracies {
         let mut found = WrittenAccuracies::default();
-        let Some(entry) = table.get("accuracy") else { return found };
-        let entries = if entry.is_list() { self.reader.list(&entry).unwrap_or_default() } else { vec![entry.clone()] };
+        let Some(entry) = entry else { return found };
+        let entries = if entry.is_list() { self.reader.list(entry).unwrap_or_default() } else { vec![entry.clone()] };
         if entry.is_empty_list() {
-            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, &entry);
+            self.complain(&StudyProblem::Empty { entry: entry.path.describe() }, entry);
         }
         for entry in entries {
             let Some((text, measured)) = self.any_value(&entry) else { continue };
@@ -327,9 +327,9 @@ impl StudyReader {
     }
 
     /// Reads a budget, and where it is written.
-    pub fn budget(&mut self, table: &Table<'_>) -> Option<(Budget, Place)> {
-        let entry = table.get("budget")?;
-        let text = match self.reader.written(&entry)? {
+    pub fn budget(&mut self, entry: Option<&Entry<'_>>) -> Option<(Budget, Place)> {
+        let entry = entry?;
+        let text = match self.reader.written(entry)? {
             Written::Number(number) => number.to_string(),
             Written::Text(text) => text.to_owned(),
         };

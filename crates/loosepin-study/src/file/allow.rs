@@ -1,32 +1,56 @@
 //! What may be loosened: the unknowns of the inverse question.
 
 use super::description::{Allowance, AllowedInput};
-use super::keys::ALLOW_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::requirement::Requirement;
-use super::words::TOGETHER;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_result::study::Together;
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Choice, Entry, Kind, Reads, Value};
 use loosepin_text::units::{Dimension, Rule, format_apart};
+use loosepin_text::{choices, record};
 use loosepin_uncertainty::{Distribution, EpistemicVariable, Parameter};
 
+choices!(
+    /// How inputs are loosened together.
+    pub(super) struct TogetherWord(Together):
+    "proportional" => Together::Proportional,
+    "frontier" => Together::Frontier,
+);
+
+record! {
+    /// what may be loosened as far as the requirements allow: the upper end of an interval, a standard deviation, or a fit
+    pub(super) lenient struct AllowTable for Reads, exactly one of [up_to, fit];
+    /// the largest value that is asked about
+    optional up_to: Entry<'t> = Kind::AnyQuantity, "\"0.5 mm\"";
+    /// ISO 286 fits of a joint with play, in any order: the loosest of them is asked for
+    optional fit: Entry<'t> = Kind::List(&Kind::Text), "[\"H7/g6\", \"H8/f7\", \"H9/e9\"]";
+    /// diameter of the fits
+    optional diameter: Entry<'t> = Kind::AnyQuantity, "\"20 mm\"";
+    /// values that are offered, each with its cost; the cheapest combination over all inputs is chosen
+    optional cost: Entry<'t> =
+        Kind::List(&Kind::List(&Kind::AnyQuantity)), "[[\"0.01 mm\", 12.0], [\"0.05 mm\", 3.0]]";
+}
+
 impl StudyReader {
-    /// Reads what may be loosened.
-    pub fn read_allowances(&mut self, root: &Table<'_>, requirements: &[Requirement]) -> Vec<Allowance> {
-        let Some(entry) = root.get("allow") else { return Vec::new() };
-        let allowances = self.reader.any_keys(&entry).iter().filter_map(|entry| self.allowance(root, entry)).collect();
-        if requirements.is_empty() && root.get("require").is_none() {
+    /// Reads what may be loosened. `inputs`: the tables of random and of epistemic inputs; `has_requirements`: whether any are written.
+    pub fn read_allowances(
+        &mut self,
+        written: Option<&Entry<'_>>,
+        inputs: [Option<&Entry<'_>>; 2],
+        has_requirements: bool,
+    ) -> Vec<Allowance> {
+        let Some(entry) = written else { return Vec::new() };
+        let allowances = self.reader.any_keys(entry).iter().filter_map(|entry| self.allowance(inputs, entry)).collect();
+        if !has_requirements {
             self.complain(&StudyProblem::NothingRequired, &entry.at_key());
         }
         allowances
     }
 
     /// How the inputs are loosened together.
-    pub fn together(&mut self, root: &Table<'_>, allowances: &[Allowance]) -> Option<Together> {
-        let entry = root.get("allow_together")?;
-        let together = self.reader.choice(&entry, &TOGETHER)?;
+    pub fn together(&mut self, written: Option<&Entry<'_>>, allowances: &[Allowance]) -> Option<Together> {
+        let entry = written?;
+        let TogetherWord(together) = TogetherWord::read(self, entry)?;
         // An input that is refused has its own complaint.
         if self.reader.complaints.has_errors() {
             return None;
@@ -41,29 +65,30 @@ impl StudyReader {
             None if allowances.is_empty() => "none".to_owned(),
             None => allowances.len().to_string(),
         };
-        let word = TOGETHER.iter().find(|known| known.1 == together).map_or("", |known| known.0).to_owned();
+        let word =
+            TogetherWord::CHOICES.iter().find(|known| known.1.0 == together).map_or("", |known| known.0).to_owned();
         self.refused(&StudyProblem::Together { word, found }, entry.span)
     }
 
-    fn allowance(&mut self, root: &Table<'_>, entry: &Entry<'_>) -> Option<Allowance> {
+    fn allowance(&mut self, inputs: [Option<&Entry<'_>>; 2], entry: &Entry<'_>) -> Option<Allowance> {
         let path = entry.name.to_owned();
-        let table = self.reader.table(entry, &ALLOW_KEYS)?;
-        if table.has("fit") {
-            return self.fit_allowance(path, entry, &table);
+        let table = AllowTable::read(self, entry)?;
+        if let Some(fits) = &table.fit {
+            return self.fit_allowance(path, entry, &table, fits);
         }
         let Some((input, least, dimension)) = self.allowed_input(&path) else {
             // An input that is refused where it is described has its complaint there.
-            return if self.is_refused(root, &path) {
+            return if self.is_refused(inputs, &path) {
                 None
             } else {
                 self.refused(&StudyProblem::AllowedInput { path }, entry.key_span)
             };
         };
-        if let Some(diameter) = table.get("diameter") {
+        if let Some(diameter) = table.diameter {
             let problem = StudyProblem::BesideFits { entry: diameter.path.describe(), has_fits: false };
             return self.refused(&problem, diameter.key_span);
         }
-        let written = table.get("up_to")?;
+        let written = table.up_to?;
         let up_to = self.reader.measured(&written, dimension, Rule::Finite)?;
         if !(up_to > least) {
             self.above(&written, up_to, least, dimension);
@@ -76,8 +101,8 @@ impl StudyReader {
             return None;
         }
         let mut costs: Vec<[f64; 2]> = Vec::new();
-        if let Some(list) = table.get("cost") {
-            for offer in self.reader.list(&list)? {
+        if let Some(list) = &table.cost {
+            for offer in self.reader.list(list)? {
                 let pair = self.reader.pair(&offer)?;
                 let value = self.reader.measured(&pair[0], dimension, Rule::Finite)?;
                 let cost = self.reader.measured(&pair[1], Dimension::NUMBER, Rule::NonNegative)?;
@@ -94,7 +119,7 @@ impl StudyReader {
             }
         }
         if let Some([offer, _]) = costs.iter().rev().find(|[offer, _]| *offer > up_to)
-            && let Some(list) = table.get("cost")
+            && let Some(list) = &table.cost
         {
             let [offer, up_to] = format_apart([*offer, up_to], dimension);
             return self.refused(&StudyProblem::OfferBeyond { entry: list.path.describe(), offer, up_to }, list.span);
@@ -103,27 +128,29 @@ impl StudyReader {
     }
 
     /// Whether an input is described in the file and could not be read.
-    fn is_refused(&mut self, root: &Table<'_>, path: &str) -> bool {
+    fn is_refused(&mut self, inputs: [Option<&Entry<'_>>; 2], path: &str) -> bool {
         let is_read =
             self.random.iter().any(|input| input.path == path) || self.epistemic.iter().any(|input| input.path == path);
-        let tables = ["random", "epistemic"].map(|name| root.get(name));
-        !is_read
-            && tables
-                .into_iter()
-                .flatten()
-                .any(|table| self.reader.any_keys(&table).iter().any(|input| input.name == path))
+        let mut tables = inputs.into_iter().flatten();
+        !is_read && tables.any(|table| self.reader.any_keys(table).iter().any(|input| input.name == path))
     }
 
     /// The loosest of several fits.
-    fn fit_allowance(&mut self, path: String, entry: &Entry<'_>, table: &Table<'_>) -> Option<Allowance> {
+    fn fit_allowance(
+        &mut self,
+        path: String,
+        entry: &Entry<'_>,
+        table: &AllowTable<'_>,
+        fits: &Entry<'_>,
+    ) -> Option<Allowance> {
         let Some((input, quantity)) = self.fitted_input(&path) else {
             return self.refused(&StudyProblem::FittedInput { path }, entry.key_span);
         };
-        if let Some(cost) = table.get("cost") {
+        if let Some(cost) = &table.cost {
             return self
                 .refused(&StudyProblem::BesideFits { entry: cost.path.describe(), has_fits: true }, cost.key_span);
         }
-        let fits = self.allowed_fits(table, &table.get("fit")?, quantity, &path)?;
+        let fits = self.allowed_fits(&table.table, fits, quantity, &path)?;
         let least = fits.first()?.clearance_m[1];
         let most = fits.last()?.clearance_m[1];
         Some(Allowance { path, input, least_si: least, up_to_si: most, fits, costs: Vec::new() })

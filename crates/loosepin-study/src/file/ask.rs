@@ -1,19 +1,84 @@
 //! Questions: one statistic or more of an output at a place of the cycle.
 
 use super::description::RareMethod;
-use super::keys::{ASK_KEYS, STATISTIC_KEYS};
-use super::location::{PLACES, Where};
+use super::location::{POSES, Where};
+use super::output::{COMPONENT, DEVIATION, OUTPUT};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::sampling::ACCURACY;
 use super::specimen_problem::SpecimenProblem;
 use super::target::AccuracyTarget;
-use super::words::{METHODS, PLAIN_STATISTICS, WITH_A_NUMBER};
+use super::words::{PLAIN_STATISTICS, REDUCTIONS, STATISTICS, WITH_A_NUMBER, words};
 use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
 use loosepin_result::study::{Deviation, Reduction, Side};
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, Value, choice, optional};
 use loosepin_text::units::{Dimension, Rule, format_number};
+use loosepin_text::{choices, record};
 use loosepin_uncertainty::EpistemicVariable;
+
+record! {
+    /// a question: statistics of an output
+    pub(super) lenient struct AskTable for Reads, exactly one of [at, poses, reduce];
+    required output: Entry<'t> as OUTPUT;
+    optional component: Entry<'t> as COMPONENT;
+    required of: Entry<'t> as DEVIATION;
+    /// the whole curve over the cycle
+    optional at: Entry<'t> = Kind::Choice(&["cycle"]), "\"cycle\"";
+    optional poses: Entry<'t> as POSES;
+    /// one number of the whole curve
+    optional reduce: Entry<'t> = Kind::Choice(&words(&REDUCTIONS)), "\"maximum_absolute\"";
+    /// statistics by name, or as tables with a number
+    required statistics: Entry<'t> =
+        Kind::List(&Kind::AnyOf(&[Kind::Choice(&words(&PLAIN_STATISTICS)), Kind::Table(&STATISTIC_KEYS)])),
+        "[\"mean\", { quantile = 0.975 }]";
+    /// what these bounds are widened by at most: the samples grow until they are; a value or a list
+    optional accuracy: Entry<'t> = ACCURACY, "\"1 um\"";
+    /// ends of these quantiles and probabilities that are also promised for a share of the box; none if left out
+    optional promise: Entry<'t> = choice::<PromisedEnds>(), "\"upper\"";
+}
+
+choices!(
+    /// Ends of a statistic that are promised.
+    pub(super) struct PromisedEnds(&'static [Side]):
+    "upper" => &[Side::Upper],
+    "lower" => &[Side::Lower],
+    "both" => &Side::BOTH,
+);
+
+choices!(
+    /// How a probability is estimated; nothing where it is only counted.
+    struct Method(Option<RareMethod>):
+    "count" => None,
+    "importance" => Some(RareMethod::Importance),
+    "subset" => Some(RareMethod::Subset),
+    "automatic" => Some(RareMethod::Automatic),
+);
+
+const METHOD: Key = optional(
+    "method",
+    choice::<Method>(),
+    "\"importance\"",
+    "of a probability: count (if left out), importance or subset for small ones, automatic where too few are counted",
+);
+/// One for each statistic with a number, then what goes with some of them.
+const OF_STATISTICS: [Key; WITH_A_NUMBER.len() + 1] = {
+    let mut keys = [METHOD; WITH_A_NUMBER.len() + 1];
+    let mut place = 0;
+    while place < WITH_A_NUMBER.len() {
+        let description = WITH_A_NUMBER[place].description();
+        if let Some(number) = description.number {
+            let kind = match number.kind {
+                NumberKind::Share => Kind::Number { rule: Rule::Probability },
+                NumberKind::Limit | NumberKind::LimitOfMagnitude => Kind::AnyQuantity,
+            };
+            keys[place] = optional(description.word, kind, number.example, number.meaning);
+        }
+        place += 1;
+    }
+    keys
+};
+const STATISTIC_KEYS: Keys = Keys::new("a statistic with a number", &OF_STATISTICS).with_exactly_one(&[&STATISTICS]);
 
 /// A question.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,12 +187,12 @@ fn anywhere_in_the_cycle(mut ask: Ask) -> Vec<Ask> {
 
 impl StudyReader {
     /// Reads the questions, and how near their bounds are to be.
-    pub fn read_asks(&mut self, root: &Table<'_>) -> (Vec<Ask>, Vec<AccuracyTarget>) {
-        let entries = self.double_brackets(root, "ask");
+    pub fn read_asks(&mut self, written: Option<&Entry<'_>>) -> (Vec<Ask>, Vec<AccuracyTarget>) {
+        let entries = self.double_brackets(written);
         let (mut asks, mut accuracy) = (Vec::new(), Vec::new());
         for entry in &entries {
-            let Some(table) = self.reader.table(entry, &ASK_KEYS) else { continue };
-            let written = self.accuracies(&table);
+            let Some(table) = AskTable::read(self, entry) else { continue };
+            let written = self.accuracies(table.accuracy.as_ref());
             if let Some(ask) = self.ask(&table) {
                 let place = asks.len();
                 asks.extend(anywhere_in_the_cycle(ask));
@@ -137,36 +202,38 @@ impl StudyReader {
         (asks, accuracy)
     }
 
-    /// The tables under `[[key]]`.
-    pub(super) fn double_brackets<'t>(&mut self, root: &Table<'t>, key: &str) -> Vec<Entry<'t>> {
-        let Some(entry) = root.get(key) else { return Vec::new() };
+    /// The tables of a list, each under its name in double brackets.
+    pub(super) fn double_brackets<'t>(&mut self, written: Option<&Entry<'t>>) -> Vec<Entry<'t>> {
+        let Some(entry) = written else { return Vec::new() };
         if entry.is_table() {
-            self.reader.wrong_type::<()>(&entry, "a list of tables, each under a header in double brackets");
+            self.reader.wrong_type::<()>(entry, "a list of tables, each under a header in double brackets");
             return Vec::new();
         }
-        self.reader.list(&entry).unwrap_or_default()
+        self.reader.list(entry).unwrap_or_default()
     }
 
-    fn ask(&mut self, table: &Table<'_>) -> Option<Ask> {
-        let output = self.output(table);
-        let deviation = self.deviation(table, output);
-        let location = self.location(table, "at", Some("reduce"), output.zip(deviation));
-        let location = location.and_then(|location| self.place_of_wear(table, output, location));
+    fn ask(&mut self, table: &AskTable<'_>) -> Option<Ask> {
+        let output = self.output(&table.table, &table.output, &table.component);
+        let deviation = self.deviation(table.of.as_ref(), output);
+        let places = [&table.at, &table.poses, &table.reduce];
+        let location = self.location(places, output.zip(deviation));
+        let location = location.and_then(|location| self.place_of_wear(places, output, location));
         // Without the output the dimension of limits is not known.
         let output = output?;
-        let entries = self.statistics(table, self.outputs[output].dimension)?;
+        let statistics = table.statistics.as_ref()?;
+        let entries = self.statistics(statistics, self.outputs[output].dimension)?;
         let (deviation, location) = (deviation?, location?);
         // Of two places one is wrong, and which is not known.
-        if PLACES.into_iter().filter(|key| table.has(key)).count() == 1 {
+        if places.into_iter().flatten().count() == 1 {
             self.check_new(&entries, (output, deviation), &location);
         }
         self.warn_of_moments_of_a_life(output, &entries);
-        let promised = self.promised_ends(table, &entries);
+        let promised = self.promised_ends(table.promise.as_ref(), &entries);
         let asked = entries.into_iter().map(|(_, asked)| asked).collect();
         let ask = Ask { asked, promised, ..Ask::of_values(output, deviation, location) };
         if ask.location != Where::Cycle && ask.bands().next().is_some() {
-            let entry = table.get("statistics")?;
-            return self.refused(&StudyProblem::BandOfPoint { entry: table.path.describe() }, entry.span);
+            let problem = StudyProblem::BandOfPoint { entry: table.table.path.describe() };
+            return self.refused(&problem, statistics.span);
         }
         Some(ask)
     }
@@ -187,17 +254,21 @@ impl StudyReader {
 
     /// The place of a question, where the output has a number there: wear grows through the recorded part, and its maximum is the wear at
     /// the end.
-    fn place_of_wear(&mut self, table: &Table<'_>, output: Option<usize>, location: Where) -> Option<Where> {
+    fn place_of_wear(
+        &mut self,
+        places: [&Option<Entry<'_>>; 3],
+        output: Option<usize>,
+        location: Where,
+    ) -> Option<Where> {
         if !self.is_wear(output) || location == Where::Reduced(Reduction::Maximum) {
             return Some(location);
         }
-        let entry = PLACES.into_iter().find_map(|key| table.get(key))?;
+        let entry = places.into_iter().flatten().next()?;
         self.refused(&StudyProblem::PlaceOfWear { entry: entry.path.describe() }, entry.key_span)
     }
 
-    fn statistics<'t>(&mut self, table: &Table<'t>, dimension: Dimension) -> Option<Vec<(Entry<'t>, Asked)>> {
-        let entry = table.get("statistics")?;
-        let entries = self.reader.list(&entry)?;
+    fn statistics<'t>(&mut self, entry: &Entry<'t>, dimension: Dimension) -> Option<Vec<(Entry<'t>, Asked)>> {
+        let entries = self.reader.list(entry)?;
         if entries.is_empty() {
             return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
         }
@@ -249,12 +320,12 @@ impl StudyReader {
 
     /// How a probability is estimated; inside, `None` if it is only counted.
     fn method(&mut self, table: &Table<'_>, kind: Statistic) -> Option<Option<RareMethod>> {
-        let Some(entry) = table.get("method") else { return Some(None) };
+        let Some(entry) = table.get(METHOD.name) else { return Some(None) };
         if !kind.is_probability() {
             let of = kind.description().with_article;
             return self.refused(&StudyProblem::MethodOfQuantile { entry: table.path.describe(), of }, entry.span);
         }
-        let method = self.reader.choice(&entry, &METHODS)?;
+        let Method(method) = Method::read(self, &entry)?;
         if method.is_some() && self.random.is_empty() {
             return self.refused(&StudyProblem::NothingRandom { entry: table.path.describe() }, entry.span);
         }

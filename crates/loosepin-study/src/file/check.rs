@@ -3,11 +3,11 @@
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::study_table::StudyTable;
 use loosepin_bounds::Reading;
 use loosepin_mechanics::model::{QuantityError, QuantityId};
-use loosepin_text::diagnostics::Complaint;
-use loosepin_text::diagnostics::Place;
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::diagnostics::{Complaint, Place, Span};
+use loosepin_text::document::Entry;
 use loosepin_text::units::{Dimension, format_apart, format_number, format_value};
 use loosepin_uncertainty::{EpistemicVariable, RandomVariable};
 
@@ -21,6 +21,11 @@ const NEARLY_NONE: f64 = 1e-9;
 const ROUND_OFF: f64 = 1e-9;
 /// Corners of the box of intervals, with every combination of lists, that are tried; of more none is.
 const MOST_CORNERS: usize = 1024;
+
+/// What is written of the input `path` in a table of inputs.
+pub(super) fn entry_of<'t>(table: &Option<Entry<'t>>, path: &str) -> Option<Entry<'t>> {
+    table.as_ref()?.get(path)
+}
 
 impl StudyReader {
     /// Checks one end of an interval, or one of a list, against the rules of the model, all other values being those of the
@@ -59,38 +64,36 @@ impl StudyReader {
     }
 
     /// Checks what only the whole study shows.
-    pub fn check_whole(&mut self, root: &Table<'_>) {
-        let is_empty = |reader: &mut Self, keys: &[&str]| {
-            keys.iter().all(|key| {
-                root.get(key).is_none_or(|entry| {
-                    if entry.is_table() { reader.reader.any_keys(&entry).is_empty() } else { entry.is_empty_list() }
-                })
+    pub fn check_whole(&mut self, root: &StudyTable<'_>) {
+        let is_empty = |reader: &mut Self, entries: &[&Option<Entry<'_>>]| {
+            entries.iter().copied().flatten().all(|entry| {
+                if entry.is_table() { reader.reader.any_keys(entry).is_empty() } else { entry.is_empty_list() }
             })
         };
-        if is_empty(self, &["random", "epistemic"]) {
-            self.reader.complain(&StudyProblem::NothingUncertain, root.span);
+        if is_empty(self, &[&root.random, &root.epistemic]) {
+            self.reader.complain(&StudyProblem::NothingUncertain, root.table.span);
         }
         // Readings of a rig are asked about by `identify`, which needs no question.
-        if is_empty(self, &["ask", "require", "measured"]) {
-            self.reader.complain(&StudyProblem::NothingAsked, root.span);
+        if is_empty(self, &[&root.ask, &root.require, &root.measured]) {
+            self.reader.complain(&StudyProblem::NothingAsked, root.table.span);
         }
         self.check_model_values(root);
         if self.reader.complaints.has_errors() {
             return;
         }
         self.check_second_order(root);
-        let place_of = |key: &str| root.get(key).map(|entry| entry.key_span).unwrap_or_default();
         if let Err(error) = self.check_corners() {
             let problem = StudyProblem::ImpossibleTogether { error };
-            self.reader.complain(&problem, place_of("epistemic"));
+            let span = root.epistemic.as_ref().map(|entry| entry.key_span).unwrap_or_default();
+            self.reader.complain(&problem, span);
             return;
         }
         // Rows of a specimen were looked at whole: a value that is impossible beside others may be possible in its row.
-        let alone = if root.get("specimen").is_some() { 0 } else { self.random.len() };
+        let alone = if root.specimen.is_some() { 0 } else { self.random.len() };
         for index in 0..alone {
             if let Some(problem) = self.impossible_share(index) {
                 let path = self.random[index].path.clone();
-                let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
+                let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.span);
                 let place = Place::new(&self.reader.source, span);
                 self.reader.complaints.push(Complaint::error(&problem, Some(place)));
             }
@@ -100,22 +103,26 @@ impl StudyReader {
     /// Refuses distributions of lengths and angles that are elsewhere in the model: one dimension has one nominal value. A measured sample,
     /// and an interval in which the value of one mechanism is known to lie (as `identify` finds it), may lie beside it, which is warned of.
     /// A clearance changes no ideal motion, and what it is in the model plays no part.
-    fn check_model_values(&mut self, root: &Table<'_>) {
+    fn check_model_values(&mut self, root: &StudyTable<'_>) {
         // A specimen may be anywhere in its series, and the model stays that of the series.
-        let is_series = root.get("specimen").is_none();
+        let is_series = root.specimen.is_none();
+        let span_of = |table: &Option<Entry<'_>>, path: &str| {
+            entry_of(table, path).map_or(root.table.span, |entry| entry.key_span)
+        };
         let random = self.random.iter().filter(|_| is_series).map(|input| {
             let corners = |known: &EpistemicVariable| known.ends().to_vec();
             let ends = |variable: &RandomVariable| [NEARLY_NONE, 1.0 - NEARLY_NONE].map(|p| variable.quantile(p));
             let all = input.variables(&self.epistemic, corners).iter().flat_map(ends).collect::<Vec<f64>>();
-            ("random", &input.path, input.quantity, all, input.origin.is_some())
+            (span_of(&root.random, &input.path), &input.path, input.quantity, all, input.origin.is_some())
         });
         let is_between = |input: &&EpistemicInput| !input.variable.is_periodic();
         let epistemic = self.epistemic.iter().filter(is_between).filter_map(|input| {
-            Some(("epistemic", &input.path, input.quantity()?, input.variable.ends().to_vec(), true))
+            let span = span_of(&root.epistemic, &input.path);
+            Some((span, &input.path, input.quantity()?, input.variable.ends().to_vec(), true))
         });
         let nominal = self.model.quantities.nominal();
-        type Range<'a> = (&'static str, &'a String, QuantityId, Vec<f64>, bool);
-        let far = |(table, path, quantity, ends, may_be_beside): Range<'_>| {
+        type Range<'a> = (Span, &'a String, QuantityId, Vec<f64>, bool);
+        let far = |(span, path, quantity, ends, may_be_beside): Range<'_>| {
             let known = &self.model.quantities[quantity];
             let is_geometric = [Dimension::LENGTH, Dimension::ANGLE].contains(&known.dimension);
             let (from, to) = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
@@ -125,41 +132,30 @@ impl StudyReader {
                 return None;
             }
             let [value, from, to] = format_apart([nominal[quantity], from, to], known.dimension);
-            Some((
-                table,
-                path.clone(),
-                StudyProblem::FarFromModel { path: path.clone(), value, from, to },
-                may_be_beside,
-            ))
+            Some((span, StudyProblem::FarFromModel { path: path.clone(), value, from, to }, may_be_beside))
         };
-        let found: Vec<(&str, String, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
-        for (table, path, problem, may_be_beside) in found {
-            let span = self.entry_of(root, table, &path).map_or(root.span, |entry| entry.key_span);
+        let found: Vec<(Span, StudyProblem, bool)> = random.chain(epistemic).filter_map(far).collect();
+        for (span, problem, may_be_beside) in found {
             let place = Some(Place::new(&self.reader.source, span));
             let complain = if may_be_beside { Complaint::warning } else { Complaint::error };
             self.reader.complaints.push(complain(&problem, place));
         }
     }
 
-    /// What is written of the input `path` in `table`.
-    pub(super) fn entry_of<'t>(&self, root: &Table<'t>, table: &str, path: &str) -> Option<Entry<'t>> {
-        root.get(table)?.get(path)
-    }
-
     /// A parameter with a distribution has one value for all samples, and no masses go with its probabilities.
-    fn check_second_order(&mut self, root: &Table<'_>) {
+    fn check_second_order(&mut self, root: &StudyTable<'_>) {
         let is_second_order = |input: &&EpistemicInput| input.variable.is_second_order();
         let Some(path) = self.epistemic.iter().find(is_second_order).map(|input| input.path.clone()) else { return };
         let has_evidence = self.epistemic.iter().any(|input| matches!(input.variable, EpistemicVariable::Evidence(_)));
-        for (key, beside, is_there) in [
+        for (entry, beside, is_there) in [
             (
-                "reading",
+                &root.reading,
                 "this reading of intervals: the parameter has one value",
                 self.readings != [Reading::FixedButUnknown],
             ),
-            ("epistemic", "masses of evidence", has_evidence),
+            (&root.epistemic, "masses of evidence", has_evidence),
         ] {
-            if let Some(entry) = root.get(key).filter(|_| is_there) {
+            if let Some(entry) = entry.as_ref().filter(|_| is_there) {
                 self.complain(&StudyProblem::SecondOrderBeside { path: path.clone(), beside }, &entry.at_key());
             }
         }

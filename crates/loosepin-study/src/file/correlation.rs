@@ -1,18 +1,29 @@
 //! Correlations of random inputs.
 
 use super::description::{Correlation, CorrelationMeasure, StatedCorrelation};
-use super::keys::CORRELATION_KEYS;
 use super::random_problem::{RandomProblem, pair_words, short_number};
 use super::reader::StudyReader;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::format_number;
+use loosepin_text::document::{Entry, Kind, Reads};
+use loosepin_text::record;
+use loosepin_text::units::{Rule, format_number};
 use loosepin_uncertainty::{Copula, CopulaError, CorrelationSeries, GaussianCopula, Pair, normal_of_rank};
+
+record! {
+    /// how two random inputs go together (Gaussian copula)
+    pub(super) lenient struct CorrelationTable for Reads, exactly one of [rank, linear];
+    /// paths of two random inputs
+    required of: Entry<'t> = Kind::List(&Kind::Text), "[\"parameter.crank_length\", \"parameter.rod_length\"]";
+    /// rank correlation (Spearman)
+    optional rank: Entry<'t> = Kind::Number { rule: Rule::Finite }, "0.6";
+    /// linear correlation of the values (Pearson)
+    optional linear: Entry<'t> = Kind::Number { rule: Rule::Finite }, "0.6";
+}
 
 impl StudyReader {
     /// Reads all `[[correlation]]` tables; nothing where there are none, or something is wrong.
-    pub fn read_correlations(&mut self, root: &Table<'_>) -> Option<Correlation> {
+    pub fn read_correlations(&mut self, written: Option<&Entry<'_>>) -> Option<Correlation> {
         let had_errors = self.reader.complaints.has_errors();
-        let entries = self.double_brackets(root, "correlation");
+        let entries = self.double_brackets(written);
         let mut stated: Vec<StatedCorrelation> = Vec::new();
         let mut is_right = true;
         for entry in &entries {
@@ -54,10 +65,11 @@ impl StudyReader {
         before: &[StatedCorrelation],
         had_errors: bool,
     ) -> Option<StatedCorrelation> {
-        let table = self.reader.table(entry, &CORRELATION_KEYS)?;
-        let measure = ["rank", "linear"].into_iter().find(|key| table.has(key));
-        let value = measure.and_then(|key| self.measure(&table, key));
-        let of = table.get("of")?;
+        let CorrelationTable { of, rank, linear, .. } = CorrelationTable::read(self, entry)?;
+        let is_rank = rank.is_some();
+        let written = rank.or(linear);
+        let value = written.as_ref().and_then(|entry| self.measure(entry));
+        let of = of?;
         let pair = self.reader.pair(&of)?;
         let [first, second] = [0, 1].map(|index: usize| self.member(&pair[index], had_errors));
         let (first, second) = first.zip(second)?;
@@ -73,20 +85,19 @@ impl StudyReader {
             let entry = of.path.describe();
             return self.refused(&RandomProblem::PairTwice { entry, first: first_path, second: second_path }, of.span);
         }
-        let (value, measure) = (value?, measure?);
-        if measure == "rank" {
+        let (value, entry) = (value?, written?);
+        if is_rank {
             let normal = normal_of_rank(value);
             return Some(StatedCorrelation { first, second, measure: CorrelationMeasure::Rank, value, normal });
         }
         if let Some(input) = [first, second].iter().find(|&&input| !self.random[input].parameters.is_empty()) {
-            let (entry, path) = (table.get(measure)?, self.random[*input].path.clone());
+            let path = self.random[*input].path.clone();
             return self.refused(&RandomProblem::LinearOfBox { entry: entry.path.describe(), path }, entry.span);
         }
         let series = CorrelationSeries::new(&self.random[first].variable, &self.random[second].variable);
         match series.normal(value) {
             Ok(normal) => Some(StatedCorrelation { first, second, measure: CorrelationMeasure::Linear, value, normal }),
             Err(error) => {
-                let entry = table.get(measure)?;
                 let problem = RandomProblem::Unattainable {
                     entry: entry.path.describe(),
                     found: format_number(value),
@@ -100,12 +111,11 @@ impl StudyReader {
         }
     }
 
-    fn measure(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let value = self.reader.number(table, key)?;
+    fn measure(&mut self, entry: &Entry<'_>) -> Option<f64> {
+        let value = self.reader.number_of(entry)?;
         if value.abs() < 1.0 {
             return Some(value);
         }
-        let entry = table.get(key)?;
         self.refused(&RandomProblem::Range { entry: entry.path.describe(), found: format_number(value) }, entry.span)
     }
 

@@ -1,66 +1,58 @@
 //! Epistemic inputs made of several intervals: evidence, fuzzy numbers, boxes from quantiles or a mean.
 
-use super::keys::{CUT_KEYS, ELEMENT_KEYS, FUZZY_KEYS};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_mechanics::model::QuantityId;
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Entry, Kind, Reads};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule, format_apart, format_number};
-use loosepin_uncertainty::{
-    EpistemicVariable, Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS,
-};
+use loosepin_uncertainty::{Evidence, EvidenceError, FocalElement, FuzzyError, FuzzyNumber, Interval, USUAL_CUTS};
+
+record! {
+    /// an interval and the mass of evidence that lies in it
+    pub(super) lenient struct ElementTable for Reads;
+    /// lower and upper end
+    required interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]";
+    /// above 0; the masses of all elements sum to 1
+    required mass: f64 = Kind::Number { rule: Rule::Finite }, "0.4";
+}
+
+record! {
+    /// a degree and the interval of all values possible to at least that degree
+    lenient struct CutTable for Reads;
+    /// the degree, from 0 to 1, increasing
+    required alpha: f64 = Kind::Number { rule: Rule::Finite }, "0.5";
+    /// lower and upper end
+    required interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.3 mm\"]";
+}
+
+record! {
+    /// a fuzzy number
+    pub(super) lenient struct FuzzyTable for Reads, exactly one of [triangular, trapezoidal, cuts];
+    /// possible at all from the first to the third, to the degree 1 the second
+    optional triangular: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.2 mm\", \"0.5 mm\"]";
+    /// possible at all from the first to the fourth, to the degree 1 from the second to the third
+    optional trapezoidal: Entry<'t> =
+        Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.2 mm\", \"0.3 mm\", \"0.5 mm\"]";
+    /// the cuts themselves, each within the one before
+    optional cuts: Entry<'t> = Kind::List(&Kind::Table(&CutTable::KEYS)), "";
+    /// degrees at which a triangle or trapezoid is cut; 0, 0.25, 0.5, 0.75 and 1 if left out
+    optional degrees: Entry<'t> = Kind::List(&Kind::Number { rule: Rule::Finite }), "[0, 0.25, 0.5, 0.75, 1]";
+}
 
 /// Numbers with their places.
 type Placed<'t> = Vec<(f64, Entry<'t>)>;
 
 impl StudyReader {
-    /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
-    pub fn structured(&mut self, table: &Table<'_>, quantity: QuantityId, path: &str) -> Option<EpistemicVariable> {
-        let support = table.get("support");
-        if let Some(written) = table.get("quantiles") {
-            let support = self.support(table, &written, quantity, path)?;
-            return self.box_of_quantiles(&written, support, quantity).map(EpistemicVariable::from);
-        }
-        if let Some(written) = table.get("mean") {
-            let support = self.support(table, &written, quantity, path)?;
-            let dimension = self.model.quantities[quantity].dimension;
-            let mean = self.reader.measured(&written, dimension, Rule::Finite)?;
-            return self.evidence_of(Evidence::from_mean(mean, support), &written, dimension).map(Into::into);
-        }
-        if let Some(support) = support {
-            return self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span);
-        }
-        if let Some(written) = table.get("evidence") {
-            return self.evidence(&written, quantity, path).map(EpistemicVariable::from);
-        }
-        table.get("fuzzy").and_then(|written| self.fuzzy(&written, quantity, path)).map(EpistemicVariable::from)
-    }
-
-    /// The ends between which a quantity must lie.
-    fn support(
-        &mut self,
-        table: &Table<'_>,
-        written: &Entry<'_>,
-        quantity: QuantityId,
-        path: &str,
-    ) -> Option<Interval> {
-        match table.get("support") {
-            Some(support) => self.interval(&support, quantity, path),
-            None => self.refused(&StudyProblem::NoSupport { entry: written.path.describe() }, written.key_span),
-        }
-    }
-
-    fn evidence(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Evidence> {
+    pub(super) fn evidence(&mut self, written: &Entry<'_>, quantity: QuantityId, path: &str) -> Option<Evidence> {
         let entries = self.reader.list(written)?;
         let mut elements: Vec<Option<FocalElement>> = Vec::new();
         for entry in &entries {
-            let Some(table) = self.reader.table(entry, &ELEMENT_KEYS) else {
-                elements.push(None);
-                continue;
-            };
-            let mass = self.reader.number(&table, "mass");
-            let interval = table.get("interval").and_then(|ends| self.interval(&ends, quantity, path));
-            elements.push(mass.zip(interval).map(|(mass, interval)| FocalElement { interval, mass }));
+            let element = ElementTable::read(self, entry).and_then(|ElementTable { interval, mass, .. }| {
+                let interval = self.interval(&interval?, quantity, path);
+                Some(FocalElement { interval: interval?, mass: mass? })
+            });
+            elements.push(element);
         }
         let elements = elements.into_iter().collect::<Option<Vec<FocalElement>>>()?;
         let dimension = self.model.quantities[quantity].dimension;
@@ -72,7 +64,12 @@ impl StudyReader {
         self.evidence_of(found, culprit.unwrap_or(written), dimension)
     }
 
-    fn box_of_quantiles(&mut self, written: &Entry<'_>, support: Interval, quantity: QuantityId) -> Option<Evidence> {
+    pub(super) fn box_of_quantiles(
+        &mut self,
+        written: &Entry<'_>,
+        support: Interval,
+        quantity: QuantityId,
+    ) -> Option<Evidence> {
         let dimension = self.model.quantities[quantity].dimension;
         let entries = self.reader.list(written)?;
         if entries.is_empty() {
@@ -98,7 +95,7 @@ impl StudyReader {
         self.evidence_of(found, culprit.unwrap_or(written), dimension)
     }
 
-    fn evidence_of(
+    pub(super) fn evidence_of(
         &mut self,
         evidence: Result<Evidence, EvidenceError>,
         written: &Entry<'_>,
@@ -112,34 +109,34 @@ impl StudyReader {
             .ok()
     }
 
-    fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
+    pub(super) fn fuzzy<'t>(&mut self, written: &Entry<'t>, quantity: QuantityId, path: &str) -> Option<FuzzyNumber> {
         let dimension = self.model.quantities[quantity].dimension;
-        let table = self.reader.table(written, &FUZZY_KEYS)?;
+        let table = FuzzyTable::read(self, written)?;
         // Degrees and corners with their places, for complaints.
         let (mut at_degrees, mut at_corners): (Placed<'t>, Placed<'t>) = (Vec::new(), Vec::new());
         let mut shape = written.clone();
-        let degrees = match table.get("degrees") {
+        let degrees = match &table.degrees {
             Some(entry) => {
-                let degrees = self.degrees(&entry)?;
-                at_degrees = degrees.iter().copied().zip(self.reader.list(&entry)?).collect();
+                let degrees = self.degrees(entry)?;
+                at_degrees = degrees.iter().copied().zip(self.reader.list(entry)?).collect();
                 degrees
             }
             None => USUAL_CUTS.to_vec(),
         };
-        let found = if let Some(entry) = table.get("cuts") {
-            if let Some(degrees) = table.get("degrees") {
+        let found = if let Some(entry) = table.cuts {
+            if let Some(degrees) = table.degrees {
                 return self.refused(&StudyProblem::DegreesTwice { entry: degrees.path.describe() }, degrees.key_span);
             }
             let cuts = self.cuts(&entry, quantity, path)?;
             at_degrees = cuts.iter().map(|(alpha, _)| *alpha).zip(self.reader.list(&entry)?).collect();
             shape = entry;
             FuzzyNumber::try_new(cuts)
-        } else if let Some(entry) = table.get("triangular") {
+        } else if let Some(entry) = table.triangular {
             let [a, b, c] = self.corners(&entry, quantity, path)?;
             at_corners = [a, b, c].into_iter().zip(self.reader.list(&entry)?).collect();
             FuzzyNumber::trapezoidal([a, b, b, c], &degrees)
         } else {
-            let entry = table.get("trapezoidal")?;
+            let entry = table.trapezoidal?;
             let corners = self.corners(&entry, quantity, path)?;
             at_corners = corners.into_iter().zip(self.reader.list(&entry)?).collect();
             FuzzyNumber::trapezoidal(corners, &degrees)
@@ -197,10 +194,9 @@ impl StudyReader {
         let entries = self.reader.list(entry)?;
         let mut cuts = Vec::new();
         for entry in &entries {
-            let table = self.reader.table(entry, &CUT_KEYS)?;
-            let alpha = self.reader.number(&table, "alpha");
-            let interval = table.get("interval").and_then(|ends| self.interval(&ends, quantity, path));
-            cuts.push((alpha?, interval?));
+            let cut = CutTable::read(self, entry)?;
+            let interval = self.interval(&cut.interval?, quantity, path);
+            cuts.push((cut.alpha?, interval?));
         }
         Some(cuts)
     }

@@ -7,9 +7,19 @@ use super::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
 use loosepin_mechanics::model::{Joint, PlayId, QuantityId};
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Entry, Key, Kind, Table, optional};
 use loosepin_text::units::{Dimension, Rule, format_value};
 use loosepin_uncertainty::{Distribution, Interval};
+
+/// The fit of a hole and a shaft.
+pub(super) const FIT: Key = optional(
+    "fit",
+    Kind::Text,
+    "\"H7/g6\"",
+    "clearance of a hole and a shaft by ISO 286, on the radius or the diameter as the joint states it: hole in capital letters, then shaft; with diameter",
+);
+/// Its diameter.
+pub(super) const DIAMETER: Key = optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "nominal diameter of the fit");
 
 /// The limits of hole and shaft lie this many standard deviations from the middles of their tolerances.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;

@@ -3,24 +3,19 @@
 use core::f64::consts::TAU;
 
 use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
-use super::keys::{
-    BETA_KEYS, EPISTEMIC_KEYS, FAMILIES, LOGNORMAL_KEYS, NORMAL_KEYS, RANDOM_KEYS, TRIANGULAR_KEYS,
-    TRUNCATED_NORMAL_KEYS, UNIFORM_KEYS,
-};
-use super::parameter_keys::PARAMETER_FAMILIES;
+use super::evidence::{ElementTable, FuzzyTable};
+use super::fit::{DIAMETER, FIT};
 use super::problem::StudyProblem;
+use super::random::{RANDOM_KEYS, RandomTable};
 use super::reader::StudyReader;
 use loosepin_mechanics::model::{ContactId, NormalDescription, QuantityId};
-use loosepin_text::document::{DocumentProblem, Entry, Keys, Table};
+use loosepin_text::document::{DocumentProblem, Entry, Kind, Reads};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule, format_apart, format_value};
-use loosepin_uncertainty::{Distribution, EpistemicVariable, Interval, Members};
+use loosepin_uncertainty::{EpistemicVariable, Evidence, Interval, Members};
 
 /// First words of paths in a model: TOML makes a table of them where the quotes are forgotten.
 const FIRST_WORDS: [&str; 6] = ["parameter", "body", "joint", "contact", "drive", "assembly"];
-
-/// Shapes of a beta distribution that are accepted. Above, it is a normal distribution a thousand times narrower than
-/// its interval; below, it is two values; and its quantiles take longer than the runs.
-const SHAPES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
 /// Ends in degrees become radians with this relative error, at most.
 const PERIOD_ROUND_OFF: f64 = 1e-12;
@@ -28,9 +23,30 @@ const PERIOD_ROUND_OFF: f64 = 1e-12;
 const RANDOM_EXAMPLE: &str = "a table such as { normal = { mean = \"50 mm\", standard_deviation = \"0.02 mm\" } }";
 const EPISTEMIC_EXAMPLE: &str = "a table such as { interval = [\"0.1 mm\", \"0.5 mm\"] }";
 
-/// Whether a key states the distribution of a parameter.
-fn is_family(key: &str) -> bool {
-    PARAMETER_FAMILIES.contains(&key)
+record! {
+    /// what is known of a quantity
+    pub(super) lenient struct EpistemicTable for Reads,
+        exactly one of [interval, any_of, fit, evidence, periodic, fuzzy, quantiles, mean];
+    /// lower and upper end; every value between is possible, and nothing else is known
+    optional interval: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.1 mm\", \"0.5 mm\"]";
+    /// all values that are possible: laws for the law of a contact, else values with their unit
+    optional any_of: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"lankarani-nikravesh\", \"flores\"]";
+    /// intervals with masses: the true value lies in one of them, as much speaks for it as its mass says
+    optional evidence: Entry<'t> = Kind::List(&Kind::Table(&ElementTable::KEYS)), "";
+    /// one period of an angle or a phase that may have any value: its two ends are the same
+    optional periodic: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0 deg\", \"360 deg\"]";
+    /// values possible to different degrees
+    optional fuzzy: Entry<'t> = Kind::Table(&FuzzyTable::KEYS), "";
+    /// a quantity that scatters in an unknown way, of which a few quantiles are known, and its support
+    optional quantiles: Entry<'t> =
+        Kind::List(&Kind::List(&Kind::AnyOf(&[Kind::Number { rule: Rule::Probability }, Kind::AnyQuantity]))),
+        "[[0.05, \"0.1 mm\"], [0.5, \"0.2 mm\"], [0.95, \"0.4 mm\"]]";
+    /// a quantity that scatters in an unknown way, of which the mean is known, and its support
+    optional mean: Entry<'t> = Kind::AnyQuantity, "\"0.2 mm\"";
+    /// with quantiles or a mean: the least and the greatest value
+    optional support: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"0.05 mm\", \"0.5 mm\"]";
+    optional fit: Entry<'t> as FIT;
+    optional diameter: Entry<'t> as DIAMETER;
 }
 
 impl StudyReader {
@@ -42,7 +58,8 @@ impl StudyReader {
                 continue;
             }
             let Some(quantity) = self.input(&entry, RANDOM_EXAMPLE) else { continue };
-            let Some(table) = self.reader.table(&entry, &RANDOM_KEYS) else { continue };
+            let table = self.reader.table(&entry, &RANDOM_KEYS).and_then(|table| RandomTable::of(self, table));
+            let Some(table) = table else { continue };
             let Some((variable, parameters, origin)) = self.random_input(&entry, &table, quantity) else { continue };
             self.random.push(RandomInput { path: entry.name.to_owned(), quantity, variable, origin, parameters });
         }
@@ -62,26 +79,28 @@ impl StudyReader {
             if self.random.iter().any(|input| input.quantity == quantity) {
                 self.complain(&StudyProblem::InputTwice { path: entry.name.to_owned() }, &entry.at_key());
             }
-            let Some(table) = self.reader.table(&entry, &EPISTEMIC_KEYS) else { continue };
-            self.refuse_stray(&table, &[("diameter", "fit")]);
-            let variable = if let Some(written) = table.get("interval") {
-                self.interval(&written, quantity, entry.name).map(EpistemicVariable::from)
-            } else if let Some(written) = table.get("periodic") {
-                self.period(&written, quantity, entry.name).map(EpistemicVariable::Periodic)
-            } else if let Some(written) = table.get("any_of") {
-                self.numbers(&written, quantity, entry.name).map(EpistemicVariable::from)
-            } else if let Some(written) = table.get("fit") {
-                self.fit_interval(&table, &written, quantity, entry.name).map(EpistemicVariable::from)
+            let Some(known) = EpistemicTable::read(self, &entry) else { continue };
+            self.refuse_stray(&known.table, &[("diameter", "fit")]);
+            let path = entry.name;
+            let variable: Option<EpistemicVariable> = if let Some(written) = &known.interval {
+                self.interval(written, quantity, path).map(Into::into)
+            } else if let Some(written) = &known.periodic {
+                self.period(written, quantity, path).map(EpistemicVariable::Periodic)
+            } else if let Some(written) = &known.any_of {
+                self.numbers(written, quantity, path).map(Into::into)
+            } else if let Some(written) = &known.fit {
+                self.fit_interval(&known.table, written, quantity, path).map(Into::into)
             } else {
                 None
             };
-            let is_plain = ["interval", "periodic", "any_of", "fit"].into_iter().any(|key| table.has(key));
-            let variable = match (table.get("support"), is_plain) {
+            let is_plain =
+                known.interval.is_some() || known.periodic.is_some() || known.any_of.is_some() || known.fit.is_some();
+            let variable = match (&known.support, is_plain) {
                 (Some(support), true) => {
                     self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span)
                 }
                 (_, true) => variable,
-                (_, false) => self.structured(&table, quantity, entry.name),
+                (_, false) => self.structured(&known, quantity, path),
             };
             if let Some(variable) = variable {
                 let subject = EpistemicSubject::Quantity(quantity);
@@ -90,15 +109,55 @@ impl StudyReader {
         }
     }
 
+    /// Reads what is known of a quantity where that is more than an interval or a list; nothing where it is neither.
+    fn structured(
+        &mut self,
+        known: &EpistemicTable<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<EpistemicVariable> {
+        if let Some(written) = &known.quantiles {
+            let support = self.support(known, written, quantity, path)?;
+            return self.box_of_quantiles(written, support, quantity).map(Into::into);
+        }
+        if let Some(written) = &known.mean {
+            let support = self.support(known, written, quantity, path)?;
+            let dimension = self.model.quantities[quantity].dimension;
+            let mean = self.reader.measured(written, dimension, Rule::Finite)?;
+            return self.evidence_of(Evidence::from_mean(mean, support), written, dimension).map(Into::into);
+        }
+        if let Some(support) = &known.support {
+            return self.refused(&StudyProblem::SupportAlone { entry: support.path.describe() }, support.key_span);
+        }
+        if let Some(written) = &known.evidence {
+            return self.evidence(written, quantity, path).map(Into::into);
+        }
+        known.fuzzy.as_ref().and_then(|written| self.fuzzy(written, quantity, path)).map(Into::into)
+    }
+
+    /// The ends between which a quantity must lie.
+    fn support(
+        &mut self,
+        known: &EpistemicTable<'_>,
+        written: &Entry<'_>,
+        quantity: QuantityId,
+        path: &str,
+    ) -> Option<Interval> {
+        match &known.support {
+            Some(support) => self.interval(support, quantity, path),
+            None => self.refused(&StudyProblem::NoSupport { entry: written.path.describe() }, written.key_span),
+        }
+    }
+
     /// Reads a law that is one of a list.
     fn read_law(&mut self, entry: &Entry<'_>, contact: ContactId) {
-        let Some(table) = self.reader.table(entry, &EPISTEMIC_KEYS) else { return };
-        for interval in
-            EPISTEMIC_KEYS.keys.iter().filter(|key| key.name != "any_of").filter_map(|key| table.get(key.name))
-        {
+        let Some(EpistemicTable { table, any_of, .. }) = EpistemicTable::read(self, entry) else { return };
+        let others =
+            EpistemicTable::KEYS.keys.iter().filter(|key| any_of.as_ref().is_none_or(|own| own.name != key.name));
+        for interval in others.filter_map(|key| table.get(key.name)) {
             self.complain(&StudyProblem::IntervalOfLaws { path: entry.name.to_owned() }, &interval.at_key());
         }
-        let Some(written) = table.get("any_of") else { return };
+        let Some(written) = any_of else { return };
         let Some(entries) = self.reader.list(&written) else { return };
         let choices: Vec<(&'static str, NormalDescription)> =
             NormalDescription::all().map(|law| (law.name(), law)).collect();
@@ -227,119 +286,5 @@ impl StudyReader {
             return self.refused(&StudyProblem::IntervalWithoutWidth { entry: words, value: lower_words }, entry.span);
         }
         Interval::try_new(lower, upper).ok().map(|interval| (interval, pair))
-    }
-
-    pub(super) fn distribution(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
-        let family = FAMILIES.into_iter().find(|family| table.has(family))?;
-        let entry = table.get(family)?;
-        let keys: &'static Keys = match family {
-            "normal" => &NORMAL_KEYS,
-            "truncated_normal" => &TRUNCATED_NORMAL_KEYS,
-            "uniform" => &UNIFORM_KEYS,
-            "lognormal" => &LOGNORMAL_KEYS,
-            "triangular" => &TRIANGULAR_KEYS,
-            "beta" => &BETA_KEYS,
-            _ => return self.further_family(family, &entry, dimension),
-        };
-        let table = self.reader.table(&entry, keys)?;
-        let positive_mean = family == "lognormal";
-        match family {
-            "normal" | "lognormal" => {
-                let (mean, standard_deviation) = self.moments(&table, dimension, positive_mean)?;
-                Some(if positive_mean {
-                    Distribution::Lognormal { mean, standard_deviation }
-                } else {
-                    Distribution::Normal { mean, standard_deviation }
-                })
-            }
-            "truncated_normal" => {
-                let moments = self.moments(&table, dimension, positive_mean);
-                let (lower, upper) = self.ends(&table, dimension)?;
-                let (mean, standard_deviation) = moments?;
-                Some(Distribution::TruncatedNormal { mean, standard_deviation, lower, upper })
-            }
-            "uniform" => self.ends(&table, dimension).map(|(lower, upper)| Distribution::Uniform { lower, upper }),
-            "triangular" => {
-                let mode = self.parameter(&table, "mode", dimension);
-                let (lower, upper) = self.ends(&table, dimension)?;
-                let mode = mode?;
-                if mode < lower || mode > upper {
-                    let [found, lower, upper] = format_apart([mode, lower, upper], dimension);
-                    let rule = format!("from the lower end {lower} to the upper end {upper}");
-                    self.refuse(&table, "mode", found, rule);
-                    return None;
-                }
-                Some(Distribution::Triangular { lower, mode, upper })
-            }
-            _ => {
-                let [alpha, beta] = ["alpha", "beta"].map(|key| self.number_within(&table, key, SHAPES));
-                let (lower, upper) = self.ends(&table, dimension)?;
-                Some(Distribution::Beta { alpha: alpha?, beta: beta?, lower, upper })
-            }
-        }
-    }
-
-    fn moments(&mut self, table: &Table<'_>, dimension: Dimension, positive_mean: bool) -> Option<(f64, f64)> {
-        let mean = self.mean(table, dimension);
-        let deviation = self.parameter(table, "standard_deviation", dimension);
-        let (mean, deviation) = (mean?, deviation?);
-        let mean_is_possible = !positive_mean || self.positive(table, "mean", mean, dimension);
-        (self.positive(table, "standard_deviation", deviation, dimension) && mean_is_possible)
-            .then_some((mean, deviation))
-    }
-
-    fn ends(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<(f64, f64)> {
-        let [lower, upper] = ["lower", "upper"].map(|key| self.parameter(table, key, dimension));
-        let (lower, upper) = lower.zip(upper)?;
-        if lower < upper {
-            return Some((lower, upper));
-        }
-        let [found, limit] = format_apart([lower, upper], dimension);
-        self.refuse(table, "lower", found, format!("below the upper end {limit}"));
-        None
-    }
-
-    pub(super) fn positive(&mut self, table: &Table<'_>, key: &str, value: f64, dimension: Dimension) -> bool {
-        if value > 0.0 {
-            return true;
-        }
-        self.refuse(table, key, format_value(value, dimension), "> 0".to_owned());
-        false
-    }
-
-    /// A shape of a distribution.
-    pub(super) fn number_within(
-        &mut self,
-        table: &Table<'_>,
-        key: &str,
-        shapes: std::ops::RangeInclusive<f64>,
-    ) -> Option<f64> {
-        let is_uncertain = table.get(key).is_some_and(|entry| entry.is_table());
-        let shape = if is_uncertain {
-            self.parameter(table, key, Dimension::NUMBER)?
-        } else {
-            self.reader.number(table, key)?
-        };
-        if shapes.contains(&shape) {
-            return Some(shape);
-        }
-        let [found, least, most] = format_apart([shape, *shapes.start(), *shapes.end()], Dimension::NUMBER);
-        self.refuse(table, key, found, format!("from {least} to {most}"));
-        None
-    }
-
-    pub(super) fn refuse(&mut self, table: &Table<'_>, key: &str, found: String, rule: String) {
-        if let Some(entry) = table.get(key) {
-            // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.
-            let is_quantile = entry.is_table() && self.reader.any_keys(&entry).iter().any(|key| is_family(key.name));
-            let rule = if is_quantile {
-                format!(
-                    "{rule} wherever the parameter is looked at: without two ends, from its 0.135 % to its 99.865 % quantile"
-                )
-            } else {
-                rule
-            };
-            self.complain(&StudyProblem::DistributionRule { entry: entry.path.describe(), found, rule }, &entry);
-        }
     }
 }

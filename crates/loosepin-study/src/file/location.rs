@@ -5,7 +5,7 @@ use super::reader::StudyReader;
 use super::sizes::MOST_POSES;
 use super::words::REDUCTIONS;
 use loosepin_result::study::{Deviation, Reduction};
-use loosepin_text::document::{Entry, Reader, Table, Written};
+use loosepin_text::document::{Entry, Key, Kind, Reader, Written, optional};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value, parse_quantity};
 
 /// Where in the cycle.
@@ -22,32 +22,33 @@ pub enum Where {
     Reduced(Reduction),
 }
 
-/// Keys that say where in the cycle; one is due.
-pub(super) const PLACES: [&str; 3] = ["at", "poses", "reduce"];
+/// Angles at which an output is asked for.
+pub(super) const POSES: Key = optional(
+    "poses",
+    Kind::Values(&Kind::List(&Kind::AnyQuantity)),
+    "{ crank = [\"60 deg\"] }",
+    "angles of the drive that the cycle counts",
+);
 
 impl StudyReader {
-    /// Where in the cycle; `everywhere` is the key that stands for the whole curve, `reduction` the one for a number of it, which is
-    /// `of` an output and a deviation.
+    /// Where in the cycle: `everywhere` stands for the whole curve, `reduction` for a number of it, which is `of` an output and a deviation.
     pub(super) fn location(
         &mut self,
-        table: &Table<'_>,
-        everywhere: &str,
-        reduction: Option<&str>,
+        [everywhere, poses, reduction]: [&Option<Entry<'_>>; 3],
         of: Option<(usize, Deviation)>,
     ) -> Option<Where> {
-        if let Some(entry) = table.get(everywhere) {
-            if let Some(found) = angle_of(&entry, &mut self.reader) {
+        if let Some(entry) = everywhere {
+            if let Some(found) = angle_of(entry, &mut self.reader) {
                 let drive = self.model.cycle_input(&self.model.quantities.nominal()).name;
                 let problem = StudyProblem::AngleForCurve { entry: entry.path.describe(), found, drive };
                 return self.refused(&problem, entry.span);
             }
-            return self.reader.choice(&entry, &[("cycle", ())]).map(|()| Where::Cycle);
+            return self.reader.choice(entry, &[("cycle", ())]).map(|()| Where::Cycle);
         }
-        if let Some(entry) = table.get("poses") {
-            return self.poses(&entry, of);
+        if let Some(entry) = poses {
+            return self.poses(entry, of);
         }
-        let entry = table.get(reduction?)?;
-        self.reader.choice(&entry, &REDUCTIONS).map(Where::Reduced)
+        self.reader.choice(reduction.as_ref()?, &REDUCTIONS).map(Where::Reduced)
     }
 
     fn poses(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>) -> Option<Where> {

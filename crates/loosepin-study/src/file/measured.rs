@@ -1,12 +1,12 @@
 //! Readings of a backlash test.
 
-use super::measured_keys::MEASURED_KEYS;
 use super::measurement::{Measured, MeasuredMotion, Push, ReadingScatter};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_mechanics::model::{Axis, BodyId, Cycle, CycleSpan, PointId, Position};
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
-use loosepin_text::document::{Entry, Table, listed};
+use loosepin_text::document::{Entry, Kind, Reads, Value, count, listed, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 /// Readings of a study, at most: each is two rows of every linear programme.
@@ -15,6 +15,46 @@ const MOST_READINGS: usize = 200;
 const MOST_POSE_ERROR_DEG: f64 = 5.0;
 /// Repeats from which their scatter is estimated, at least: Student's factor for 99.9 % is 32 with three, and 637 with two.
 const LEAST_ESTIMATED: usize = 3;
+
+record! {
+    /// a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two settled
+    /// positions is read
+    pub(super) lenient struct ReadingTable for Reads, exactly one of [force, moment];
+    /// a position or an angle of the model: what is read
+    required output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
+    /// of a path, and only there: the coordinate that is read
+    optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
+    /// angle at which the drive that the cycle counts is locked
+    required pose: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ crank = \"60 deg\" }";
+    /// largest error of that angle, of either sign; 0 if left out
+    optional pose_error: Entry<'t> = quantity(Dimension::ANGLE, Rule::NonNegative), "\"0.5 deg\"";
+    /// force of the push, the same to and fro
+    optional force: Entry<'t> = quantity(Dimension::FORCE, Rule::Positive), "\"20 N\"";
+    /// in place of a force: the moment that turns the body whose angle is read
+    optional moment: Entry<'t> = quantity(Dimension::TORQUE, Rule::Positive), "\"0.5 N m\"";
+    /// the point that is pushed; the one whose coordinate is read if left out
+    optional at: Entry<'t> = Kind::Point, "\"slider.pin\"";
+    /// direction of the push to, from the ground's x axis; along the coordinate that is read if left out
+    optional direction: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
+    /// travel between the two settled positions, under load: one value, or all repeats
+    required dead_travel: Entry<'t> =
+        Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]),
+        "[\"0.412 mm\", \"0.409 mm\", \"0.413 mm\"]";
+    /// beside one value: the number of readings whose mean it is; 1 if left out
+    optional repeats: Entry<'t> = count(1, 1_000_000), "5";
+    /// largest error that all readings of the instrument have in common, of either sign: repeats do not make it smaller; 0 if left out
+    optional error: Entry<'t> = Kind::AnyQuantity, "\"± 0.005 mm\"";
+    /// standard deviation of one reading: repeats make it smaller; from three or more repeats themselves if left out
+    optional scatter: Entry<'t> = Kind::AnyQuantity, "\"0.002 mm\"";
+    /// what has the error; one for each output if left out
+    optional instrument: String = Kind::Text, "\"dial gauge\"";
+    /// the mechanism that was measured: its lengths and plays are its own
+    optional specimen: String = Kind::Text, "\"A\"";
+    /// largest coefficient of friction in the joints, anything from 0 to it; that of the contacts in the model if left out
+    optional friction: f64 = Kind::Number { rule: Rule::NonNegative }, "0.15";
+    /// for messages; its place in the file if left out
+    optional name: String = Kind::Text, "\"tip, sideways\"";
+}
 
 problems! {
     /// What can be wrong with a reading. `entry` is a path in words.
@@ -79,8 +119,12 @@ problems! {
 
 impl StudyReader {
     /// Reads readings of backlash tests, and features of motions.
-    pub fn read_measured(&mut self, root: &Table<'_>, cycle: &Cycle) -> (Vec<Measured>, Vec<MeasuredMotion>) {
-        let entries = self.double_brackets(root, "measured");
+    pub fn read_measured(
+        &mut self,
+        written: Option<&Entry<'_>>,
+        cycle: &Cycle,
+    ) -> (Vec<Measured>, Vec<MeasuredMotion>) {
+        let entries = self.double_brackets(written);
         if let Some(surplus) = entries.get(MOST_READINGS) {
             let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
             self.reader.complain(&problem, surplus.span);
@@ -93,7 +137,7 @@ impl StudyReader {
                 motion.extend(feature);
                 continue;
             }
-            let reading = self.reader.table(entry, &MEASURED_KEYS).and_then(|table| {
+            let reading = ReadingTable::read(self, entry).and_then(|table| {
                 let reading = self.reading_of_test(&table, index)?;
                 self.refuse_another_error(&table, &reading, &read);
                 Some(reading)
@@ -104,66 +148,59 @@ impl StudyReader {
     }
 
     /// That all readings of a specimen by one instrument have its error: of two errors that differ the common part would be known to be zero.
-    fn refuse_another_error(&mut self, table: &Table<'_>, reading: &Measured, before: &[Measured]) {
+    fn refuse_another_error(&mut self, table: &ReadingTable<'_>, reading: &Measured, before: &[Measured]) {
         let is_of_same =
             |known: &&Measured| (&known.instrument, &known.specimen) == (&reading.instrument, &reading.specimen);
         let known = before.iter().find(is_of_same);
         if known.is_some_and(|known| known.error_si != reading.error_si) {
-            let (words, span) = match table.get("error") {
+            let (words, span) = match &table.error {
                 Some(entry) => (entry.path.describe(), entry.span),
-                None => (table.path.describe(), table.span),
+                None => (table.table.path.describe(), table.table.span),
             };
             let problem = MeasuredProblem::AnotherError { entry: words, instrument: reading.instrument.clone() };
             self.reader.complain(&problem, span);
         }
     }
 
-    fn reading_of_test(&mut self, table: &Table<'_>, index: usize) -> Option<Measured> {
-        let output = self.output(table);
-        let pose_rad = self.locked_angle(table);
-        let pose_error_rad = match table.get("pose_error") {
-            Some(entry) => self.pose_error(&entry),
-            None => Some(0.0),
-        };
-        let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
-            let entry = table.get(key)?;
-            self.reader.text(&entry).map(str::to_owned)
-        });
-        let friction = self.reader.number(table, "friction");
+    fn reading_of_test(&mut self, table: &ReadingTable<'_>, index: usize) -> Option<Measured> {
+        let ReadingTable { table: whole, name, specimen, instrument, friction, .. } = table;
+        let output = self.output(whole, &table.output, &table.component);
+        let pose_rad = table.pose.as_ref().and_then(|entry| self.locked_angle(entry));
+        let pose_error_rad = table.pose_error.as_ref().map_or(Some(0.0), |entry| self.pose_error(entry));
         // Without the output neither units nor the usual place of the push are known.
         let output = self.outputs[output?].clone();
         let Some(travel) = output.seen.position() else {
-            let problem = MeasuredProblem::NoPosition { entry: table.path.describe(), output: output.name };
-            return self.refused(&problem, table.get("output").map_or(table.span, |entry| entry.span));
+            let problem = MeasuredProblem::NoPosition { entry: whole.path.describe(), output: output.name };
+            return self.refused(&problem, table.output.as_ref().map_or(whole.span, |entry| entry.span));
         };
         let push = self.push(table, travel);
         let values = self.dead_travels(table, output.dimension);
         let stated = self.errors(table, output.dimension);
         let (values_si, [error_si, scatter_si]) = (values?, stated?);
         let (repeats, scatter) = self.repeats(table, &values_si, scatter_si)?;
-        let entry = table.get("dead_travel")?;
+        let entry = table.dead_travel.as_ref()?;
         // Repeats that are all equal tell of the resolution of the instrument, not of its error.
         let is_without = matches!(scatter, None | Some(ReadingScatter::Estimated(0.0)));
         if error_si.is_none() && is_without {
             return self.refused(&MeasuredProblem::WithoutError { entry: entry.path.describe() }, entry.span);
         }
         Some(Measured {
-            name: name.unwrap_or_else(|| format!("reading {}", index + 1)),
-            specimen,
-            instrument: instrument.unwrap_or_else(|| format!("that of {}", output.name)),
+            name: name.clone().unwrap_or_else(|| format!("reading {}", index + 1)),
+            specimen: specimen.clone(),
+            instrument: instrument.clone().unwrap_or_else(|| format!("that of {}", output.name)),
             output: output.name,
             travel,
             unit: output.unit,
             pose_rad: pose_rad?,
             pose_error_rad: pose_error_rad?,
             push: push?,
-            friction,
+            friction: *friction,
             dead_travel_si: values_si.iter().sum::<f64>() / values_si.len() as f64,
             repeats,
             error_si: error_si.unwrap_or(0.0),
             scatter: scatter.unwrap_or(ReadingScatter::Known(0.0)),
             place: self.reader.place(entry.span),
-            pose_place: self.reader.place(table.get("pose").map_or(table.span, |pose| pose.span)),
+            pose_place: self.reader.place(table.pose.as_ref().map_or(whole.span, |pose| pose.span)),
         })
     }
 
@@ -179,17 +216,16 @@ impl StudyReader {
     }
 
     /// The angle at which the drive is locked, rad.
-    fn locked_angle(&mut self, table: &Table<'_>) -> Option<f64> {
-        let entry = table.get("pose")?;
+    fn locked_angle(&mut self, entry: &Entry<'_>) -> Option<f64> {
         if !entry.is_table() {
-            return self.reader.wrong_type(&entry, "a table such as { crank = \"60 deg\" }");
+            return self.reader.wrong_type(entry, "a table such as { crank = \"60 deg\" }");
         }
         if !matches!(self.model.cycle.span, CycleSpan::Turns(_)) {
             return self.refused(&MeasuredProblem::NoDriveAngle { entry: entry.path.describe() }, entry.span);
         }
         let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
         let mut angle_rad = None;
-        for angle in self.reader.any_keys(&entry) {
+        for angle in self.reader.any_keys(entry) {
             if angle.name != due {
                 let name = angle.name.to_owned();
                 let problem = StudyProblem::WrongDrive { entry: angle.path.describe(), name, due: due.clone() };
@@ -203,17 +239,13 @@ impl StudyReader {
         angle_rad
     }
 
-    fn push(&mut self, table: &Table<'_>, travel: Position) -> Option<Push> {
-        let of_key = |reader: &mut Self, key: &str| {
-            let entry = table.get(key)?;
-            let (dimension, rule) = entry.due_quantity()?;
-            reader.reader.measured(&entry, dimension, rule)
-        };
-        let (force_n, moment_n_m) = (of_key(self, "force"), of_key(self, "moment"));
-        let direction_rad = of_key(self, "direction");
-        let point = table.get("at").map(|entry| self.pushed_point(&entry));
-        if let Some(moment) = table.get("moment") {
-            for beside in ["at", "direction"].into_iter().filter_map(|key| table.get(key)) {
+    fn push(&mut self, table: &ReadingTable<'_>, travel: Position) -> Option<Push> {
+        let ReadingTable { table: whole, force, moment, at, direction, .. } = table;
+        let [force_n, moment_n_m, direction_rad] =
+            [force, moment, direction].map(|entry| entry.as_ref().and_then(|entry| f64::read(self, entry)));
+        let point = at.as_ref().map(|entry| self.pushed_point(entry));
+        if let Some(moment) = moment {
+            for beside in [at, direction].into_iter().flatten() {
                 self.reader.complain(&MeasuredProblem::BesideMoment { entry: beside.path.describe() }, beside.key_span);
             }
             let Position::Angle(body) = travel else {
@@ -221,17 +253,17 @@ impl StudyReader {
                 return self.refused(&problem, moment.span);
             };
             if body.to.is_some() {
-                let problem = MeasuredProblem::RelativeOutput { entry: table.path.describe() };
+                let problem = MeasuredProblem::RelativeOutput { entry: whole.path.describe() };
                 return self.refused(&problem, moment.span);
             }
             return Some(Push::Moment { body: body.of, moment_n_m: moment_n_m? });
         }
-        let entry = table.get("force")?;
+        let entry = force.as_ref()?;
         let force_n = force_n?;
-        if table.has("direction") && direction_rad.is_none() {
+        if direction.is_some() && direction_rad.is_none() {
             return None;
         }
-        let words = || table.path.describe();
+        let words = || whole.path.describe();
         let own = match travel {
             Position::Point(point, axis) if point.to.is_none() => {
                 let along_rad = if axis == Axis::X { 0.0 } else { std::f64::consts::FRAC_PI_2 };
@@ -287,12 +319,12 @@ impl StudyReader {
     }
 
     /// The readings, SI: one, or all repeats.
-    fn dead_travels(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Vec<f64>> {
-        let entry = table.get("dead_travel")?;
+    fn dead_travels(&mut self, table: &ReadingTable<'_>, dimension: Dimension) -> Option<Vec<f64>> {
+        let entry = table.dead_travel.as_ref()?;
         if !entry.is_list() {
-            return self.reader.measured(&entry, dimension, Rule::NonNegative).map(|value_si| vec![value_si]);
+            return self.reader.measured(entry, dimension, Rule::NonNegative).map(|value_si| vec![value_si]);
         }
-        let entries = self.reader.list(&entry)?;
+        let entries = self.reader.list(entry)?;
         if entries.is_empty() {
             return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
         }
@@ -302,10 +334,10 @@ impl StudyReader {
     }
 
     /// The common error and the standard deviation of one reading, SI, each where it is written.
-    fn errors(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<[Option<f64>; 2]> {
-        let read = ["error", "scatter"].map(|key| {
-            let Some(entry) = table.get(key) else { return Some(None) };
-            self.reader.measured_beyond(&entry, &["±", "+/-", "+-"], dimension, Rule::NonNegative).map(Some)
+    fn errors(&mut self, table: &ReadingTable<'_>, dimension: Dimension) -> Option<[Option<f64>; 2]> {
+        let read = [&table.error, &table.scatter].map(|entry| {
+            let Some(entry) = entry else { return Some(None) };
+            self.reader.measured_beyond(entry, &["±", "+/-", "+-"], dimension, Rule::NonNegative).map(Some)
         });
         let [error_si, scatter_si] = read;
         Some([error_si?, scatter_si?])
@@ -314,18 +346,16 @@ impl StudyReader {
     /// The number of readings behind the mean, and their scatter where it is known.
     fn repeats(
         &mut self,
-        table: &Table<'_>,
+        table: &ReadingTable<'_>,
         values_si: &[f64],
         scatter_si: Option<f64>,
     ) -> Option<(usize, Option<ReadingScatter>)> {
-        let stated = self.reader.count(table, "repeats");
-        if let (Some(entry), true) =
-            (table.get("repeats"), table.get("dead_travel").is_some_and(|entry| entry.is_list()))
-        {
+        let stated = table.repeats.as_ref().and_then(|entry| self.reader.count_of(entry));
+        if let (Some(entry), true) = (&table.repeats, table.dead_travel.as_ref().is_some_and(|entry| entry.is_list())) {
             let problem = MeasuredProblem::RepeatsOfList { entry: entry.path.describe(), found: values_si.len() };
             return self.refused(&problem, entry.span);
         }
-        if table.has("repeats") && stated.is_none() {
+        if table.repeats.is_some() && stated.is_none() {
             return None;
         }
         let repeats = stated.map_or(values_si.len(), |count| count as usize);

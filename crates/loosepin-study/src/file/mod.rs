@@ -6,21 +6,18 @@ mod ask;
 mod asked_before;
 mod check;
 mod correlation;
-mod defaults;
 mod description;
+mod distribution;
 mod evidence;
+mod family;
 mod fit;
 mod input;
-mod keys;
 mod location;
 mod measured;
-mod measured_keys;
 mod measurement;
 mod motion;
-mod motion_keys;
 mod output;
 mod parameter;
-mod parameter_keys;
 mod plausible;
 mod problem;
 mod promise;
@@ -31,11 +28,12 @@ mod reader;
 mod requirement;
 mod requirement_runs;
 mod resolution;
+mod sampling;
 mod sizes;
 mod specimen;
 mod specimen_problem;
 mod study;
-mod study_keys;
+mod study_table;
 mod surrogate;
 mod tails;
 mod target;
@@ -47,15 +45,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use accuracy::AccuracyProblem;
-use accuracy::WrittenAccuracies;
 pub use ask::{Ask, Asked};
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
     EpistemicSubject, RandomInput, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
     UncertainParameter,
 };
-pub use keys::takes_mean_of_model;
-use keys::{SAMPLING_KEYS, STUDY_CYCLE_KEYS};
+pub use family::takes_mean_of_model;
 pub use location::{Where, named_angle_rad};
 pub use measured::MeasuredProblem;
 pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
@@ -70,7 +66,7 @@ pub use sizes::{MOST_POSES, MOST_RUNS};
 pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
 pub use specimen_problem::SpecimenProblem;
 pub use study::Study;
-use study_keys::STUDY_KEYS;
+use study_table::{STUDY_KEYS, StudyTable};
 pub use target::AccuracyTarget;
 pub use tolerance::{number_and_unit, signed_parts, states_nominal};
 use words::READINGS;
@@ -79,10 +75,10 @@ pub(super) use words::statistic_name;
 use crate::outputs::study_outputs;
 use crate::question::read_questions;
 use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
-use loosepin_mechanics::model::{Cycle, Model};
+use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Place, Source};
-use loosepin_text::document::{Reader, Table, json_schema, parse_toml, read_source};
+use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
 use loosepin_text::units::{Dimension, Rule};
 use loosepin_uncertainty::CorrelationSeries;
 
@@ -214,9 +210,9 @@ fn read(
     let toml = parse_toml(source)?;
     let mut reader = Reader::new(source);
     let root = reader.root(toml.get_ref(), &STUDY_KEYS);
-    let name = root.get("name").and_then(|entry| reader.text(&entry)).unwrap_or_default().to_owned();
-    let opened = root.get("model").and_then(|entry| {
-        let written = reader.text(&entry)?;
+    let root = StudyTable::of(&mut reader, root).expect("every key has a value, or may have none");
+    let opened = root.model.as_ref().and_then(|entry| {
+        let written = reader.text(entry)?;
         match open_model(written) {
             Ok(opened) => Some(opened),
             Err(complaints) => {
@@ -240,39 +236,41 @@ fn read(
         poses: HashMap::new(),
         promise: PromiseSettings::default(),
         questions: HashSet::new(),
-        has_rows: root.has("specimen"),
+        has_rows: root.specimen.is_some(),
     };
-    let seed = file.reader.count(&root, "seed").unwrap_or(loosepin_bounds::Sampling::default().seed);
-    let cycle = file.cycle(&root);
-    let (mut sampling, written_accuracies, written_budget) = file.sampling(&root);
-    if let Some(entry) = root.get("random") {
-        file.read_random(&entry);
+    let [random, epistemic] = [&root.random, &root.epistemic].map(Option::as_ref);
+    let cycle = file.cycle(root.cycle.as_ref());
+    let (mut sampling, sampling_table) = file.sampling(root.sampling.as_ref());
+    let written_accuracies = file.accuracies(sampling_table.accuracy.as_ref());
+    let written_budget = file.budget(sampling_table.budget.as_ref());
+    if let Some(entry) = random {
+        file.read_random(entry);
     }
-    if let Some(entry) = root.get("epistemic") {
-        file.read_epistemic(&entry);
+    if let Some(entry) = epistemic {
+        file.read_epistemic(entry);
     }
-    let correlation = file.read_correlations(&root);
-    let (correlation, specimen) = file.read_specimen(&root, correlation);
-    file.read_reading(&root);
-    let percentiles = file.percentiles(&root);
-    file.read_promise(&root);
-    let (asks, of_asks) = file.read_asks(&root);
+    let correlation = file.read_correlations(root.correlation.as_ref());
+    let (correlation, specimen) = file.read_specimen([root.specimen.as_ref(), random], correlation);
+    file.read_reading(root.reading.as_ref());
+    let percentiles = file.percentiles(root.percentiles.as_ref());
+    file.read_promise(root.promise.as_ref());
+    let (asks, of_asks) = file.read_asks(root.ask.as_ref());
     let mut accuracy = file.targets(written_accuracies, &asks, None);
     accuracy.extend(of_asks);
-    let requirements = file.read_requirements(&root);
-    file.suffice_for_requirements(&root, &requirements, &mut sampling);
-    let (measured, motion) = file.read_measured(&root, &cycle);
-    let allowances = file.read_allowances(&root, &requirements);
-    let together = file.together(&root, &allowances);
-    let promise = file.promise(&root, &asks, &requirements);
-    let surrogate = file.read_surrogate(&root, (sampling.replicates, sampling.inner), &asks);
-    if root.get("specimen").is_some() && surrogate.is_some() {
-        file.refuse_surrogate(&root);
+    let requirements = file.read_requirements(root.require.as_ref());
+    file.suffice_for_requirements(root.require.as_ref(), &sampling_table, &requirements, &mut sampling);
+    let (measured, motion) = file.read_measured(root.measured.as_ref(), &cycle);
+    let allowances = file.read_allowances(root.allow.as_ref(), [random, epistemic], root.require.is_some());
+    let together = file.together(root.allow_together.as_ref(), &allowances);
+    let promise = file.promise([root.promise.as_ref(), root.allow.as_ref()], &asks, &requirements);
+    let surrogate = file.read_surrogate(root.surrogate.as_ref(), (sampling.replicates, sampling.inner), &asks);
+    if root.specimen.is_some() && surrogate.is_some() {
+        file.refuse_surrogate(root.surrogate.as_ref());
     }
-    let questions = read_questions(&root, &mut file.reader);
+    let questions = read_questions(&root.table, &mut file.reader);
     file.check_whole(&root);
     if !file.reader.complaints.has_errors() {
-        file.check_tolerance(&root, sampling.tolerance_m);
+        file.check_tolerance(&sampling_table, sampling.tolerance_m);
         file.check_scatter(&root);
         file.warn_of_tails(&root);
         // Where samples grow, or a surrogate takes their place, `inner` does not say how many there will be.
@@ -287,10 +285,10 @@ fn read(
     let mut warnings: Vec<Complaint> = file.model.warnings.clone();
     warnings.extend(file.reader.complaints.sorted().into_iter().cloned());
     Ok(Study {
-        name,
+        name: root.name.unwrap_or_default(),
         model: file.model,
         model_path,
-        seed,
+        seed: root.seed,
         cycle,
         sampling,
         surrogate,
@@ -320,29 +318,17 @@ fn read(
 }
 
 impl StudyReader {
-    fn cycle(&mut self, root: &Table<'_>) -> Cycle {
-        let mut cycle = self.model.cycle.clone();
-        let Some(table) = root.get("cycle").and_then(|entry| self.reader.table(&entry, &STUDY_CYCLE_KEYS)) else {
-            return cycle;
-        };
-        cycle.transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(cycle.transient_turns);
-        cycle.recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(cycle.recorded_turns);
-        cycle.samples_per_turn =
-            self.reader.count(&table, "samples_per_turn").map_or(cycle.samples_per_turn, |count| count as usize);
-        cycle
-    }
-
     /// How intervals are read, one or several side by side; questions depend on it.
-    fn read_reading(&mut self, root: &Table<'_>) {
-        let Some(written) = root.get("reading") else { return };
+    fn read_reading(&mut self, written: Option<&Entry<'_>>) {
+        let Some(written) = written else { return };
         if written.is_text() {
             self.readings =
-                self.reader.choice(&written, &READINGS).map_or_else(|| self.readings.clone(), |own| vec![own]);
+                self.reader.choice(written, &READINGS).map_or_else(|| self.readings.clone(), |own| vec![own]);
             return;
         }
-        let Some(entries) = self.reader.list(&written) else { return };
+        let Some(entries) = self.reader.list(written) else { return };
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
             return;
         }
         let mut found = Vec::new();
@@ -361,11 +347,11 @@ impl StudyReader {
     }
 
     /// Percentiles of statistics that are themselves random.
-    fn percentiles(&mut self, root: &Table<'_>) -> Vec<f64> {
-        let Some(written) = root.get("percentiles") else { return PERCENTILES.to_vec() };
-        let Some(entries) = self.reader.list(&written) else { return Vec::new() };
+    fn percentiles(&mut self, written: Option<&Entry<'_>>) -> Vec<f64> {
+        let Some(written) = written else { return PERCENTILES.to_vec() };
+        let Some(entries) = self.reader.list(written) else { return Vec::new() };
         if entries.is_empty() {
-            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, &written);
+            self.complain(&StudyProblem::Empty { entry: written.path.describe() }, written);
         }
         let is_second_order = |input: &EpistemicInput| input.variable.is_second_order();
         // Where an input is wrong it may be the one with a distribution.
@@ -378,52 +364,10 @@ impl StudyReader {
         for entry in &entries {
             let Some(percentile) = self.reader.measured(entry, Dimension::NUMBER, Rule::Probability) else { continue };
             if percentiles.contains(&percentile) {
-                self.member_twice(&written, percentile, Dimension::NUMBER, entry);
+                self.member_twice(written, percentile, Dimension::NUMBER, entry);
             }
             percentiles.push(percentile);
         }
         percentiles
-    }
-
-    /// How many runs; how near the bounds are to be, and what that may cost.
-    fn sampling(&mut self, root: &Table<'_>) -> (Sampling, WrittenAccuracies, Option<(Budget, Place)>) {
-        let mut sampling = Sampling::default();
-        let Some(table) = root.get("sampling").and_then(|entry| self.reader.table(&entry, &SAMPLING_KEYS)) else {
-            return (sampling, WrittenAccuracies::default(), None);
-        };
-        for (key, count) in
-            [("outer", &mut sampling.outer), ("inner", &mut sampling.inner), ("replicates", &mut sampling.replicates)]
-        {
-            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
-        }
-        if let Some(entry) = table.get("tolerance") {
-            sampling.tolerance_m =
-                self.reader.measured(&entry, Dimension::LENGTH, Rule::Positive).unwrap_or(sampling.tolerance_m);
-        }
-        sampling.most_failed = self.reader.number(&table, "most_failed").unwrap_or(sampling.most_failed);
-        let accuracies = self.accuracies(&table);
-        let budget = self.budget(&table);
-        (sampling, accuracies, budget)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Sampling;
-    use super::keys::SAMPLING_KEYS;
-
-    #[test]
-    fn the_schema_tells_what_is_left_out() {
-        let Sampling { outer, inner, replicates, tolerance_m, most_failed } = Sampling::default();
-        let told = |key: &str| SAMPLING_KEYS.find(key).map(|known| known.doc).unwrap_or("");
-        for (key, usual) in [
-            ("outer", outer.to_string()),
-            ("inner", inner.to_string()),
-            ("replicates", replicates.to_string()),
-            ("tolerance", format!("{tolerance_m:e} m")),
-            ("most_failed", most_failed.to_string()),
-        ] {
-            assert!(told(key).ends_with(&format!("; {usual} if left out")), "{key}: {}", told(key));
-        }
     }
 }

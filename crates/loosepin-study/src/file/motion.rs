@@ -1,9 +1,9 @@
 //! Features of a measured motion.
 
 use super::measurement::{FEATURES, FeatureWord, MeasuredMotion, MotionError, MotionSubject, SampledFeature};
-use super::motion_keys::{MOST_STRETCHES, MOTION_KEYS};
 use super::problem::StudyProblem;
 use super::reader::{StudyReader, adopt};
+use super::words::{DEVIATIONS, words};
 use crate::outputs::Seen;
 use crate::sampled_feature::sampled_feature;
 use loosepin_mechanics::model::Cycle;
@@ -11,12 +11,71 @@ use loosepin_result::simulation::Abscissa;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_simulate::measured::MeasuredTable;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
-use loosepin_text::document::{Entry, Table, listed, read_beside};
+use loosepin_text::document::{Entry, Kind, Reads, Value, choice, count, listed, read_beside};
 use loosepin_text::units::{Dimension, Rule, SiUnit, format_number};
+use loosepin_text::{choices, record};
 use std::f64::consts::TAU;
 
 /// Share of a turn by which a table may end early: its last sample stands one sample before the end.
 const ROUND_OFF: f64 = 1e-9;
+
+/// Repeats of a motion, at most: each is a stretch of recorded turns that is simulated.
+const MOST_STRETCHES: u64 = 20;
+/// Highest order of a spectrum, at most: two samples a period.
+const MOST_ORDER: u64 = 1000;
+
+choices!(
+    /// What was measured.
+    pub(super) struct MeasuredKind(()): "motion" => ()
+);
+choices!(
+    /// Whether extremes are those of samples.
+    pub(super) struct IsSampled(bool): "between" => false, "samples" => true
+);
+
+record! {
+    /// a feature of a motion that was measured over the recorded turns: one number, or one for each repeat
+    pub(super) lenient struct MotionTable for Reads;
+    /// that it is of a motion; left out for a backlash test
+    required kind: MeasuredKind = choice::<MeasuredKind>(), "\"motion\"";
+    /// an output of the model: what was measured
+    optional output: Entry<'t> = Kind::Reference("output"), "\"slider_acceleration\"";
+    /// of a path, and only there: the coordinate that was measured
+    optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
+    /// a deviation in place of the value, where the feature is located between samples; "value" if left out
+    optional of: Entry<'t> = Kind::Choice(&words(&DEVIATIONS)), "\"total\"";
+    /// in place of an output: the joint whose impacts were counted
+    optional joint: Entry<'t> = Kind::Reference("joint"), "\"gudgeon\"";
+    /// number that the motion of all recorded turns is reduced to
+    required feature: Entry<'t> = Kind::Choice(&words(&FEATURES)), "\"rms\"";
+    /// of the amplitude of an order: periods in a turn
+    optional order: Entry<'t> = count(1, MOST_ORDER), "3";
+    /// of a dwell: distance from the largest value
+    optional within: Entry<'t> = Kind::AnyQuantity, "\"0.1 mm\"";
+    /// low-pass filter: orders above are taken off the samples; measured and simulated samples alike
+    optional highest_order: Entry<'t> = count(1, MOST_ORDER), "40";
+    /// whether extremes are located between samples, or are those of samples_per_turn of the study; samples where a curve, a filter or an
+    /// order is given
+    optional sampled: Entry<'t> = choice::<IsSampled>(), "\"samples\"";
+    /// the feature as it was measured: one value, or all repeats; left out for what could be measured
+    optional value: Entry<'t> =
+        Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]), "[\"5210 m/s^2\", \"5340 m/s^2\"]";
+    /// in place of a value: a table with the time or the angle of the drive and a column of the output; as many repeats as it holds the
+    /// recorded turns
+    optional file: Entry<'t> = Kind::Text, "\"acceleration.csv\"";
+    /// beside one value: the number of repeats whose mean it is; 1 if left out
+    optional repeats: Entry<'t> = count(1, MOST_STRETCHES), "5";
+    /// largest error that all values of the instrument have in common, of either sign, or its share of the true value; 0 if left out
+    optional error: Entry<'t> = Kind::AnyQuantity, "\"± 5 %\"";
+    /// standard deviation of the independent error of one repeat, or its share of the true value; 0 if left out
+    optional scatter: Entry<'t> = Kind::AnyQuantity, "\"2 %\"";
+    /// what has the common error; one for each output if left out
+    optional instrument: String = Kind::Text, "\"accelerometer\"";
+    /// the mechanism that was measured: its lengths and plays are its own
+    optional specimen: String = Kind::Text, "\"A\"";
+    /// for messages; output and feature if left out
+    optional name: String = Kind::Text, "\"peak\"";
+}
 
 problems! {
     /// What can be wrong with a feature of a motion. `entry` is a path in words.
@@ -96,61 +155,61 @@ impl StudyReader {
         cycle: &Cycle,
         known: &[MeasuredMotion],
     ) -> Option<MeasuredMotion> {
-        let table = self.reader.table(entry, &MOTION_KEYS)?;
+        let motion = MotionTable::read(self, entry)?;
+        let MotionTable { table, output, component, of, joint, order, within, highest_order, sampled, file, .. } =
+            &motion;
         let words = || table.path.describe();
-        let feature_entry = table.get("feature")?;
-        let feature_word = self.reader.text(&feature_entry)?.to_owned();
-        let feature = self.reader.choice(&feature_entry, &FEATURES)?;
-        let (needed, others): (&'static str, &[&str]) = match feature {
+        motion.kind?;
+        let feature_entry = motion.feature.as_ref()?;
+        let feature_word = self.reader.text(feature_entry)?.to_owned();
+        let feature = self.reader.choice(feature_entry, &FEATURES)?;
+        let (needed, others) = match feature {
             FeatureWord::Impacts => {
-                ("joint", &["output", "component", "of", "order", "within", "highest_order", "sampled", "file"])
+                (vec![("joint", joint)], vec![output, component, of, order, within, highest_order, sampled, file])
             }
-            FeatureWord::Order => ("order", &["joint", "within"]),
-            FeatureWord::Dwell => ("within", &["joint", "order"]),
-            FeatureWord::Reduced(_) => ("output", &["joint", "order", "within"]),
+            FeatureWord::Order => (vec![("order", order), ("output", output)], vec![joint, within]),
+            FeatureWord::Dwell => (vec![("within", within), ("output", output)], vec![joint, order]),
+            FeatureWord::Reduced(_) => (vec![("output", output)], vec![joint, order, within]),
         };
-        for key in [needed, if feature == FeatureWord::Impacts { "joint" } else { "output" }] {
-            if !table.has(key) {
-                let problem = MotionProblem::NoSubject { entry: words(), key, feature: feature_word };
-                return self.refused(&problem, table.span);
-            }
+        if let Some((key, _)) = needed.into_iter().find(|(_, entry)| entry.is_none()) {
+            let problem = MotionProblem::NoSubject { entry: words(), key, feature: feature_word };
+            return self.refused(&problem, table.span);
         }
-        if let Some(surplus) = others.iter().find_map(|key| table.get(key)) {
+        if let Some(surplus) = others.into_iter().flatten().next() {
             let problem = MotionProblem::Beside { entry: surplus.path.describe(), feature: feature_word };
             return self.refused(&problem, surplus.key_span);
         }
         let (subject, unit, dimension, of) = if feature == FeatureWord::Impacts {
-            let (play, name) = self.joint_with_play(&table.get("joint")?)?;
+            let (play, name) = self.joint_with_play(joint.as_ref()?)?;
             (MotionSubject::Impacts { play }, SiUnit::NONE, Dimension::NUMBER, name)
         } else {
-            let output = self.output(&table)?;
+            let output = self.output(table, output, component)?;
             let known = self.outputs[output].clone();
-            let subject = self.subject_of_output(&table, output, feature, cycle)?;
+            let subject = self.subject_of_output(&motion, output, feature, cycle)?;
             let (unit, dimension) = match feature {
                 FeatureWord::Dwell => (SiUnit::ANGLE, Dimension::ANGLE),
                 _ => (known.unit, known.dimension),
             };
             (subject, unit, dimension, known.name)
         };
-        let (values_si, repeats) = self.feature_values(&table, subject, dimension, cycle)?;
-        let [error, scatter] = ["error", "scatter"].map(|key| self.motion_error(&table, key, dimension));
+        let (values_si, repeats) = self.feature_values(&motion, subject, dimension, cycle)?;
+        let [error, scatter] =
+            [&motion.error, &motion.scatter].map(|entry| self.motion_error(entry.as_ref(), dimension));
         let (error, scatter) = (error?, scatter?);
         if !values_si.is_empty() && error.size == 0.0 && scatter.size == 0.0 {
             return self.refused(&MotionProblem::WithoutError { entry: words() }, table.span);
         }
-        let [name, specimen, instrument] = ["name", "specimen", "instrument"].map(|key| {
-            let entry = table.get(key)?;
-            self.reader.text(&entry).map(str::to_owned)
-        });
-        let instrument = instrument.unwrap_or_else(|| format!("that of {of}"));
+        let specimen = motion.specimen.clone();
+        let instrument = motion.instrument.clone().unwrap_or_else(|| format!("that of {of}"));
         let is_of_same = |known: &&MeasuredMotion| (&known.instrument, &known.specimen) == (&instrument, &specimen);
         if known.iter().find(is_of_same).is_some_and(|known| known.error != error) {
-            let (place, span) = table.get("error").map_or((words(), table.span), |at| (at.path.describe(), at.span));
+            let at = motion.error.as_ref();
+            let (place, span) = at.map_or((words(), table.span), |at| (at.path.describe(), at.span));
             return self.refused(&MotionProblem::AnotherError { entry: place, instrument }, span);
         }
-        let name = name.unwrap_or_else(|| format!("{of}, {}", feature_word.replace('_', " ")));
-        let place =
-            self.reader.place(table.get("value").or_else(|| table.get("file")).map_or(table.span, |at| at.span));
+        let name = motion.name.clone().unwrap_or_else(|| format!("{of}, {}", feature_word.replace('_', " ")));
+        let span = motion.value.as_ref().or(file.as_ref()).map_or(table.span, |at| at.span);
+        let place = self.reader.place(span);
         Some(MeasuredMotion { name, specimen, instrument, subject, unit, values_si, repeats, error, scatter, place })
     }
 
@@ -168,20 +227,22 @@ impl StudyReader {
 
     fn subject_of_output(
         &mut self,
-        table: &Table<'_>,
+        motion: &MotionTable<'_>,
         output: usize,
         feature: FeatureWord,
         cycle: &Cycle,
     ) -> Option<MotionSubject> {
-        let deviation = match table.get("of") {
-            Some(_) => self.deviation(table, Some(output))?,
+        let table = &motion.table;
+        let deviation = match &motion.of {
+            Some(of) => self.deviation(Some(of), Some(output))?,
             None => Deviation::Value,
         };
-        let written = match table.get("sampled") {
-            Some(entry) => Some(self.reader.choice(&entry, &[("between", false), ("samples", true)])?),
+        let written = match &motion.sampled {
+            Some(entry) => Some(IsSampled::read(self, entry)?.0),
             None => None,
         };
-        let needs = table.has("file") || table.has("highest_order") || !matches!(feature, FeatureWord::Reduced(_));
+        let needs =
+            motion.file.is_some() || motion.highest_order.is_some() || !matches!(feature, FeatureWord::Reduced(_));
         let words = table.path.describe();
         if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
             return Some(MotionSubject::Located { output, deviation, reduction });
@@ -199,12 +260,12 @@ impl StudyReader {
         if turns.fract() != 0.0 || turns < 1.0 {
             return self.refused(&MotionProblem::PartOfTurn { entry: words, turns }, table.span);
         }
-        let highest_order = self.reader.count(table, "highest_order").map(|count| count as usize);
+        let highest_order = motion.highest_order.as_ref().and_then(|entry| usize::read(self, entry));
         let feature = match feature {
-            FeatureWord::Order => SampledFeature::Order(self.reader.count(table, "order")? as usize),
+            FeatureWord::Order => SampledFeature::Order(usize::read(self, motion.order.as_ref()?)?),
             FeatureWord::Dwell => {
                 let dimension = self.outputs[output].dimension;
-                SampledFeature::Dwell(self.reader.measured(&table.get("within")?, dimension, Rule::Positive)?)
+                SampledFeature::Dwell(self.reader.measured(motion.within.as_ref()?, dimension, Rule::Positive)?)
             }
             FeatureWord::Reduced(reduction) => SampledFeature::Reduced(reduction),
             FeatureWord::Impacts => return None,
@@ -223,29 +284,29 @@ impl StudyReader {
     /// The values of the repeats, or their mean, and the number of repeats.
     fn feature_values(
         &mut self,
-        table: &Table<'_>,
+        motion: &MotionTable<'_>,
         subject: MotionSubject,
         dimension: Dimension,
         cycle: &Cycle,
     ) -> Option<(Vec<f64>, usize)> {
-        let values_si = match (table.get("value"), table.get("file")) {
+        let values_si = match (&motion.value, &motion.file) {
             (Some(entry), Some(_)) => {
-                return self.refused(&MotionProblem::Twice { entry: table.path.describe() }, entry.span);
+                return self.refused(&MotionProblem::Twice { entry: motion.table.path.describe() }, entry.span);
             }
-            (None, Some(entry)) => self.values_of_file(&entry, subject, cycle)?,
-            (Some(entry), None) => self.values_as_written(&entry, dimension)?,
+            (None, Some(entry)) => self.values_of_file(entry, subject, cycle)?,
+            (Some(entry), None) => self.values_as_written(entry, dimension)?,
             (None, None) => Vec::new(),
         };
-        let stated = match table.get("repeats") {
+        let stated = match &motion.repeats {
             Some(entry) if values_si.len() > 1 => {
                 return self.refused(&MotionProblem::SeveralValues { entry: entry.path.describe() }, entry.span);
             }
-            Some(_) => Some(self.reader.count(table, "repeats")? as usize),
+            Some(entry) => Some(usize::read(self, entry)?),
             None => None,
         };
         let repeats = stated.unwrap_or(values_si.len().max(1));
         // More than so many `repeats` are refused where these are read, and more stretches of a file are left out.
-        if let Some(entry) = table.get("value").filter(|_| repeats as u64 > MOST_STRETCHES) {
+        if let Some(entry) = motion.value.as_ref().filter(|_| repeats as u64 > MOST_STRETCHES) {
             let problem = MotionProblem::TooManyStretches { entry: entry.path.describe(), found: repeats };
             return self.refused(&problem, entry.span);
         }
@@ -258,7 +319,7 @@ impl StudyReader {
             MotionSubject::Sampled { .. } => true,
         };
         // Those of a file are magnitudes.
-        if let Some(entry) = table.get("value")
+        if let Some(entry) = &motion.value
             && is_magnitude
             && values_si.iter().any(|value_si| *value_si < 0.0)
         {
@@ -335,11 +396,11 @@ impl StudyReader {
     }
 
     /// An error in the unit of the feature, or as a share of its true value; zero where it is left out.
-    fn motion_error(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<MotionError> {
-        let Some(entry) = table.get(key) else { return Some(MotionError { size: 0.0, is_share: false }) };
-        let is_share = entry.is_text() && self.reader.text(&entry)?.trim_end().ends_with('%');
+    fn motion_error(&mut self, entry: Option<&Entry<'_>>, dimension: Dimension) -> Option<MotionError> {
+        let Some(entry) = entry else { return Some(MotionError { size: 0.0, is_share: false }) };
+        let is_share = entry.is_text() && self.reader.text(entry)?.trim_end().ends_with('%');
         let due = if is_share { Dimension::NUMBER } else { dimension };
-        let size = self.reader.measured_beyond(&entry, &["±", "+/-", "+-"], due, Rule::NonNegative)?;
+        let size = self.reader.measured_beyond(entry, &["±", "+/-", "+-"], due, Rule::NonNegative)?;
         if is_share && size >= 1.0 {
             return self.refused(&MotionProblem::ErrorTooLarge { entry: entry.path.describe() }, entry.span);
         }

@@ -2,18 +2,41 @@
 
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::words::DEVIATIONS;
+use super::words::{DEVIATIONS, words};
 use crate::outputs::{COMPONENTS, Seen, StudyOutput};
 use loosepin_mechanics::model::{Recorded, WearMeasure};
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
-use loosepin_text::document::Table;
+use loosepin_text::document::{Entry, Key, Kind, Table, optional, required};
+
+/// The output of a question or a requirement.
+pub(super) const OUTPUT: Key = required("output", Kind::Reference("output"), "\"slider\"", "an output of the model");
+/// The component of it, where it is a path.
+pub(super) const COMPONENT: Key = optional(
+    "component",
+    Kind::Choice(&COMPONENTS),
+    "\"normal\"",
+    "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
+     contour: its distance from the path whatever the timing",
+);
+/// Which deviation of it.
+pub(super) const DEVIATION: Key = required(
+    "of",
+    Kind::Choice(&words(&DEVIATIONS)),
+    "\"total\"",
+    "value: the output itself; its deviation: dimensional, by lengths alone; clearance, by play alone; total, by both",
+);
 
 impl StudyReader {
-    /// The output that a table names, by its place in [`Self::outputs`].
-    pub(super) fn output(&mut self, table: &Table<'_>) -> Option<usize> {
-        let entry = table.get("output")?;
-        let name = self.reader.text(&entry)?.to_owned();
+    /// The output that is named in a table, with its component, by its place in [`Self::outputs`].
+    pub(super) fn output(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Option<Entry<'_>>,
+        component: &Option<Entry<'_>>,
+    ) -> Option<usize> {
+        let entry = entry.as_ref()?;
+        let name = self.reader.text(entry)?.to_owned();
         let outputs = &self.model.outputs;
         let Some(index) = outputs.iter().position(|output| output.name == name) else {
             let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
@@ -21,7 +44,6 @@ impl StudyReader {
             let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
             return self.refused(&problem, entry.span);
         };
-        let component = table.get("component");
         if !matches!(outputs[index].kind.recorded(), Recorded::Path(_)) {
             if let Some(component) = component {
                 let problem = StudyProblem::ComponentOfNoPath { entry: table.path.describe(), name };
@@ -32,14 +54,14 @@ impl StudyReader {
         let Some(component) = component else {
             return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
         };
-        let component = self.reader.choice(&component, &COMPONENTS.map(|name| (name, name)))?;
+        let component = self.reader.choice(component, &COMPONENTS.map(|name| (name, name)))?;
         self.outputs.iter().position(|output| output.output == index && output.component == Some(component))
     }
 
     /// Which deviation of an output, where that is known.
-    pub(super) fn deviation(&mut self, table: &Table<'_>, output: Option<usize>) -> Option<Deviation> {
-        let entry = table.get("of")?;
-        let deviation = self.reader.choice(&entry, &DEVIATIONS)?;
+    pub(super) fn deviation(&mut self, entry: Option<&Entry<'_>>, output: Option<usize>) -> Option<Deviation> {
+        let entry = entry?;
+        let deviation = self.reader.choice(entry, &DEVIATIONS)?;
         if deviation == Deviation::Value
             && let Some(StudyOutput { seen: Seen::Path(..), component: Some(component), .. }) =
                 output.map(|output| &self.outputs[output])

@@ -1,10 +1,11 @@
 //! Warns of scatter that no manufacture has: a length that varies by a tenth of itself, or a sample that holds the other sign.
 
+use super::check::entry_of;
 use super::description::RandomInput;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::study_table::StudyTable;
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, format_value};
 use loosepin_uncertainty::Distribution;
 
@@ -15,11 +16,11 @@ const SMALL_OFFSET: f64 = 0.01;
 
 impl StudyReader {
     /// Warns, at the input, of lengths whose scatter is hardly possible. A clearance may scatter as much as it is large.
-    pub(super) fn check_scatter(&mut self, root: &Table<'_>) {
+    pub(super) fn check_scatter(&mut self, root: &StudyTable<'_>) {
         let found: Vec<(String, StudyProblem)> =
             self.random.iter().filter_map(|input| Some((input.path.clone(), self.wild_scatter(input)?))).collect();
         for (path, problem) in found {
-            let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.key_span);
+            let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.key_span);
             let place = Place::new(&self.reader.source, span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }

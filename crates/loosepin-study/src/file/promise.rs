@@ -1,34 +1,40 @@
 //! The promise for a share of the box: how large it is, and what is promised.
 
-use super::ask::{Ask, Asked};
-use super::keys::PROMISE_KEYS;
+use super::ask::{Ask, Asked, PromisedEnds};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::requirement::Requirement;
-use super::words::{DECIDED_BY, PROMISED_ENDS};
+use super::requirement::{DecidedBy, Requirement};
+use super::sampling::MOST_INNER;
 use loosepin_bounds::{PromiseSettings, Reading, least_promise_runs};
 use loosepin_result::study::Side;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::format_number;
+use loosepin_text::document::{Entry, Kind, Reads, Value, count};
+use loosepin_text::record;
+use loosepin_text::units::{Rule, format_number};
 use loosepin_uncertainty::EpistemicVariable;
+
+record! {
+    /// a bound that a share of the box of the intervals keeps, without a model
+    pub(super) lenient struct PromiseTable for Reads;
+    /// share of the box, by volume, that keeps a promised bound, each of them
+    optional share: f64 = Kind::Number { rule: Rule::Probability }, "0.99", or 0.99;
+    /// confidence that this holds for all promised bounds together
+    optional confidence: f64 = Kind::Number { rule: Rule::Probability }, "0.99", or 0.99;
+    /// runs at each value of the intervals
+    optional inner: usize = count(1, MOST_INNER), "256", or 256;
+}
 
 impl StudyReader {
     /// Reads how large a promise is; questions are checked against it.
-    pub fn read_promise(&mut self, root: &Table<'_>) {
-        let Some(table) = root.get("promise").and_then(|entry| self.reader.table(&entry, &PROMISE_KEYS)) else {
-            return;
-        };
-        let PromiseSettings { share, confidence, inner } = &mut self.promise;
-        *share = self.reader.number(&table, "share").unwrap_or(*share);
-        *confidence = self.reader.number(&table, "confidence").unwrap_or(*confidence);
-        *inner = self.reader.count(&table, "inner").map_or(*inner, |written| written as usize);
+    pub fn read_promise(&mut self, written: Option<&Entry<'_>>) {
+        let PromiseTable { share, confidence, inner, .. } = PromiseTable::read_or_usual(self, written);
+        self.promise = PromiseSettings { share, confidence, inner };
     }
 
     /// The ends of the statistics of a question that are promised.
-    pub(super) fn promised_ends(&mut self, table: &Table<'_>, entries: &[(Entry<'_>, Asked)]) -> Vec<Side> {
-        let Some(entry) = table.get("promise") else { return Vec::new() };
-        let Some(ends) = self.reader.choice(&entry, &PROMISED_ENDS) else { return Vec::new() };
-        if !self.check_promise(&entry) {
+    pub(super) fn promised_ends(&mut self, entry: Option<&Entry<'_>>, entries: &[(Entry<'_>, Asked)]) -> Vec<Side> {
+        let Some(entry) = entry else { return Vec::new() };
+        let Some(PromisedEnds(ends)) = PromisedEnds::read(self, entry) else { return Vec::new() };
+        if !self.check_promise(entry) {
             return Vec::new();
         }
         for (asked_entry, asked) in entries {
@@ -57,16 +63,16 @@ impl StudyReader {
     }
 
     /// Whether a promise decides a requirement.
-    pub(super) fn is_decided_by_promise(&mut self, table: &Table<'_>, probability_at_least: f64) -> bool {
-        let Some(entry) = table.get("decided_by") else { return false };
-        if self.reader.choice(&entry, &DECIDED_BY) != Some(true) || !self.check_promise(&entry) {
+    pub(super) fn is_decided_by_promise(&mut self, entry: Option<&Entry<'_>>, probability_at_least: f64) -> bool {
+        let Some(entry) = entry else { return false };
+        if !DecidedBy::read(self, entry).is_some_and(|by| by.0) || !self.check_promise(entry) {
             return false;
         }
         // That all mechanisms keep a limit is shown by no number of them, which has its own warning.
         if probability_at_least < 1.0 {
             let of = format!("a share of {} of the mechanisms", format_number(probability_at_least));
             // After no mechanism outside the limit of the share outside is 1 - γ^(1/N), which is small enough where p^N <= γ.
-            self.check_promise_runs(&entry, least_promise_runs(probability_at_least, Side::Upper), of);
+            self.check_promise_runs(entry, least_promise_runs(probability_at_least, Side::Upper), of);
         }
         true
     }
@@ -101,17 +107,22 @@ impl StudyReader {
         false
     }
 
-    /// The promise, where anything is promised.
-    pub fn promise(&mut self, root: &Table<'_>, asks: &[Ask], requirements: &[Requirement]) -> Option<PromiseSettings> {
+    /// The promise, where anything is promised. `written`: the table of it; `allow`: what may be loosened, which no promise is of.
+    pub fn promise(
+        &mut self,
+        [written, allow]: [Option<&Entry<'_>>; 2],
+        asks: &[Ask],
+        requirements: &[Requirement],
+    ) -> Option<PromiseSettings> {
         let is_asked = asks.iter().any(|ask| !ask.promised.is_empty());
         if is_asked || requirements.iter().any(|requirement| requirement.is_promised) {
-            if let Some(entry) = root.get("allow") {
+            if let Some(entry) = allow {
                 let problem = StudyProblem::PromiseBeside { entry: entry.path.describe(), what: "a promise" };
                 self.complain(&problem, &entry.at_key());
             }
             return Some(self.promise);
         }
-        if let Some(entry) = root.get("promise").filter(|_| !self.reader.complaints.has_errors()) {
+        if let Some(entry) = written.filter(|_| !self.reader.complaints.has_errors()) {
             self.complain(&StudyProblem::NothingPromised { entry: entry.path.describe() }, &entry.at_key());
         }
         None

@@ -14,7 +14,7 @@ impl QuestionSettings {
         self.0.push(Arc::new(settings));
     }
 
-    /// What a question states; `None` if a study has no such table.
+    /// What holds for a question; `None` if it has no table.
     pub fn get<T: Any>(&self) -> Option<&T> {
         self.0.iter().find_map(|settings| settings.downcast_ref())
     }

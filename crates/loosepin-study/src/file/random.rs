@@ -1,20 +1,20 @@
 //! Random inputs, however their distribution is stated: by a family, a sample, a tolerance or a fit.
 
 use super::description::{EpistemicInput, EpistemicSubject, UncertainParameter};
-use super::keys::{DISCRETE_KEYS, EXPONENTIAL_KEYS, FITTED, GAMMA_KEYS, GUMBEL_KEYS, TRUNCATED_KEYS, WEIBULL_KEYS};
+use super::family::{FAMILIES, FAMILY_COUNT, family_keys, names};
+use super::fit::{DIAMETER, FIT};
 use super::problem::StudyProblem;
 use super::random_problem::{RandomProblem, short_number};
 use super::reader::{StudyReader, adopt};
 use super::tolerance::parse_tolerance;
+use super::words::words;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Complaint;
-use loosepin_text::document::{Entry, Table, read_beside};
+use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, joined, read_beside};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Measured, Rule, format_apart, format_number, format_value, parse_quantity};
 use loosepin_uncertainty::{Distribution, FittedFamily, Goodness, Interval, Parameter, RandomVariable};
-
-/// Shapes of gamma and Weibull distributions that are accepted: beyond, they are one value or next to two.
-const SHAPES: std::ops::RangeInclusive<f64> = 0.05..=1e6;
 
 /// Keys that say more about another one.
 const BELONGS_TO: [(&str, &str); 5] =
@@ -24,6 +24,52 @@ const BELONGS_TO: [(&str, &str); 5] =
 const ROUND_OFF: f64 = 1e-9;
 /// The limits of a drawing lie this many standard deviations from the mean, times Cp.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
+
+record! {
+    /// the distribution of a quantity
+    pub(super) lenient struct RandomTable for Reads, exactly one of [samples, tolerance, fit],
+        planned &[("empirical", "name the file: samples = \"measured.csv\", column = \"pin\"")];
+    /// a CSV file of measured values, its path from the folder of this file; every value is as probable as any other
+    optional samples: Entry<'t> = Kind::Text, "\"measured.csv\"";
+    /// column of the samples, whose header has the unit: pin [mm]
+    optional column: Entry<'t> = Kind::Text, "\"pin\"";
+    /// a family fitted to the samples in place of themselves
+    optional fitted: Entry<'t> = Kind::Choice(&words(&FittedFamily::ALL)), "\"normal\"";
+    /// normal, limits 3 standard deviations from the mean, times cpk; also 50 +0.02 -0.01 mm, and ± 0.05 mm about the value in the model
+    optional tolerance: Entry<'t> = Kind::Text, "\"50 ± 0.05 mm\"";
+    /// capability of the process; alone: centred; below cp: off centre by an unknown amount
+    optional cpk: Entry<'t> = Kind::Number { rule: Rule::Finite }, "1.33";
+    /// capability of the process if it were centred
+    optional cp: Entry<'t> = Kind::Number { rule: Rule::Finite }, "1.67";
+    optional fit: Entry<'t> as FIT;
+    optional diameter: Entry<'t> as DIAMETER;
+    /// the distribution is cut to an interval and rescaled
+    optional truncated: Entry<'t> = Kind::Table(&TruncatedTable::KEYS), "{ upper = \"50.1 mm\" }";
+}
+
+record! {
+    /// the interval that the distribution is cut to and rescaled in; at least one of the ends
+    lenient struct TruncatedTable for Reads;
+    /// lower end
+    optional lower: Entry<'t> = Kind::AnyQuantity, "\"49.9 mm\"";
+    /// upper end
+    optional upper: Entry<'t> = Kind::AnyQuantity, "\"50.1 mm\"";
+}
+
+/// What states a distribution in [`RandomTable`].
+const STATEMENTS: &[&str] = RandomTable::KEYS.exactly_one[0];
+/// Keys of a random input: the families of distributions, and those of [`RandomTable`].
+pub(super) const RANDOM_KEYS: Keys = Keys {
+    keys: &joined::<Key, { FAMILY_COUNT + RandomTable::KEYS.keys.len() }>(&[
+        &family_keys(&FAMILIES),
+        RandomTable::KEYS.keys,
+    ]),
+    exactly_one: &[&joined::<&str, { FAMILY_COUNT + STATEMENTS.len() }>(&[
+        &names(&family_keys(&FAMILIES)),
+        STATEMENTS,
+    ])],
+    ..RandomTable::KEYS
+};
 
 /// A distribution that was not stated as such.
 pub(super) struct Stated {
@@ -40,17 +86,17 @@ impl StudyReader {
     pub(super) fn random_input(
         &mut self,
         entry: &Entry<'_>,
-        table: &Table<'_>,
+        table: &RandomTable<'_>,
         quantity: QuantityId,
     ) -> Option<(RandomVariable, Vec<UncertainParameter>, Option<String>)> {
         let (path, dimension) = (entry.name, self.model.quantities[quantity].dimension);
-        self.refuse_stray(table, &BELONGS_TO);
-        let stated = if let Some(entry) = table.get("samples") {
-            self.samples(table, &entry, dimension)
-        } else if let Some(entry) = table.get("tolerance") {
-            self.tolerance(table, &entry, quantity)
-        } else if let Some(entry) = table.get("fit") {
-            self.fit_scatter(table, &entry, quantity, path)
+        self.refuse_stray(&table.table, &BELONGS_TO);
+        let stated = if let Some(entry) = &table.samples {
+            self.samples(table, entry, dimension)
+        } else if let Some(entry) = &table.tolerance {
+            self.tolerance(table, entry, quantity)
+        } else if let Some(entry) = &table.fit {
+            self.fit_scatter(&table.table, entry, quantity, path)
         } else {
             let (variable, parameters) = self.uncertain_distribution(entry, table, path, quantity)?;
             return Some((variable, parameters, None));
@@ -89,119 +135,35 @@ impl StudyReader {
         }
     }
 
-    /// The families whose quantiles are closed forms or lists.
-    pub(super) fn further_family(
-        &mut self,
-        family: &str,
-        entry: &Entry<'_>,
-        dimension: Dimension,
-    ) -> Option<Distribution> {
-        let keys = match family {
-            "weibull" => &WEIBULL_KEYS,
-            "gamma" => &GAMMA_KEYS,
-            "gumbel" => &GUMBEL_KEYS,
-            "exponential" => &EXPONENTIAL_KEYS,
-            _ => &DISCRETE_KEYS,
-        };
-        let table = self.reader.table(entry, keys)?;
-        match family {
-            "weibull" | "gamma" => {
-                let shape = self.number_within(&table, "shape", SHAPES);
-                let scale = self.parameter(&table, "scale", dimension);
-                let lower = self.value_or_zero(&table, "lower", dimension)?;
-                let (shape, scale) = (shape?, scale?);
-                self.positive(&table, "scale", scale, dimension).then_some(if family == "gamma" {
-                    Distribution::Gamma { shape, scale, lower }
-                } else {
-                    Distribution::Weibull { shape, scale, lower }
-                })
-            }
-            "gumbel" => {
-                let mode = self.parameter(&table, "mode", dimension);
-                let scale = self.parameter(&table, "scale", dimension)?;
-                let mode = mode?;
-                self.positive(&table, "scale", scale, dimension).then_some(Distribution::Gumbel { mode, scale })
-            }
-            "exponential" => {
-                let mean = self.parameter(&table, "mean", dimension);
-                let lower = self.value_or_zero(&table, "lower", dimension)?;
-                let mean = mean?;
-                if mean > lower {
-                    return Some(Distribution::Exponential { mean, lower });
-                }
-                let [found, limit] = format_apart([mean, lower], dimension);
-                self.refuse(&table, "mean", found, format!("above the lower end {limit}"));
-                None
-            }
-            _ => self.discrete(&table, dimension),
-        }
-    }
-
-    fn discrete(&mut self, table: &Table<'_>, dimension: Dimension) -> Option<Distribution> {
-        let (written, shares) = (table.get("values")?, table.get("probabilities")?);
-        let entries = self.reader.list(&written);
-        let share_entries = self.reader.list(&shares);
-        let (entries, share_entries) = (entries?, share_entries?);
-        let values: Vec<Option<f64>> =
-            entries.iter().map(|entry| self.reader.measured(entry, dimension, Rule::Finite)).collect();
-        let number = Dimension::NUMBER;
-        let probabilities: Vec<Option<f64>> =
-            share_entries.iter().map(|entry| self.reader.measured(entry, number, Rule::RequiredProbability)).collect();
-        let values: Vec<f64> = values.into_iter().collect::<Option<_>>()?;
-        let probabilities: Vec<f64> = probabilities.into_iter().collect::<Option<_>>()?;
-        let mut is_right = self.has_choice(&written, &entries);
-        for (index, entry) in entries.iter().enumerate() {
-            if values[..index].contains(&values[index]) {
-                self.member_twice(&written, values[index], dimension, entry);
-                is_right = false;
-            }
-        }
-        let (entry, sum) = (shares.path.describe(), probabilities.iter().sum::<f64>());
-        if probabilities.len() != values.len() {
-            let due = format!("expected one for each of the {} values", values.len());
-            let found = format!("{} entries", probabilities.len());
-            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
-            is_right = false;
-        } else if !((sum - 1.0).abs() <= 1e-9) {
-            let (found, due) = (format!("the sum {}", format_number(sum)), "the sum must be 1".to_owned());
-            self.reader.complain(&RandomProblem::Probabilities { entry, found, due }, shares.span);
-            is_right = false;
-        }
-        is_right.then_some(Distribution::Discrete { values, probabilities })
-    }
-
     /// The distribution within `truncated = { lower, upper }`, where that is written.
     pub(super) fn cut(
         &mut self,
-        table: &Table<'_>,
+        table: &RandomTable<'_>,
         distribution: Distribution,
         dimension: Dimension,
     ) -> Option<Distribution> {
-        let Some(entry) = table.get("truncated") else { return Some(distribution) };
-        let table = self.reader.table(&entry, &TRUNCATED_KEYS)?;
-        if !table.has("lower") && !table.has("upper") {
+        let Some(entry) = &table.truncated else { return Some(distribution) };
+        let cut = TruncatedTable::read(self, entry)?;
+        if cut.lower.is_none() && cut.upper.is_none() {
             return self.refused(&RandomProblem::NoCut { entry: entry.path.describe() }, entry.span);
         }
-        let mut end = |key: &str, open: f64| match table.get(key) {
-            Some(written) => self.reader.measured(&written, dimension, Rule::Finite),
+        let mut end = |end: &Option<Entry<'_>>, open: f64| match end {
+            Some(written) => self.reader.measured(written, dimension, Rule::Finite),
             None => Some(open),
         };
-        let (lower, upper) = (end("lower", f64::NEG_INFINITY), end("upper", f64::INFINITY));
+        let (lower, upper) = (end(&cut.lower, f64::NEG_INFINITY), end(&cut.upper, f64::INFINITY));
         let (lower, upper) = (lower?, upper?);
         if lower < upper {
             return Some(Distribution::Truncated { of: Box::new(distribution), lower, upper });
         }
         let [found, limit] = format_apart([lower, upper], dimension);
-        self.refuse(&table, "lower", found, format!("below the upper end {limit}"));
-        None
+        self.refuse_number(&cut.lower, found, format!("below the upper end {limit}"))
     }
 
     /// Reads a sample, as it is or with a family fitted to it.
-    fn samples(&mut self, table: &Table<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
-        let families: Vec<(&'static str, FittedFamily)> = FittedFamily::ALL.to_vec();
-        debug_assert!(families.iter().map(|family| family.0).eq(FITTED));
-        let fitted = table.get("fitted").map(|entry| (self.reader.choice(&entry, &families), entry));
-        let column = table.get("column").map(|entry| self.reader.text(&entry));
+    fn samples(&mut self, table: &RandomTable<'_>, entry: &Entry<'_>, dimension: Dimension) -> Option<Stated> {
+        let fitted = table.fitted.as_ref().map(|entry| (self.reader.choice(entry, &FittedFamily::ALL), entry));
+        let column = table.column.as_ref().map(|entry| self.reader.text(entry));
         let file = self.reader.text(entry)?;
         let column = match column {
             Some(column) => Some(column?),
@@ -233,7 +195,7 @@ impl StudyReader {
         let name = FittedFamily::ALL.iter().find(|known| known.1 == family).map_or("", |known| known.0);
         match family.fit(&values) {
             Ok(fit) => {
-                self.judge(&fit.goodness, name, &column.name, &written);
+                self.judge(&fit.goodness, name, &column.name, written);
                 let Goodness { kolmogorov_smirnov, anderson_darling, .. } = fit.goodness;
                 let how = format!(
                     "fitted ({}; Kolmogorov-Smirnov distance {}, Anderson-Darling {}) to {count} values",
@@ -266,9 +228,9 @@ impl StudyReader {
     }
 
     /// Reads a value with its tolerance: normal about the middle of the limits, which lie 3 Cp standard deviations away.
-    fn tolerance(&mut self, table: &Table<'_>, entry: &Entry<'_>, quantity: QuantityId) -> Option<Stated> {
+    fn tolerance(&mut self, table: &RandomTable<'_>, entry: &Entry<'_>, quantity: QuantityId) -> Option<Stated> {
         let dimension = self.model.quantities[quantity].dimension;
-        let [cp, cpk] = ["cp", "cpk"].map(|key| table.get(key).map(|entry| (self.capability(table, key), entry)));
+        let [cp, cpk] = [&table.cp, &table.cpk].map(|read| read.as_ref().map(|entry| (self.capability(entry), entry)));
         let text = self.reader.text(entry)?;
         let nominal_si = self.model.quantities.nominal()[quantity];
         let Some(tolerance) = parse_tolerance(text, Measured { value_si: nominal_si, dimension }) else {
@@ -344,18 +306,12 @@ impl StudyReader {
     }
 
     /// A Cp or Cpk.
-    fn capability(&mut self, table: &Table<'_>, key: &str) -> Option<f64> {
-        let value = self.reader.number(table, key)?;
+    fn capability(&mut self, entry: &Entry<'_>) -> Option<f64> {
+        let value = self.reader.number_of(entry)?;
         if value > 0.0 {
             return Some(value);
         }
-        let entry = table.get(key)?;
         let problem = RandomProblem::Capability { entry: entry.path.describe(), found: format_number(value) };
         self.refused(&problem, entry.span)
-    }
-
-    /// A number that may be left out where it is 0.
-    fn value_or_zero(&mut self, table: &Table<'_>, key: &str, dimension: Dimension) -> Option<f64> {
-        if table.has(key) { self.parameter(table, key, dimension) } else { Some(0.0) }
     }
 }

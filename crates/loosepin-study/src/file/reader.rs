@@ -7,7 +7,7 @@ use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::{Complaint, Complaints, Problem, Source, Span};
-use loosepin_text::document::{Entry, Reader};
+use loosepin_text::document::{Entry, Reader, Reads};
 use loosepin_text::units::Dimension;
 use loosepin_uncertainty::{EpistemicVariable, Parameter};
 use std::collections::{HashMap, HashSet};
@@ -34,6 +34,12 @@ pub struct StudyReader {
     pub questions: HashSet<String>,
     /// Whether rows of a joint sample take the place of distributions.
     pub has_rows: bool,
+}
+
+impl Reads for StudyReader {
+    fn document(&mut self) -> &mut Reader {
+        &mut self.reader
+    }
 }
 
 impl StudyReader {

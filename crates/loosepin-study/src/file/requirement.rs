@@ -1,14 +1,15 @@
 //! Requirements: what an output must keep, and in how many mechanisms.
 
-use super::keys::{LIMITS, REQUIRE_KEYS};
-use super::location::Where;
+use super::location::{POSES, Where};
+use super::output::{COMPONENT, DEVIATION, OUTPUT};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Entry, Kind, Reads, choice};
 use loosepin_text::units::{Dimension, Rule, format_number, format_refused};
+use loosepin_text::{choices, record};
 
 /// What a requirement allows, in the SI unit of the output.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,44 +70,69 @@ pub struct Requirement {
     pub columns: Vec<usize>,
 }
 
+choices!(
+    /// What decides a requirement, and whether it is a promise.
+    pub(super) struct DecidedBy(bool): "search" => false, "promise" => true
+);
+
+record! {
+    /// a requirement that must hold for every value of the epistemic inputs
+    pub(super) lenient struct RequireTable for Reads,
+        exactly one of [within, below, above], exactly one of [over, poses];
+    required output: Entry<'t> as OUTPUT;
+    optional component: Entry<'t> as COMPONENT;
+    required of: Entry<'t> as DEVIATION;
+    /// limit of the magnitude
+    optional within: Entry<'t> = Kind::AnyQuantity, "\"0.6 mm\"";
+    /// the largest value that is allowed
+    optional below: Entry<'t> = Kind::AnyQuantity, "\"2 kN\"";
+    /// the least value that is allowed
+    optional above: Entry<'t> = Kind::AnyQuantity, "\"-2 kN\"";
+    /// nowhere in the cycle may the limit be exceeded
+    optional over: Entry<'t> = Kind::Choice(&["cycle"]), "\"cycle\"";
+    optional poses: Entry<'t> as POSES;
+    /// the least probability of staying within the limit
+    required probability_at_least: Entry<'t> = Kind::Number { rule: Rule::RequiredProbability }, "0.9973";
+    /// search: for every value of the epistemic inputs; promise: for a share of the box, without a model; search if left out
+    optional decided_by: Entry<'t> = choice::<DecidedBy>(), "\"promise\"";
+}
+
 impl StudyReader {
     /// Reads the requirements.
-    pub fn read_requirements(&mut self, root: &Table<'_>) -> Vec<Requirement> {
-        let entries = self.double_brackets(root, "require");
+    pub fn read_requirements(&mut self, written: Option<&Entry<'_>>) -> Vec<Requirement> {
+        let entries = self.double_brackets(written);
         entries
             .iter()
             .filter_map(|entry| {
-                let table = self.reader.table(entry, &REQUIRE_KEYS)?;
+                let table = RequireTable::read(self, entry)?;
                 self.requirement(&table)
             })
             .collect()
     }
 
-    fn requirement(&mut self, table: &Table<'_>) -> Option<Requirement> {
-        let output = self.output(table);
-        let deviation = self.deviation(table, output);
-        let location = self.location(table, "over", None, output.zip(deviation));
-        let probability_at_least = self.reader.number(table, "probability_at_least");
+    fn requirement(&mut self, table: &RequireTable<'_>) -> Option<Requirement> {
+        let RequireTable { table: whole, within, below, above, .. } = table;
+        let output = self.output(whole, &table.output, &table.component);
+        let deviation = self.deviation(table.of.as_ref(), output);
+        let location = self.location([&table.over, &table.poses, &None], output.zip(deviation));
+        let probability_at_least = table.probability_at_least.as_ref().and_then(|entry| self.reader.number_of(entry));
         let output = output?;
-        let limit = LIMITS.into_iter().find_map(|key| {
-            let entry = table.get(key)?;
-            let dimension = self.outputs[output].dimension;
-            let limit = self.reader.measured(&entry, dimension, Rule::Finite)?;
-            match key {
-                "below" => Some(Limit::Below(limit)),
-                "above" => Some(Limit::Above(limit)),
-                _ => self.limit(&entry, limit, dimension, Rule::Positive).map(Limit::Within),
-            }
-        });
+        let dimension = self.outputs[output].dimension;
+        let limit = if let Some(entry) = within {
+            let limit = self.reader.measured(entry, dimension, Rule::Finite);
+            limit.and_then(|limit| self.limit(entry, limit, dimension, Rule::Positive)).map(Limit::Within)
+        } else if let Some(entry) = below {
+            self.reader.measured(entry, dimension, Rule::Finite).map(Limit::Below)
+        } else {
+            above.as_ref().and_then(|entry| self.reader.measured(entry, dimension, Rule::Finite)).map(Limit::Above)
+        };
+        let probability_entry = table.probability_at_least.as_ref()?;
         let probability_at_least = probability_at_least?;
-        let is_promised = self.is_decided_by_promise(table, probability_at_least);
+        let is_promised = self.is_decided_by_promise(table.decided_by.as_ref(), probability_at_least);
         // Quantities that scatter are drawn, and no number of draws shows that none lies beyond.
-        if probability_at_least == 1.0
-            && !self.random.is_empty()
-            && let Some(entry) = table.get("probability_at_least")
-        {
-            let problem = StudyProblem::CertaintyOfSamples { entry: entry.path.describe() };
-            let place = Place::new(&self.reader.source, entry.span);
+        if probability_at_least == 1.0 && !self.random.is_empty() {
+            let problem = StudyProblem::CertaintyOfSamples { entry: probability_entry.path.describe() };
+            let place = Place::new(&self.reader.source, probability_entry.span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
         let (deviation, limit, location) = (deviation?, limit?, location?);
@@ -114,15 +140,15 @@ impl StudyReader {
         let is_life = self.is_life(output);
         let is_on_its_side = if is_life { matches!(limit, Limit::Above(_)) } else { matches!(limit, Limit::Below(_)) };
         if self.is_wear(Some(output)) && !(location == Where::Cycle && is_on_its_side) {
-            let (entry, is_life) = (table.path.describe(), is_life);
-            return self.refused(&StudyProblem::LimitOfWear { entry, is_life }, table.span);
+            let entry = whole.path.describe();
+            return self.refused(&StudyProblem::LimitOfWear { entry, is_life }, whole.span);
         }
         if let (true, Limit::Above(least)) = (is_life, limit)
             && let Some(cycles) = self.cycles_of_wear().filter(|cycles| least > *cycles)
         {
-            let span = table.get("above").map_or(table.span, |entry| entry.span);
+            let span = above.as_ref().map_or(whole.span, |entry| entry.span);
             let [least, cycles] = [least, cycles].map(format_number);
-            let problem = StudyProblem::LifeBeyondCycles { entry: table.path.describe(), least, cycles };
+            let problem = StudyProblem::LifeBeyondCycles { entry: whole.path.describe(), least, cycles };
             return self.refused(&problem, span);
         }
         let columns = Vec::new();

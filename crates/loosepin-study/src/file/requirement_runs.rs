@@ -4,9 +4,10 @@ use super::description::Sampling;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::requirement::Requirement;
+use super::sampling::SamplingTable;
 use loosepin_bounds::least_counted_runs;
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::Table;
+use loosepin_text::document::Entry;
 
 /// `inner` is raised to this at most where the file leaves it out: more runs than that are somebody's decision.
 const MAX_RAISED: usize = 1 << 14;
@@ -19,20 +20,20 @@ impl StudyReader {
     /// upper limit of Clopper and Pearson is missed. Where the response is smooth in the random inputs, fewer runs may show it.
     pub(super) fn suffice_for_requirements(
         &mut self,
-        root: &Table<'_>,
+        written: Option<&Entry<'_>>,
+        table: &SamplingTable<'_>,
         requirements: &[Requirement],
         sampling: &mut Sampling,
     ) {
         // A share without random inputs is 0 or 1, and known from one run.
-        let entries = self.double_brackets(root, "require");
+        let entries = self.double_brackets(written);
         let is_read = entries.len() == requirements.len();
         if self.random.is_empty() || !is_read {
             return;
         }
-        let written = root.get("sampling");
-        let has = |key: &str| written.as_ref().is_some_and(|entry| entry.get(key).is_some());
+        let is_inner_written = table.table.has("inner");
         // With an accuracy or a budget the samples grow, or are limited on purpose.
-        if has("accuracy") || has("budget") {
+        if table.accuracy.is_some() || table.budget.is_some() {
             return;
         }
         let counted: Vec<usize> = requirements
@@ -42,7 +43,7 @@ impl StudyReader {
                 _ => 0,
             })
             .collect();
-        if !has("inner") {
+        if !is_inner_written {
             let most = counted.iter().copied().filter(|&runs| runs <= MAX_RAISED).max().unwrap_or(0);
             sampling.inner = sampling.inner.max(most.next_power_of_two());
         }
@@ -56,7 +57,7 @@ impl StudyReader {
                 share: requirement.probability_at_least,
                 inner: sampling.inner,
                 least,
-                is_written: has("inner"),
+                is_written: is_inner_written,
             };
             let place = Place::new(&self.reader.source, entry.span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));

@@ -2,10 +2,10 @@
 
 use super::StudyReader;
 use super::description::EpistemicInput;
+use super::sampling::SamplingTable;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::{SmallestClearance, ToleranceProblem};
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::Table;
 use loosepin_uncertainty::EpistemicVariable;
 
 /// Probabilities at which a random input counts as small, the first at which there is play: a normal one has no smallest value.
@@ -13,7 +13,7 @@ const SMALL: [f64; 3] = [1e-3, 1e-2, 0.5];
 
 impl StudyReader {
     /// Complains, at the tolerance, where it is too coarse for a clearance.
-    pub(super) fn check_tolerance(&mut self, root: &Table<'_>, tolerance_m: f64) {
+    pub(super) fn check_tolerance(&mut self, sampling: &SamplingTable<'_>, tolerance_m: f64) {
         let Some(smallest) = self.smallest_clearance() else { return };
         let complaint: fn(&ToleranceProblem, Option<Place>) -> Complaint;
         let problem = match smallest.check(tolerance_m) {
@@ -27,8 +27,7 @@ impl StudyReader {
                 error
             }
         };
-        let written = self.entry_of(root, "sampling", "tolerance").map(|entry| entry.span);
-        let span = written.or_else(|| root.get("sampling").map(|entry| entry.key_span)).unwrap_or(root.span);
+        let span = sampling.table.get("tolerance").map_or(sampling.table.span, |entry| entry.span);
         let place = Place::new(&self.reader.source, span);
         self.reader.complaints.push(complaint(&problem, Some(place)));
     }

@@ -1,7 +1,6 @@
 //! The mechanism that was measured: rows of a joint sample in place of the distributions of the random inputs.
 
 use super::description::{Correlation, RandomInput, SpecimenRows};
-use super::keys::SPECIMEN_KEYS;
 use super::problem::StudyProblem;
 use super::reader::{StudyReader, adopt};
 use super::specimen_problem::SpecimenProblem;
@@ -9,8 +8,9 @@ use super::study::Study;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_simulate::measured::{JointColumn, JointSample};
-use loosepin_text::diagnostics::{Complaint, nearest_name};
-use loosepin_text::document::{Entry, Table, read_beside};
+use loosepin_text::diagnostics::{Complaint, Span, nearest_name};
+use loosepin_text::document::{Entry, Kind, Reads, read_beside};
+use loosepin_text::record;
 use loosepin_uncertainty::{Copula, Distribution, EmpiricalCopula, RandomVariable, sample_correlation};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -18,24 +18,30 @@ use std::sync::Arc;
 /// Rows that a joint sample has, at least: an end of what 95 % of mechanisms do rests on 2.5 % of them.
 pub const LEAST_ROWS: usize = 100;
 
+record! {
+    /// mechanisms that agree with what was measured
+    pub(super) lenient struct SpecimenTable for Reads;
+    /// a CSV file, its path from the folder of this file: a column for each random input, named by its path with its unit; each row is
+    /// as probable as any other
+    required mechanisms: Entry<'t> = Kind::Text, "\"narrowed-specimen.csv\"";
+}
+
 impl StudyReader {
-    /// Replaces the distributions of the random inputs by the rows of `[specimen]`, where that is there; `correlation` is that of the file.
+    /// Replaces the distributions of the `random` inputs by the rows of `[specimen]`, where that is there; `correlation` is that of the file.
     pub(super) fn read_specimen(
         &mut self,
-        root: &Table<'_>,
+        [written, random]: [Option<&Entry<'_>>; 2],
         correlation: Option<Correlation>,
     ) -> (Option<Correlation>, Option<SpecimenRows>) {
-        let Some(entry) = root.get("specimen") else { return (correlation, None) };
-        let found = self.rows_of_specimen(&entry, root);
-        match found {
+        let Some(entry) = written else { return (correlation, None) };
+        match self.rows_of_specimen(entry, random) {
             Some((copula, rows)) => (Some(Correlation { stated: Vec::new(), copula }), Some(rows)),
             None => (correlation, None),
         }
     }
 
-    fn rows_of_specimen(&mut self, entry: &Entry<'_>, root: &Table<'_>) -> Option<(Copula, SpecimenRows)> {
-        let table = self.reader.table(entry, &SPECIMEN_KEYS)?;
-        let written = table.get("mechanisms")?;
+    fn rows_of_specimen(&mut self, entry: &Entry<'_>, random: Option<&Entry<'_>>) -> Option<(Copula, SpecimenRows)> {
+        let written = SpecimenTable::read(self, entry)?.mechanisms?;
         let file = self.reader.text(&written)?.to_owned();
         let sample = match read_beside(&self.reader.source, &file).and_then(JointSample::from_source) {
             Ok(sample) => sample,
@@ -49,7 +55,7 @@ impl StudyReader {
             // A random input that could not be read would be a column too many.
             return None;
         }
-        self.refuse_beside_rows(root);
+        self.refuse_beside_rows(random);
         let order = self.columns_of(&sample, &file, &written)?;
         let count = sample.rows_si.len();
         if count < LEAST_ROWS {
@@ -78,17 +84,17 @@ impl StudyReader {
     }
 
     /// Refuses what has no answer for a joint sample.
-    fn refuse_beside_rows(&mut self, root: &Table<'_>) {
+    fn refuse_beside_rows(&mut self, random: Option<&Entry<'_>>) {
         if let Some(input) = self.random.iter().find(|input| !input.parameters.is_empty()) {
             let path = input.path.clone();
-            let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
+            let span = random.and_then(|table| table.get(&path)).map_or(Span::default(), |entry| entry.span);
             self.reader.complain(&SpecimenProblem::UncertainParameter { path }, span);
         }
     }
 
     /// Refuses a surrogate beside a joint sample.
-    pub(super) fn refuse_surrogate(&mut self, root: &Table<'_>) {
-        let span = root.get("surrogate").map(|entry| entry.key_span).unwrap_or_default();
+    pub(super) fn refuse_surrogate(&mut self, written: Option<&Entry<'_>>) {
+        let span = written.map(|entry| entry.key_span).unwrap_or_default();
         self.reader.complain(&SpecimenProblem::Beside { what: "a surrogate" }, span);
     }
 

@@ -2,57 +2,85 @@
 
 use super::ask::Ask;
 use super::description::{EpistemicInput, StudySurrogate};
-use super::keys::SURROGATE_KEYS;
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
-use super::words::{DIRECT_RUNS, SURROGATES};
-use loosepin_text::document::Table;
+use super::sampling::MOST_INNER;
+use loosepin_surrogate::{Choice, Kind as Only};
+use loosepin_text::document::{Entry, Kind, Reads, Value, choice, count};
+use loosepin_text::{choices, record};
+
+choices!(
+    /// Which surrogate; nothing stands for none.
+    pub(super) struct SurrogateWord(Option<Choice>):
+    "auto" => Some(Choice::Auto),
+    "chaos" => Some(Choice::Only(Only::Chaos)),
+    "kriging" => Some(Choice::Only(Only::Kriging)),
+    "network" => Some(Choice::Only(Only::Network)),
+    "none" => None,
+);
+choices!(
+    /// Which direct runs are made beside a surrogate, and whether it is then alone.
+    pub(super) struct DirectRuns(bool): "double-loop" => false, "confirming" => true
+);
+
+record! {
+    /// bounds from a function learned from few runs, beside the direct ones
+    pub(super) lenient struct SurrogateTable for Reads;
+    /// auto takes for each output what has the least held-out error
+    optional kind: SurrogateWord = choice::<SurrogateWord>(), "\"auto\"", or "auto";
+    /// runs to learn from; 25 for each uncertain input and at least 100 if left out
+    optional training_runs: usize = count(4, MOST_TRAINING), "100";
+    /// direct runs at each witness, a multiple of the replicates; 16 in each if left out
+    optional confirming_runs: usize = count(2, MOST_INNER), "64";
+    /// double-loop: the direct bounds stand beside; confirming: no direct runs but those
+    optional direct: DirectRuns = choice::<DirectRuns>(), "\"confirming\"", or "double-loop";
+}
+
+/// What stands behind `surrogate`.
+pub(super) const SURROGATE: Kind = Kind::AnyOf(&[choice::<SurrogateWord>(), Kind::Table(&SurrogateTable::KEYS)]);
+
+/// Runs that a surrogate learns from, at most: its training takes a time that grows with their third power.
+const MOST_TRAINING: u64 = 2000;
+/// Training runs for each uncertain input, and at least.
+const TRAINING_PER_INPUT: usize = 25;
+const LEAST_TRAINING: usize = 100;
+/// Direct runs at a witness in each replicate.
+const CONFIRMING_PER_REPLICATE: usize = 16;
 
 impl StudyReader {
     /// Reads what stands behind `surrogate`: a kind, or a table.
     pub fn read_surrogate(
         &mut self,
-        root: &Table<'_>,
+        written: Option<&Entry<'_>>,
         (replicates, inner): (usize, usize),
         asks: &[Ask],
     ) -> Option<StudySurrogate> {
-        let entry = root.get("surrogate")?;
+        let entry = written?;
         let inputs = self.random.len() + self.epistemic.len();
-        let mut surrogate = StudySurrogate::usual(inputs, replicates, inner);
-        if entry.is_text() {
-            surrogate.choice = self.reader.choice(&entry, &SURROGATES)??;
-            return Some(surrogate);
-        }
-        let table = self.reader.table(&entry, &SURROGATE_KEYS)?;
-        if let Some(kind) = table.get("kind") {
-            let Some(choice) = self.reader.choice(&kind, &SURROGATES)? else {
-                self.check_nothing_to_confirm(&table);
-                return None;
-            };
-            surrogate.choice = choice;
-        }
-        for (key, count) in
-            [("training_runs", &mut surrogate.training_runs), ("confirming_runs", &mut surrogate.confirming_runs)]
-        {
-            *count = self.reader.count(&table, key).map_or(*count, |written| written as usize);
-        }
-        if let Some(entry) = table.get("direct") {
-            surrogate.is_alone = self.reader.choice(&entry, &DIRECT_RUNS)?;
-            if surrogate.is_alone {
-                for of in self.direct_questions(asks) {
-                    self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, &entry);
-                }
+        let by_word = if entry.is_text() { Some(SurrogateWord::read(self, entry)?) } else { None };
+        let table = match by_word {
+            Some(kind) => SurrogateTable { kind, ..SurrogateTable::read_or_usual(self, None) },
+            None => SurrogateTable::read(self, entry)?,
+        };
+        let alone = table.table.get("direct").filter(|_| table.direct.0);
+        let Some(choice) = table.kind.0 else {
+            // Without a surrogate the double loop is all there is.
+            if let Some(entry) = alone {
+                self.complain(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
+            }
+            return None;
+        };
+        if let Some(entry) = &alone {
+            for of in self.direct_questions(asks) {
+                self.complain(&StudyProblem::NeedsDirectRuns { entry: entry.path.describe(), of }, entry);
             }
         }
-        Some(surrogate)
-    }
-
-    /// Without a surrogate the double loop is all there is.
-    fn check_nothing_to_confirm(&mut self, table: &Table<'_>) {
-        let Some(entry) = table.get("direct") else { return };
-        if self.reader.choice(&entry, &DIRECT_RUNS) == Some(true) {
-            self.complain(&StudyProblem::NothingToConfirm { entry: entry.path.describe() }, &entry);
-        }
+        Some(StudySurrogate {
+            choice,
+            training_runs: table.training_runs.unwrap_or((TRAINING_PER_INPUT * inputs).max(LEAST_TRAINING)),
+            confirming_runs: table.confirming_runs.unwrap_or((CONFIRMING_PER_REPLICATE * replicates).min(inner)),
+            is_alone: alone.is_some(),
+        })
     }
 
     /// What is asked that the runs of the double loop alone answer.

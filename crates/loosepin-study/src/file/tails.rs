@@ -1,13 +1,14 @@
 //! Warns of what a distribution reaches with a small probability, and of quantiles that the samples do not reach.
 
 use super::ask::Ask;
+use super::check::entry_of;
 use super::description::{RandomInput, Sampling};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
+use super::study_table::StudyTable;
 use loosepin_bounds::Statistic;
 use loosepin_mechanics::model::QuantityError;
 use loosepin_text::diagnostics::{Complaint, Place};
-use loosepin_text::document::Table;
 use loosepin_uncertainty::RandomVariable;
 
 /// Probability of impossible values below which nothing is said: a thousandth of a run among a thousand.
@@ -19,15 +20,15 @@ const BEYOND: f64 = 0.005;
 
 impl StudyReader {
     /// Warns, at the input, of values that break a rule of the model although too seldom to be refused.
-    pub(super) fn warn_of_tails(&mut self, root: &Table<'_>) {
+    pub(super) fn warn_of_tails(&mut self, root: &StudyTable<'_>) {
         // Rows of a specimen were looked at whole.
-        if root.get("specimen").is_some() {
+        if root.specimen.is_some() {
             return;
         }
         let found: Vec<(String, StudyProblem)> =
             self.random.iter().filter_map(|input| Some((input.path.clone(), self.impossible_tail(input)?))).collect();
         for (path, problem) in found {
-            let span = self.entry_of(root, "random", &path).map_or(root.span, |entry| entry.span);
+            let span = entry_of(&root.random, &path).map_or(root.table.span, |entry| entry.span);
             let place = Place::new(&self.reader.source, span);
             self.reader.complaints.push(Complaint::warning(&problem, Some(place)));
         }
@@ -57,8 +58,8 @@ impl StudyReader {
     }
 
     /// Warns of quantiles beyond which more likely than not no sample lies: pⁿ > ½ for one at p of n samples.
-    pub(super) fn warn_of_quantiles(&mut self, root: &Table<'_>, asks: &[Ask], sampling: &Sampling) {
-        let Some(written) = root.get("ask") else { return };
+    pub(super) fn warn_of_quantiles(&mut self, root: &StudyTable<'_>, asks: &[Ask], sampling: &Sampling) {
+        let Some(written) = &root.ask else { return };
         let far = |ask: &Ask| {
             let mut quantiles = ask.statistics().filter_map(Statistic::probability_of_quantile);
             quantiles.find(|p| none_beyond(*p, sampling.inner) > 0.5)

@@ -1,9 +1,7 @@
 //! Words of study files with what they mean: each stands here once, for the keys as for what reads them.
 
-use super::description::RareMethod;
 use loosepin_bounds::{Reading, Statistic};
-use loosepin_result::study::{Deviation, Reduction, Side, Together};
-use loosepin_surrogate::{Choice, Kind};
+use loosepin_result::study::{Deviation, Reduction};
 
 /// The words of a table.
 pub(super) const fn words<T, const N: usize>(table: &[(&'static str, T); N]) -> [&'static str; N] {
@@ -16,68 +14,27 @@ pub(super) const fn words<T, const N: usize>(table: &[(&'static str, T); N]) -> 
     words
 }
 
+/// All values of a list, each with its word.
+macro_rules! worded {
+    ($all:expr, $word:ident) => {{
+        let (mut table, mut place) = ([("", $all[0]); $all.len()], 0);
+        while place < table.len() {
+            table[place] = ($all[place].$word(), $all[place]);
+            place += 1;
+        }
+        table
+    }};
+}
+
 /// How an interval is read.
-pub(super) const READINGS: [(&str, Reading); 3] = {
-    let mut table = [("", Reading::FixedButUnknown); 3];
-    let mut place = 0;
-    while place < table.len() {
-        let reading = Reading::ALL[place];
-        table[place] = (reading.file_word(), reading);
-        place += 1;
-    }
-    table
-};
+pub(super) const READINGS: [(&str, Reading); Reading::ALL.len()] = worded!(Reading::ALL, file_word);
 
 /// Which deviation of an output.
-pub(super) const DEVIATIONS: [(&str, Deviation); 4] = [
-    (Deviation::Value.word(), Deviation::Value),
-    (Deviation::Dimensional.word(), Deviation::Dimensional),
-    (Deviation::Clearance.word(), Deviation::Clearance),
-    (Deviation::Total.word(), Deviation::Total),
-];
-
-/// How inputs are loosened together.
-pub(super) const TOGETHER: [(&str, Together); 2] =
-    [("proportional", Together::Proportional), ("frontier", Together::Frontier)];
+pub(super) const DEVIATIONS: [(&str, Deviation); 4] =
+    worded!([Deviation::Value, Deviation::Dimensional, Deviation::Clearance, Deviation::Total], word);
 
 /// How a curve becomes one number; the words are those of results too.
-pub(super) const REDUCTIONS: [(&str, Reduction); 6] = {
-    let mut table = [("", Reduction::Maximum); 6];
-    let mut place = 0;
-    while place < table.len() {
-        let reduction = Reduction::ALL[place];
-        table[place] = (reduction.word(), reduction);
-        place += 1;
-    }
-    table
-};
-
-/// Ways to estimate a probability; nothing where it is only counted.
-pub(super) const METHODS: [(&str, Option<RareMethod>); 4] = [
-    ("count", None),
-    ("importance", Some(RareMethod::Importance)),
-    ("subset", Some(RareMethod::Subset)),
-    ("automatic", Some(RareMethod::Automatic)),
-];
-
-/// Kinds of surrogates; nothing stands for no surrogate.
-pub(super) const SURROGATES: [(&str, Option<Choice>); 5] = [
-    ("auto", Some(Choice::Auto)),
-    ("chaos", Some(Choice::Only(Kind::Chaos))),
-    ("kriging", Some(Choice::Only(Kind::Kriging))),
-    ("network", Some(Choice::Only(Kind::Network))),
-    ("none", None),
-];
-
-/// Which direct runs are made beside a surrogate, and whether it is then alone.
-pub(super) const DIRECT_RUNS: [(&str, bool); 2] = [("double-loop", false), ("confirming", true)];
-
-/// Ends of a statistic that are promised.
-pub(super) const PROMISED_ENDS: [(&str, &[Side]); 3] =
-    [("upper", &[Side::Upper]), ("lower", &[Side::Lower]), ("both", &Side::BOTH)];
-
-/// What decides a requirement, and whether it is a promise.
-pub(super) const DECIDED_BY: [(&str, bool); 2] = [("search", false), ("promise", true)];
+pub(super) const REDUCTIONS: [(&str, Reduction); Reduction::ALL.len()] = worded!(Reduction::ALL, word);
 
 /// Statistics without a number; nothing stands for what contributes.
 pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.len() + 1] = {
@@ -94,42 +51,11 @@ pub(super) const PLAIN_STATISTICS: [(&str, Option<Statistic>); Statistic::PLAIN.
 /// Statistics with a number, whatever it is, and their keys.
 pub(super) const WITH_A_NUMBER: [Statistic; Statistic::with_parameter(f64::NAN).len()] =
     Statistic::with_parameter(f64::NAN);
-pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = {
-    let mut words = [""; WITH_A_NUMBER.len()];
-    let mut place = 0;
-    while place < words.len() {
-        words[place] = WITH_A_NUMBER[place].word();
-        place += 1;
-    }
-    words
-};
+pub(super) const STATISTICS: [&str; WITH_A_NUMBER.len()] = words(&worded!(WITH_A_NUMBER, word));
 
 /// Statistics that are one number each, which an accuracy can be of.
-pub(super) const NUMBERS: [&str; NUMBER_COUNT] = {
-    let (mut words, mut filled, mut place) = ([""; NUMBER_COUNT], 0, 0);
-    while place < EVERY {
-        if every(place).is_single() {
-            words[filled] = every(place).word();
-            filled += 1;
-        }
-        place += 1;
-    }
-    words
-};
-const NUMBER_COUNT: usize = {
-    let (mut count, mut place) = (0, 0);
-    while place < EVERY {
-        count += every(place).is_single() as usize;
-        place += 1;
-    }
-    count
-};
-const EVERY: usize = Statistic::PLAIN.len() + WITH_A_NUMBER.len();
-
-/// The statistics in the order of their lists.
-const fn every(place: usize) -> Statistic {
-    let plain = Statistic::PLAIN.len();
-    if place < plain { Statistic::PLAIN[place] } else { WITH_A_NUMBER[place - plain] }
+pub(super) fn numbers() -> impl Iterator<Item = &'static str> {
+    Statistic::PLAIN.into_iter().chain(WITH_A_NUMBER).filter_map(statistic_name)
 }
 
 /// The name that a statistic of one number has in study files; nothing for others.

@@ -13,7 +13,8 @@ use crate::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_tu
 use crate::runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{AnswerPart, FurtherOutput, FurtherTurns, QuestionAnswer, Reduction};
-use loosepin_text::document::{Keys, Kind, Reader, Table, optional};
+use loosepin_text::document::{Entry, Kind, Reader, Reads, count, optional};
+use loosepin_text::record;
 
 /// Without `runs` they take this share of the turns that the study has taken, within these limits.
 const SHARE_OF_STUDY: f64 = 0.05;
@@ -22,30 +23,22 @@ const LARGEST_SHARE_RUNS: usize = 64;
 /// As many as a run may record beside one turn.
 const MOST_TURNS: u64 = MOST_RECORDED_TURNS as u64 - 1;
 
-static KEYS: Keys = Keys::new(
-    "what turns after the recorded ones change, where the motion does not repeat itself",
-    &[
-        optional(
-            "count",
-            Kind::Count { least: 1, most: MOST_TURNS },
-            "20",
-            "turns after the recorded ones; 5 if left out",
-        ),
-        optional(
-            "runs",
-            Kind::Count { least: 1, most: MOST_RUNS },
-            "200",
-            "runs that are made again, of those whose motion does not repeat itself; all of them if it is more than there are; if left out 8 to 64, for about a twentieth of the work of the study",
-        ),
-    ],
-);
+record! {
+    /// what turns after the recorded ones change, where the motion does not repeat itself
+    lenient struct FurtherTurnsTable for Reads;
+    /// turns after the recorded ones
+    optional count: usize = count(1, MOST_TURNS), "20", or 5;
+    /// runs that are made again, of those whose motion does not repeat itself; all of them if it is more than there are; if left out 8 to
+    /// 64, for about a twentieth of the work of the study
+    optional runs: usize = count(1, MOST_RUNS), "200";
+}
 
 /// The question as it is listed.
 pub const KIND: QuestionKind = QuestionKind {
     table: Some(QuestionTable {
         key: optional(
             "further_turns",
-            Kind::Table(&KEYS),
+            Kind::Table(&FurtherTurnsTable::KEYS),
             "",
             "how many turns after the recorded ones some runs are looked at, where the motion does not repeat itself",
         ),
@@ -57,28 +50,22 @@ pub const KIND: QuestionKind = QuestionKind {
 /// How far some runs go on.
 #[derive(Debug, Clone, Copy)]
 struct Settings {
+    /// Whether the study states them.
+    is_stated: bool,
     /// Turns after the recorded ones.
     turns: u32,
     /// Runs that are made again; none where their share of the study decides.
     runs: Option<usize>,
 }
 
-impl Default for Settings {
-    fn default() -> Self {
-        Self { turns: 5, runs: None }
-    }
-}
-
-fn read(table: &Table<'_>, reader: &mut Reader, stated: &mut QuestionSettings) {
-    let turns = reader.count(table, "count").map_or(Settings::default().turns, |turns| turns as u32);
-    stated.state(Settings { turns, runs: reader.count(table, "runs").map(|runs| runs as usize) });
+fn read(written: Option<&Entry<'_>>, reader: &mut Reader, stated: &mut QuestionSettings) {
+    let FurtherTurnsTable { count, runs, .. } = FurtherTurnsTable::read_or_usual(reader, written);
+    stated.state(Settings { is_stated: written.is_some(), turns: count as u32, runs });
 }
 
 /// What turns after the recorded ones change.
 struct FurtherTurnsQuestion {
     settings: Settings,
-    /// Whether the study states them.
-    is_stated: bool,
     /// Runs of the bounds at most, among which those are that go on.
     most_of_bounds: usize,
     /// What they change, or why there is nothing to look at; `None` before the runs.
@@ -99,14 +86,13 @@ const CANNOT_GO_ON: &str = "No run could be continued for so many turns.";
 /// # Errors
 /// A run may not have as many turns as are stated.
 fn planned(basis: &Basis<'_>) -> Planned {
-    let stated = basis.study.questions.get::<Settings>().copied();
-    let settings = stated.unwrap_or_default();
-    if stated.is_some() {
+    let Some(&settings) = basis.study.questions.get::<Settings>() else { return Ok(None) };
+    if settings.is_stated {
         let cycle = &basis.study.cycle;
         check_turns(cycle.transient_turns, cycle.recorded_turns + f64::from(settings.turns)).map_err(by_own_table)?;
     }
     let most_of_bounds = basis.double_loop.most_runs();
-    Ok(Some(Box::new(FurtherTurnsQuestion { settings, is_stated: stated.is_some(), most_of_bounds, answer: None })))
+    Ok(Some(Box::new(FurtherTurnsQuestion { settings, most_of_bounds, answer: None })))
 }
 
 /// It is the number of further turns that is too large.
@@ -134,7 +120,7 @@ impl Question for FurtherTurnsQuestion {
         match &self.answer {
             Some(Ok(answer)) => run.result.further_turns = Some(answer.clone()),
             // A stated question has an answer in any case.
-            Some(Err(reason)) if self.is_stated => {
+            Some(Err(reason)) if self.settings.is_stated => {
                 let mut answer = QuestionAnswer::new("further_turns", "Further turns");
                 answer.say([AnswerPart::from(*reason)]);
                 run.result.answers.push(answer);

@@ -8,7 +8,7 @@ use crate::foreseen::Foreseen;
 use crate::response::StudyResponse;
 use crate::runs::Runs;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
-use loosepin_text::document::{Key, Kind, Reader, Table};
+use loosepin_text::document::{Entry, Key, Reader};
 
 /// A question that a study asks beside its bounds.
 ///
@@ -66,23 +66,13 @@ pub struct QuestionKind {
 pub struct QuestionTable {
     /// Its key, of a table that may be left out.
     pub key: Key,
-    /// Reads the table and states what stands there.
-    pub read: fn(&Table<'_>, &mut Reader, &mut QuestionSettings),
+    /// Reads the table, where it is there, and states what holds for the question.
+    pub read: fn(Option<&Entry<'_>>, &mut Reader, &mut QuestionSettings),
 }
 
 impl QuestionKind {
     /// A question that is asked by what a study states besides.
     pub const fn without_table(planned: fn(&Basis<'_>) -> Planned) -> Self {
         Self { table: None, planned }
-    }
-}
-
-impl QuestionTable {
-    /// Reads the table of `root`, where it is there.
-    pub fn read(&self, root: &Table<'_>, reader: &mut Reader, settings: &mut QuestionSettings) {
-        let Kind::Table(keys) = self.key.kind else { return };
-        if let Some(table) = root.get(self.key.name).and_then(|entry| reader.table(&entry, keys)) {
-            (self.read)(&table, reader, settings);
-        }
     }
 }

@@ -50,7 +50,7 @@ pub(super) fn question_keys() -> impl Iterator<Item = Key> {
 pub(super) fn read_questions(root: &Table<'_>, reader: &mut Reader) -> QuestionSettings {
     let mut settings = QuestionSettings::default();
     for table in QUESTIONS.iter().filter_map(|kind| kind.table.as_ref()) {
-        table.read(root, reader, &mut settings);
+        (table.read)(root.get(table.key.name).as_ref(), reader, &mut settings);
     }
     settings
 }

@@ -1,5 +1,7 @@
 //! Tables and entries of a TOML file with their places.
 
+use std::sync::LazyLock;
+
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
@@ -44,7 +46,15 @@ pub enum Written<'t> {
     Number(f64),
 }
 
+/// What stands in a table that is left out.
+static NOTHING: LazyLock<DeTable<'static>> = LazyLock::new(DeTable::new);
+
 impl<'t> Table<'t> {
+    /// A table that is left out, as if it were there without keys.
+    pub fn left_out(keys: &'static Keys) -> Table<'t> {
+        Table { path: EntryPath::default(), span: Span::default(), entries: &NOTHING, keys }
+    }
+
     /// The entry of a key that the table may have; absent where it is not written.
     pub fn get(&self, key: &str) -> Option<Entry<'t>> {
         let known = self.keys.find(key);

@@ -140,9 +140,36 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 /// A key is `required` or `optional`; an optional one with `or` has the value that is written there where it is left out, and says so in
 /// its documentation. Its type says how it is read ([`Value`]), what follows `=` what may stand there, with an example as it is written
 /// in a file. `as KEY` takes a key that tables share. `for` names the trait of what reads the table.
+///
+/// Of a `lenient struct` what is wrong or missing counts as left out after the complaint about it, so that everything else in the table is
+/// checked too: every field without `or` is an option, of required keys as well. It can be read where it is left out.
+///
+/// ```
+/// use loosepin_text::diagnostics::Source;
+/// use loosepin_text::document::{Kind, Reader, Reads, count};
+/// use loosepin_text::record;
+///
+/// record! {
+///     /// how often something is done
+///     lenient struct Repeats for Reads;
+///     /// how often
+///     optional times: u64 = count(1, 10), "2", or 1;
+///     /// what is done
+///     required name: String = Kind::Text, "\"turn\"";
+/// }
+/// let repeats = Repeats::read_or_usual(&mut Reader::new(&Source::new("", "")), None);
+/// assert_eq!((repeats.times, repeats.name), (1, None));
+/// ```
 #[macro_export]
 macro_rules! record {
+    ($(#[doc = $doc:literal])+ $visibility:vis lenient struct $($rest:tt)+) => {
+        $crate::record! { @table lenient $(#[doc = $doc])+ $visibility struct $($rest)+ }
+    };
+    ($(#[doc = $doc:literal])+ $visibility:vis struct $($rest:tt)+) => {
+        $crate::record! { @table strict $(#[doc = $doc])+ $visibility struct $($rest)+ }
+    };
     (
+        @table $mode:ident
         $(#[doc = $doc:literal])+
         $visibility:vis struct $name:ident for $reads:path
             $(, exactly one of [$($one:ident),+])* $(, planned $planned:expr)? $(, removed $removed:expr)?;
@@ -156,7 +183,7 @@ macro_rules! record {
             /// The table as it stands in the file.
             #[allow(dead_code)]
             $visibility table: $crate::document::Table<'t>,
-            $($visibility $key: $crate::record!(@type $need $type $(, $($usual)?)?),)*
+            $($visibility $key: $crate::record!(@type $mode $need $type $(, $($usual)?)?),)*
         }
 
         impl<'t> $name<'t> {
@@ -190,9 +217,11 @@ macro_rules! record {
                 reader: &mut R,
                 table: $crate::document::Table<'t>,
             ) -> Option<Self> {
-                $(let $key = $crate::record!(@read $need $type, reader, table, stringify!($key) $(, $($usual)?)?);)*
+                $(let $key = $crate::record!(@read $mode $need $type, reader, table, stringify!($key) $(, $($usual)?)?);)*
                 Some(Self { $($key: $key?,)* table })
             }
+
+            $crate::record!(@read_or_usual $mode $visibility $reads);
         }
 
         impl<'t, R: $reads + ?Sized> $crate::document::Value<'t, R> for $name<'t> {
@@ -201,8 +230,22 @@ macro_rules! record {
             }
         }
     };
-    (@type optional $type:ty $(,)?) => { Option<$type> };
-    (@type $need:ident $type:ty $(, $($usual:literal)?)?) => { $type };
+    (@read_or_usual strict $visibility:vis $reads:path) => {};
+    (@read_or_usual lenient $visibility:vis $reads:path) => {
+        /// Reads the table at an entry; as if it were there without keys where it is left out or is no table.
+        #[allow(dead_code)]
+        $visibility fn read_or_usual<R: $reads + ?Sized>(
+            reader: &mut R,
+            entry: Option<&$crate::document::Entry<'t>>,
+        ) -> Self {
+            let table = entry.and_then(|entry| $crate::document::Reads::document(reader).table(entry, &Self::KEYS));
+            let table = table.unwrap_or_else(|| $crate::document::Table::left_out(&Self::KEYS));
+            Self::of(reader, table).expect("every key has a value, or may have none")
+        }
+    };
+    (@type lenient $need:ident $type:ty $(,)?) => { Option<$type> };
+    (@type $mode:ident optional $type:ty $(,)?) => { Option<$type> };
+    (@type $mode:ident $need:ident $type:ty $(, $($usual:literal)?)?) => { $type };
     (@key $need:ident $name:expr, []; $shared:expr) => { $shared };
     (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
         $crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())
@@ -215,16 +258,25 @@ macro_rules! record {
             concat!($($doc,)+ "; ", $usual, " if left out").trim_ascii_start(),
         )
     };
-    (@read required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+    (@read lenient $need:ident $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+        Some($table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry)))
+    };
+    (@read lenient $need:ident $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
+        match $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry)) {
+            Some(value) => Some(value),
+            None => <$type as $crate::document::Usual<'t, R, _>>::usual($reader, &$table, $key, $usual),
+        }
+    };
+    (@read strict required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
         $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry))
     };
-    (@read optional $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+    (@read strict optional $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
         match $table.get($key) {
             Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry).map(Some),
             None => Some(None),
         }
     };
-    (@read optional $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
+    (@read strict optional $type:ty, $reader:ident, $table:ident, $key:expr, $usual:literal) => {
         match $table.get($key) {
             Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry),
             None => <$type as $crate::document::Usual<'t, R, _>>::usual($reader, &$table, $key, $usual),

@@ -1,11 +1,18 @@
-//! The keys of an `expected.toml`.
+//! The tables of an `expected.toml`.
 
 use super::case::{QuantityKind, Reduce};
-use loosepin_text::document::{Keys, Kind, optional, required};
+use loosepin_text::document::{Entry, Keys, Kind, Reads, choice, optional, required};
 use loosepin_text::units::Rule;
+use loosepin_text::{choices, record};
 
-/// Where a number may come from: the first word of the name of a test.
-pub(super) const ORIGINS: [&str; 4] = ["analytic", "published", "peer", "pinned"];
+choices!(
+    /// Where a number may come from: the first word of the name of a test.
+    pub(super) struct Origin(&'static str):
+    "analytic" => "analytic",
+    "published" => "published",
+    "peer" => "peer",
+    "pinned" => "pinned",
+);
 
 /// The quantities with their words and the keys that say more.
 pub(super) const QUANTITIES: [(&str, QuantityKind, &[&str]); 20] = [
@@ -35,72 +42,82 @@ fn quantity_words() -> Vec<&'static str> {
     QUANTITIES.iter().map(|(word, _, _)| *word).collect()
 }
 
-/// What may become of a course in time.
-pub(super) const REDUCTIONS: [(&str, Reduce); 4] = [
-    ("minimum", Reduce::Minimum),
-    ("maximum", Reduce::Maximum),
-    ("angle_of_minimum", Reduce::AngleOfMinimum),
-    ("angle_of_maximum", Reduce::AngleOfMaximum),
-];
-
-fn reduction_words() -> Vec<&'static str> {
-    REDUCTIONS.iter().map(|(word, _)| *word).collect()
-}
+choices!(Reduce:
+    "minimum" => Self::Minimum,
+    "maximum" => Self::Maximum,
+    "angle_of_minimum" => Self::AngleOfMinimum,
+    "angle_of_maximum" => Self::AngleOfMaximum,
+);
 
 /// A value, or one for each number of a list.
 const ONE_OR_EACH: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
 
-pub(super) static NUMBER_KEYS: Keys = Keys::new(
-    "numbers to be met",
-    &[
-        required("value", ONE_OR_EACH, "\"45870 N\"", "the number with its unit, or a list of them"),
-        required("tolerance", Kind::AnyQuantity, "\"5 N\"", "largest accepted absolute difference"),
-        required("origin", Kind::Choice(&ORIGINS), "\"peer\"", "where the number comes from"),
-        required("source", Kind::Text, "\"eq. (9)\"", "the formula, the paper or the program"),
-        required("reason", Kind::Text, "\"six digits\"", "why the tolerance is what it is"),
-        required("quantity", Kind::ChoiceOf(quantity_words), "\"impact_speed\"", "how the number is obtained"),
-        optional("joint", Kind::Reference("joint"), "\"gudgeon\"", "the joint with play"),
-        optional("output", Kind::Reference("output"), "\"slider\"", "the output of the model"),
-        optional("state", Kind::Text, "\"coupler.angle\"", "angle, omega or alpha of a body, where no output gives it"),
-        optional("reduce", Kind::ChoiceOf(reduction_words), "\"maximum\"", "what is taken of the course in time"),
-        optional("angle", ONE_OR_EACH, "\"60 deg\"", "angle of the drive of the cycle"),
-        optional("time", ONE_OR_EACH, "\"3 ms\"", "time from the start"),
-        optional("penetration", ONE_OR_EACH, "\"10 um\"", "penetration of a contact at rest"),
-        optional("span", Kind::AnyQuantity, "\"24 ms\"", "length of the run; the cycle of the model if left out"),
-        optional(
-            "set",
-            Kind::List(&Kind::Text),
-            "[\"joint.gudgeon.radial_clearance=0.5mm\"]",
-            "a setting for each value",
-        ),
-    ],
-);
+record! {
+    /// numbers to be met
+    pub(super) lenient struct NumberTable for Reads;
+    /// the number with its unit, or a list of them
+    required value: Entry<'t> = ONE_OR_EACH, "\"45870 N\"";
+    /// largest accepted absolute difference
+    required tolerance: Entry<'t> = Kind::AnyQuantity, "\"5 N\"";
+    /// where the number comes from
+    required origin: Origin = choice::<Origin>(), "\"peer\"";
+    /// the formula, the paper or the program
+    required source: String = Kind::Text, "\"eq. (9)\"";
+    /// why the tolerance is what it is
+    required reason: String = Kind::Text, "\"six digits\"";
+    /// how the number is obtained
+    required quantity: Entry<'t> = Kind::ChoiceOf(quantity_words), "\"impact_speed\"";
+    /// the joint with play
+    optional joint: Entry<'t> = Kind::Reference("joint"), "\"gudgeon\"";
+    /// the output of the model
+    optional output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
+    /// angle, omega or alpha of a body, where no output gives it
+    optional state: Entry<'t> = Kind::Text, "\"coupler.angle\"";
+    /// what is taken of the course in time
+    optional reduce: Entry<'t> = choice::<Reduce>(), "\"maximum\"";
+    /// angle of the drive of the cycle
+    optional angle: Entry<'t> = ONE_OR_EACH, "\"60 deg\"";
+    /// time from the start
+    optional time: Entry<'t> = ONE_OR_EACH, "\"3 ms\"";
+    /// penetration of a contact at rest
+    optional penetration: Entry<'t> = ONE_OR_EACH, "\"10 um\"";
+    /// length of the run; the cycle of the model if left out
+    optional span: Entry<'t> = Kind::AnyQuantity, "\"24 ms\"";
+    /// a setting for each value
+    optional set: Entry<'t> = Kind::List(&Kind::Text), "[\"joint.gudgeon.radial_clearance=0.5mm\"]";
+}
 
-pub(super) static COLUMN_KEYS: Keys = Keys::new(
-    "a column of a history",
-    &[
-        required("column", Kind::Text, "\"b3_x\"", "the column of the file"),
-        required("tolerance", Kind::AnyQuantity, "\"1e-8 m\"", "largest accepted absolute difference"),
-        optional("output", Kind::Reference("output"), "\"slider\"", "the output of the model"),
-        optional("state", Kind::Text, "\"rod.x\"", "x, y, angle, vx, vy, omega, ax, ay or alpha of a body"),
-    ],
-)
-.with_exactly_one(&[&["output", "state"]]);
+record! {
+    /// a column of a history
+    pub(super) lenient struct ColumnTable for Reads, exactly one of [output, state];
+    /// the column of the file
+    required column: Entry<'t> = Kind::Text, "\"b3_x\"";
+    /// largest accepted absolute difference
+    required tolerance: Entry<'t> = Kind::AnyQuantity, "\"1e-8 m\"";
+    /// the output of the model
+    optional output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
+    /// x, y, angle, vx, vy, omega, ax, ay or alpha of a body
+    optional state: Entry<'t> = Kind::Text, "\"rod.x\"";
+}
 
-pub(super) static HISTORY_KEYS: Keys = Keys::new(
-    "a history to be met",
-    &[
-        required("file", Kind::Text, "\"reference.csv\"", "rows at equal times, the time in seconds first"),
-        required("origin", Kind::Choice(&ORIGINS), "\"peer\"", "where the history comes from"),
-        required("source", Kind::Text, "\"a program\"", "the paper or the program"),
-        required("reason", Kind::Text, "\"agrees with a second run\"", "why the tolerances are what they are"),
-        required("columns", Kind::List(&Kind::Table(&COLUMN_KEYS)), "[{ column = \"b3_x\", ... }]", "what is compared"),
-    ],
-);
+record! {
+    /// a history to be met
+    pub(super) lenient struct HistoryTable for Reads;
+    /// rows at equal times, the time in seconds first
+    required file: Entry<'t> = Kind::Text, "\"reference.csv\"";
+    /// where the history comes from
+    required origin: Origin = choice::<Origin>(), "\"peer\"";
+    /// the paper or the program
+    required source: String = Kind::Text, "\"a program\"";
+    /// why the tolerances are what they are
+    required reason: String = Kind::Text, "\"agrees with a second run\"";
+    /// what is compared
+    required columns: Entry<'t> = Kind::List(&Kind::Table(&ColumnTable::KEYS)), "[{ column = \"b3_x\", ... }]";
+}
 
 const NUMBER: Kind = Kind::Number { rule: Rule::Finite };
 
-static REFERENCE_KEYS: Keys = Keys::new(
+pub(super) const REFERENCE_KEYS: Keys = Keys::new(
     "the run of a script and how well a second one agrees with it",
     &[
         required("source", Kind::Text, "\"peer: cases/oracle\"", "the program"),
@@ -113,7 +130,7 @@ static REFERENCE_KEYS: Keys = Keys::new(
     ],
 );
 
-static ENERGY_KEYS: Keys = Keys::new(
+pub(super) const ENERGY_KEYS: Keys = Keys::new(
     "energies at the end of the run of a script",
     &[
         required("contact_loss_j", NUMBER, "0.01", "lost in normal contact, J"),
@@ -124,7 +141,7 @@ static ENERGY_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static IMPACT_KEYS: Keys = Keys::new(
+pub(super) const IMPACT_KEYS: Keys = Keys::new(
     "an impact",
     &[
         required("time_s", NUMBER, "1e-3", "when it begins, s"),
@@ -135,7 +152,7 @@ pub(super) static IMPACT_KEYS: Keys = Keys::new(
     ],
 );
 
-static JOINT_KEYS: Keys = Keys::new(
+pub(super) const JOINT_KEYS: Keys = Keys::new(
     "what happens in a joint with play in the run of a script",
     &[
         required("law", Kind::Text, "\"flores\"", "the law"),
@@ -155,16 +172,17 @@ static JOINT_KEYS: Keys = Keys::new(
     ],
 );
 
-pub(super) static SCRIPT_KEYS: [(&str, &Keys); 3] =
-    [("reference", &REFERENCE_KEYS), ("energy", &ENERGY_KEYS), ("joint", &JOINT_KEYS)];
-
-pub(super) static EXPECTED_KEYS: Keys = Keys::new(
-    "what a case must meet",
-    &[
-        optional("expected", Kind::Tables { keys: &NUMBER_KEYS, except: &[] }, "", "numbers"),
-        optional("history", Kind::Tables { keys: &HISTORY_KEYS, except: &[] }, "", "histories"),
-        optional("reference", Kind::Table(&REFERENCE_KEYS), "", "the run of a script"),
-        optional("energy", Kind::Table(&ENERGY_KEYS), "", "its energies"),
-        optional("joint", Kind::Tables { keys: &JOINT_KEYS, except: &[] }, "", "its joints"),
-    ],
-);
+record! {
+    /// what a case must meet
+    pub(super) lenient struct ExpectedTable for Reads;
+    /// numbers
+    optional expected: Entry<'t> = Kind::Tables { keys: &NumberTable::KEYS, except: &[] }, "";
+    /// histories
+    optional history: Entry<'t> = Kind::Tables { keys: &HistoryTable::KEYS, except: &[] }, "";
+    /// the run of a script
+    optional reference: Entry<'t> = Kind::Table(&REFERENCE_KEYS), "";
+    /// its energies
+    optional energy: Entry<'t> = Kind::Table(&ENERGY_KEYS), "";
+    /// its joints
+    optional joint: Entry<'t> = Kind::Tables { keys: &JOINT_KEYS, except: &[] }, "";
+}

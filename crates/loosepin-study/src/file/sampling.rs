@@ -1,0 +1,82 @@
+//! What is run, how many runs, and how accurate.
+
+use super::description::Sampling;
+use super::reader::StudyReader;
+use loosepin_bounds::MOST_OUTER;
+use loosepin_mechanics::model::{CYCLE_NUMBERS, Cycle};
+use loosepin_text::document::{Entry, Kind, Reads, Table, Usual, Value, count};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Rule, parse_quantity};
+
+/// Samples of the random inputs, at most: that many Sobol' points are distinct.
+pub(super) const MOST_INNER: u64 = 1 << 24;
+
+/// A value, or several of different dimensions.
+pub(super) const ACCURACY: Kind = Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]);
+
+record! {
+    /// what is run and recorded, where it differs from the model
+    pub(super) lenient struct StudyCycleTable for Reads;
+    optional transient_turns: f64 as CYCLE_NUMBERS[0];
+    optional recorded_turns: f64 as CYCLE_NUMBERS[1];
+    optional samples_per_turn: usize as CYCLE_NUMBERS[2];
+}
+
+record! {
+    /// how many runs, and how accurate
+    pub(super) lenient struct SamplingTable for Reads,
+        planned &[("threads", "threads are given on the command line, since results do not depend on them: --threads")],
+        removed &[(
+            "reweighting",
+            "leave it out; runs are made at every value of the parameters that the search looks at, as with \"never\"",
+        )];
+    /// points in the box of the intervals
+    optional outer: usize = count(1, MOST_OUTER as u64), "64", or 64;
+    /// samples of the random inputs at each of them
+    optional inner: usize = count(2, MOST_INNER), "256", or 256;
+    /// independent randomisations, which tell the sampling error
+    optional replicates: usize = count(2, 1024), "4", or 4;
+    /// a step may err by 0.5 % of it, in contacts that last by 10 %
+    optional tolerance: StepTolerance = Kind::AnyQuantity, "\"1e-8 m\"", or "1e-8 m";
+    /// share of failed runs above which the study ends with an error
+    optional most_failed: f64 = Kind::Number { rule: Rule::RequiredProbability }, "0.1", or 0.1;
+    /// what all bounds that measure the same are widened by at most: the samples grow until they are; a value or a list
+    optional accuracy: Entry<'t> = ACCURACY, "\"1 um\"";
+    /// where the study ends although bounds are not yet as near: runs, a time, or "12 rounds"
+    optional budget: Entry<'t> = Kind::AnyQuantity, "\"30 min\"";
+}
+
+/// Tolerance of a step, m.
+pub(super) struct StepTolerance(f64);
+
+impl<'t, R: Reads + ?Sized> Value<'t, R> for StepTolerance {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.document().measured(entry, Dimension::LENGTH, Rule::Positive).map(Self)
+    }
+}
+
+impl<'t, R: Reads + ?Sized> Usual<'t, R, &'static str> for StepTolerance {
+    fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
+        parse_quantity(usual).ok().map(|usual| Self(usual.value_si))
+    }
+}
+
+impl StudyReader {
+    /// The cycle of the model with what `written` says of it.
+    pub(super) fn cycle(&mut self, written: Option<&Entry<'_>>) -> Cycle {
+        let mut cycle = self.model.cycle.clone();
+        if let Some(table) = written.and_then(|entry| StudyCycleTable::read(self, entry)) {
+            cycle.transient_turns = table.transient_turns.unwrap_or(cycle.transient_turns);
+            cycle.recorded_turns = table.recorded_turns.unwrap_or(cycle.recorded_turns);
+            cycle.samples_per_turn = table.samples_per_turn.unwrap_or(cycle.samples_per_turn);
+        }
+        cycle
+    }
+
+    /// How many runs, with the table that says so, of no keys where it is left out.
+    pub(super) fn sampling<'t>(&mut self, written: Option<&Entry<'t>>) -> (Sampling, SamplingTable<'t>) {
+        let table = SamplingTable::read_or_usual(self, written);
+        let SamplingTable { outer, inner, replicates, most_failed, tolerance: StepTolerance(tolerance_m), .. } = table;
+        (Sampling { outer, inner, replicates, tolerance_m, most_failed }, table)
+    }
+}

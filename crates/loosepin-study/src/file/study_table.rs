@@ -1,0 +1,76 @@
+//! A study file as a whole: the keys that questions share, then the tables of single questions.
+
+use super::allow::{AllowTable, TogetherWord};
+use super::ask::AskTable;
+use super::correlation::CorrelationTable;
+use super::input::EpistemicTable;
+use super::measured::ReadingTable;
+use super::motion::MotionTable;
+use super::promise::PromiseTable;
+use super::random::RANDOM_KEYS;
+use super::requirement::RequireTable;
+use super::sampling::{SamplingTable, StudyCycleTable};
+use super::specimen::SpecimenTable;
+use super::surrogate::SURROGATE;
+use super::words::{READINGS, words};
+use crate::question::question_keys;
+use loosepin_text::document::{Entry, Keys, Kind, Reads, choice, count};
+use loosepin_text::record;
+use loosepin_text::units::Rule;
+use std::sync::LazyLock;
+
+/// What a double holds exactly, so that a seed survives every file format.
+const LARGEST_SEED: u64 = (1 << 53) - 1;
+
+record! {
+    /// what is uncertain in a model, and what is asked
+    pub(super) lenient struct StudyTable for Reads;
+    /// name of the study
+    required name: String = Kind::Text, "\"worn pin at 5000 rpm\"";
+    /// the model file, from the folder of this file
+    required model: Entry<'t> = Kind::Text, "\"model.toml\"";
+    /// the same seed gives the same results
+    optional seed: u64 = count(0, LARGEST_SEED), "1", or 1;
+    /// what is run and recorded, where it differs from the model
+    optional cycle: Entry<'t> = Kind::Table(&StudyCycleTable::KEYS), "";
+    /// how many runs, and how accurate
+    optional sampling: Entry<'t> = Kind::Table(&SamplingTable::KEYS), "";
+    /// bounds from a function learned from few runs, beside the direct ones; none if left out
+    optional surrogate: Entry<'t> = SURROGATE, "\"auto\"";
+    /// a bound that a share of the box of the intervals keeps, without a model: how large; for questions with promise and requirements
+    /// decided by one
+    optional promise: Entry<'t> = Kind::Table(&PromiseTable::KEYS), "";
+    /// quantities with known distributions, by their paths in the model
+    optional random: Entry<'t> = Kind::Tables { keys: &RANDOM_KEYS, except: &[] }, "";
+    /// quantities known only as intervals, and quantities and laws known only as lists, by their paths in the model
+    optional epistemic: Entry<'t> = Kind::Tables { keys: &EpistemicTable::KEYS, except: &[] }, "";
+    /// random inputs that go together; all others are independent
+    optional correlation: Entry<'t> = Kind::List(&Kind::Table(&CorrelationTable::KEYS)), "";
+    /// the mechanism that was measured: rows in place of the distributions under `[random]`; any mechanism of the series if left out
+    optional specimen: Entry<'t> = Kind::Table(&SpecimenTable::KEYS), "";
+    /// how an interval is read: one value fixed but unknown, a distribution that is unknown, or any value for each sample; fixed if left
+    /// out; of several, bounds stand side by side
+    optional reading: Entry<'t> =
+        Kind::AnyOf(&[Kind::Choice(&words(&READINGS)), Kind::List(&Kind::Choice(&words(&READINGS)))]), "\"fixed\"";
+    /// where a parameter of a distribution has a distribution: percentiles of each statistic; 0.05, 0.5 and 0.95 if left out
+    optional percentiles: Entry<'t> = Kind::List(&Kind::Number { rule: Rule::Probability }), "[0.05, 0.5, 0.95]";
+    /// questions
+    optional ask: Entry<'t> = Kind::List(&Kind::Table(&AskTable::KEYS)), "";
+    /// requirements
+    optional require: Entry<'t> = Kind::List(&Kind::Table(&RequireTable::KEYS)), "";
+    /// readings of a backlash test, or features of a motion, from which `loosepin identify` narrows intervals
+    optional measured: Entry<'t> =
+        Kind::List(&Kind::AnyOf(&[Kind::Table(&ReadingTable::KEYS), Kind::Table(&MotionTable::KEYS)])), "";
+    /// uncertain inputs that may be loosened as far as the requirements allow, by their paths
+    optional allow: Entry<'t> = Kind::Tables { keys: &AllowTable::KEYS, except: &[] }, "";
+    /// the inputs of `[allow]` are loosened together: each to the same share of its `up_to`, or two of them as a curve; one at a time if
+    /// left out
+    optional allow_together: Entry<'t> = choice::<TogetherWord>(), "\"frontier\"";
+}
+
+/// Keys of a study file: those of [`StudyTable`], and the tables of single questions.
+pub(super) static STUDY_KEYS: LazyLock<Keys> = LazyLock::new(|| {
+    let keys = StudyTable::KEYS.keys.iter().copied().chain(question_keys()).collect::<Vec<_>>();
+    // They live as long as the program.
+    Keys { keys: keys.leak(), ..StudyTable::KEYS }
+});
