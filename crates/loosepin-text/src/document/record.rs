@@ -21,12 +21,34 @@ impl Reads for Reader {
 pub trait Value<'t, R: ?Sized>: Sized {
     /// The value; `None` after a complaint.
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
+
+    /// What stands for a required key that is not written, which was complained about.
+    fn missing() -> Option<Self> {
+        None
+    }
+}
+
+/// `None` after a complaint: the other keys of the table are read and looked at nevertheless.
+impl<'t, R: ?Sized, T: Value<'t, R>> Value<'t, R> for Option<T> {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        Some(T::read(reader, entry))
+    }
+
+    fn missing() -> Option<Self> {
+        Some(None)
+    }
 }
 
 /// What stands for a key that is left out, written as `D` in the description of its table.
 pub trait Usual<'t, R: ?Sized, D>: Value<'t, R> {
     /// The value that `usual` stands for.
     fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
+}
+
+impl<'t, R: ?Sized, D, T: Usual<'t, R, D>> Usual<'t, R, D> for Option<T> {
+    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self> {
+        T::usual(reader, table, key, usual).map(Some)
+    }
 }
 
 /// One of a few words of a file, with what each stands for.
@@ -139,16 +161,24 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 ///
 /// A key is `required` or `optional`; an optional one with `or` has the value that is written there where it is left out, and says so in
 /// its documentation. Its type says how it is read ([`Value`]), what follows `=` what may stand there, with an example as it is written
-/// in a file. `as KEY` takes a key that tables share. `for` names the trait of what reads the table.
+/// in a file. `as KEY` takes a key that tables share, and `include` all keys of another table, which has its own struct. Where a value is
+/// left out whose words are others, `called` says them: `or "0 s" called "none"`. `for` names the trait of what reads the table. Of a table
+/// whose keys depend on its kind, `kind "rigid" of joint` gives the key `kind`, with the word for it as `WORD`.
+///
+/// Nothing is read of a table in which a value is refused or missing. Where the rest is to be looked at nevertheless, the type of the value
+/// is an `Option`, `None` after a complaint.
 #[macro_export]
 macro_rules! record {
     (
         $(#[doc = $doc:literal])+
         $visibility:vis struct $name:ident for $reads:path
+            $(, kind $word:literal of $what:ident)?
             $(, exactly one of [$($one:ident),+])* $(, planned $planned:expr)? $(, removed $removed:expr)?;
         $(
             $(#[doc = $key_doc:literal])*
-            $need:ident $key:ident : $type:ty $(= $kind:expr, $example:literal $(, or $usual:literal)?)? $(as $shared:expr)?;
+            $(#[allow($allowed:ident)])?
+            $need:ident $key:ident : $type:ty $(= $kind:expr, $example:literal $(, or $usual:literal $(called $called:literal)?)?)?
+                $(as $shared:expr)?;
         )*
     ) => {
         $(#[doc = $doc])+
@@ -156,22 +186,42 @@ macro_rules! record {
             /// The table as it stands in the file.
             #[allow(dead_code)]
             $visibility table: $crate::document::Table<'t>,
-            $($visibility $key: $crate::record!(@type $need $type $(, $($usual)?)?),)*
+            $(
+                $(#[allow($allowed)])?
+                $visibility $key: $crate::record!(@type $need $type $(, $($usual)?)?),
+            )*
         }
 
         impl<'t> $name<'t> {
+            $(
+                /// The word for its kind.
+                $visibility const WORD: &'static str = $word;
+            )?
+
+            const LISTS: &'static [&'static [$crate::document::Key]] = &[
+                $(&[$crate::document::required(
+                    "kind",
+                    $crate::document::Kind::Choice(&[$word]),
+                    concat!("\"", $word, "\""),
+                    concat!("the kind of ", stringify!($what)),
+                )],)?
+                $($crate::record!(
+                    @key $need $type, stringify!($key), [$($key_doc),*]
+                    $(, $kind, $example $(, $usual $(called $called)?)?)? $(; $shared)?
+                )),*
+            ];
+
             /// Its keys.
             #[allow(clippy::needless_update)]
-            $visibility const KEYS: $crate::document::Keys = $crate::document::Keys {
-                exactly_one: &[$(&[$(stringify!($one)),+]),*],
-                $(planned: $planned,)?
-                $(removed: $removed,)?
-                ..$crate::document::Keys::new(
-                    concat!($($doc),+).trim_ascii_start(),
-                    &[$($crate::record!(
-                        @key $need stringify!($key), [$($key_doc),*] $(, $kind, $example $(, $usual)?)? $(; $shared)?
-                    )),*],
-                )
+            $visibility const KEYS: $crate::document::Keys = {
+                const ALL: &[$crate::document::Key; $crate::document::count_of($name::LISTS)] =
+                    &$crate::document::joined($name::LISTS);
+                $crate::document::Keys {
+                    exactly_one: &[$(&[$(stringify!($one)),+]),*],
+                    $(planned: $planned,)?
+                    $(removed: $removed,)?
+                    ..$crate::document::Keys::new(concat!($($doc),+).trim_ascii_start(), ALL)
+                }
             };
 
             /// Reads the table at an entry; `None` after a complaint about what it must have.
@@ -203,20 +253,28 @@ macro_rules! record {
     };
     (@type optional $type:ty $(,)?) => { Option<$type> };
     (@type $need:ident $type:ty $(, $($usual:literal)?)?) => { $type };
-    (@key $need:ident $name:expr, []; $shared:expr) => { $shared };
-    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
-        $crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())
+    (@key include $type:ty, $name:expr, []) => { <$type>::KEYS.keys };
+    (@key $need:ident $type:ty, $name:expr, []; $shared:expr) => { &[$shared] };
+    (@key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
+        &[$crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())]
     };
-    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr, $usual:literal) => {
-        $crate::document::$need(
+    (@key $need:ident $type:ty, $name:expr, $doc:tt, $kind:expr, $example:expr, $usual:literal) => {
+        $crate::record!(@key $need $type, $name, $doc, $kind, $example, $usual called $usual)
+    };
+    (@key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr, $usual:literal called $called:literal) => {
+        &[$crate::document::$need(
             $name,
             $kind,
             $example,
-            concat!($($doc,)+ "; ", $usual, " if left out").trim_ascii_start(),
-        )
+            concat!($($doc,)+ "; ", $called, " if left out").trim_ascii_start(),
+        )]
     };
+    (@read include $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => { <$type>::of($reader, $table.clone()) };
     (@read required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
-        $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry))
+        match $table.get($key) {
+            Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry),
+            None => <$type as $crate::document::Value<'t, R>>::missing(),
+        }
     };
     (@read optional $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
         match $table.get($key) {

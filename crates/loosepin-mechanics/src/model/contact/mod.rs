@@ -14,7 +14,7 @@ pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
 use super::friction::{Friction, SlidingVelocity};
-use super::keys::friction::FRICTION_KEYS;
+use super::friction_keys::FRICTION_KEYS;
 use super::quantity::{QuantityId, Values};
 use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
 use law::LAW_KEYS;
