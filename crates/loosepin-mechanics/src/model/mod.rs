@@ -13,7 +13,6 @@ mod cycle_input;
 mod drive;
 mod entry_reader;
 mod friction;
-mod friction_keys;
 mod function;
 mod ids;
 mod initial;

@@ -53,13 +53,18 @@ impl<'t, R: ?Sized, D, T: Usual<'t, R, D>> Usual<'t, R, D> for Option<T> {
 
 /// One of a few words of a file, with what each stands for.
 pub trait Choice: Copy + 'static {
+    /// The words in the order of the documentation, where [`Self::choices`] says nothing else.
+    const CHOICES: &'static [(&'static str, Self)] = &[];
+
     /// The words in the order of the documentation.
-    const CHOICES: &'static [(&'static str, Self)];
+    fn choices() -> Vec<(&'static str, Self)> {
+        Self::CHOICES.to_vec()
+    }
 }
 
 /// The words of a choice.
 pub fn words_of<T: Choice>() -> Vec<&'static str> {
-    T::CHOICES.iter().map(|(word, _)| *word).collect()
+    T::choices().iter().map(|(word, _)| *word).collect()
 }
 
 /// A key whose value is one of the words of `T`.
@@ -81,13 +86,13 @@ impl<'t, R: ?Sized> Value<'t, R> for Entry<'t> {
 
 impl<'t, R: Reads + ?Sized, T: Choice> Value<'t, R> for T {
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
-        reader.document().choice(entry, T::CHOICES)
+        reader.document().choice(entry, &T::choices())
     }
 }
 
 impl<'t, R: Reads + ?Sized, T: Choice> Usual<'t, R, &'static str> for T {
     fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
-        T::CHOICES.iter().find(|(word, _)| *word == usual).map(|(_, meaning)| *meaning)
+        T::choices().into_iter().find(|(word, _)| *word == usual).map(|(_, meaning)| meaning)
     }
 }
 

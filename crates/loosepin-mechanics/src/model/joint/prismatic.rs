@@ -3,7 +3,7 @@
 use super::clearance::GuideClearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, span_of};
-use crate::model::friction_keys::JOINT_FRICTION_KEYS;
+use crate::model::friction::JointFrictionTable;
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
@@ -230,7 +230,7 @@ record! {
         Kind::AnyOf(&[Kind::Point, Kind::Table(&SliderTable::KEYS)]), "\"slider.pin\"";
     /// friction; none if left out
     #[allow(dead_code)]
-    optional friction: Entry<'t> = Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }";
+    optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
     /// length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends
     #[allow(dead_code)]
     optional guide_length: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";

@@ -3,7 +3,7 @@
 use super::clearance::Clearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, span_of};
-use crate::model::friction_keys::JOINT_FRICTION_KEYS;
+use crate::model::friction::JointFrictionTable;
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
@@ -140,7 +140,7 @@ record! {
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
     /// friction of a joint without play; none if left out. A joint with play has it in its contact
     #[allow(dead_code)]
-    optional friction: Entry<'t> = Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }";
+    optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
     /// radius of the pin, at whose surface friction acts
     #[allow(dead_code)]
     optional pin_radius: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"8 mm\"";

@@ -2,7 +2,6 @@
 
 use super::reader::ModelReader;
 use crate::model::friction::Friction;
-use crate::model::friction_keys::JOINT_FRICTION_KEYS;
 use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, PlayKeys};
 use crate::model::problem::ModelProblem;
@@ -51,7 +50,7 @@ impl ModelReader {
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
     fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
         let size_m = self.quantity(table, key);
-        let friction = table.get("friction").map(|entry| Friction::read(&entry, &JOINT_FRICTION_KEYS, self));
+        let friction = table.get("friction").map(|entry| Friction::of_joint(&entry, self));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
                 self.complain_of_missing(table, key, vec![needs]);

@@ -28,7 +28,7 @@ mod unitless;
 mod warm;
 mod wear;
 
-use crate::model::contact::CONTACT_KEYS;
+use crate::model::contact::ContactTable;
 use crate::model::coupling::{CAM, COUPLING_KINDS};
 use crate::model::ids::BodyId;
 use crate::model::joint::JOINT_KINDS;
@@ -77,7 +77,7 @@ record! {
     required body: Option<Entry<'t>> =
         Kind::Tables { keys: &BodyTable::KEYS, except: &[("ground", &GroundTable::KEYS)] }, "";
     /// contacts, shared by joints
-    optional contact: Entry<'t> = Kind::Tables { keys: &CONTACT_KEYS, except: &[] }, "";
+    optional contact: Entry<'t> = Kind::Tables { keys: &ContactTable::KEYS, except: &[] }, "";
     /// the joints
     optional joint: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "";
     /// gears, belts, racks and other ratios of two joints, each under [coupling.NAME]
