@@ -49,7 +49,8 @@ record! {
     /// friction of an ideal joint
     pub(super) struct JointFrictionTable for JointReader;
     /// the friction law
-    optional law: Option<&'static FrictionDescription> = choice::<&'static FrictionDescription>(), "\"ambrosio\"", or "ambrosio";
+    optional law: Option<&'static FrictionDescription> =
+        choice::<&'static FrictionDescription>(), "\"ambrosio\"", or "ambrosio";
     #[allow(dead_code)]
     include numbers: FrictionNumbers;
 }

@@ -182,7 +182,8 @@ macro_rules! record {
         $(
             $(#[doc = $key_doc:literal])*
             $(#[allow($allowed:ident)])?
-            $need:ident $key:ident : $type:ty $(= $kind:expr, $example:literal $(, or $usual:literal $(called $called:literal)?)?)?
+            $need:ident $key:ident : $type:ty
+                $(= $kind:expr, $example:literal $(, or $usual:literal $(called $called:literal)?)?)?
                 $(as $shared:expr)?;
         )*
     ) => {
@@ -266,7 +267,10 @@ macro_rules! record {
     (@key $need:ident $type:ty, $name:expr, $doc:tt, $kind:expr, $example:expr, $usual:literal) => {
         $crate::record!(@key $need $type, $name, $doc, $kind, $example, $usual called $usual)
     };
-    (@key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr, $usual:literal called $called:literal) => {
+    (
+        @key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr,
+        $usual:literal called $called:literal
+    ) => {
         &[$crate::document::$need(
             $name,
             $kind,

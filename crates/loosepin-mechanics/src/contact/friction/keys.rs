@@ -14,7 +14,8 @@ friction_key!(
 );
 friction_key!(
     /// sliding speed at which friction has risen from nothing
-    pub(super) TRANSITION_SPEED of Rise: optional transition_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
+    pub(super) TRANSITION_SPEED of Rise:
+        optional transition_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
 );
 friction_key!(
     /// sliding speed over which friction falls from its static to its dynamic value

@@ -74,6 +74,7 @@ record! {
         Kind::AnyOf(&[quantity(Dimension::TORQUE, Rule::Finite), Kind::Table(&HarmonicTorque::KEYS)]), "\"0.2 N m\"";
     optional joint: Entry<'t> as JOINT;
     /// in place of torque: pairs of what it is over and the torque there, the first ones increasing
-    optional points: Entry<'t> = POINTS, "[[\"0 rpm\", \"12 N m\"], [\"2000 rpm\", \"15 N m\"], [\"3000 rpm\", \"0 N m\"]]";
+    optional points: Entry<'t> =
+        POINTS, "[[\"0 rpm\", \"12 N m\"], [\"2000 rpm\", \"15 N m\"], [\"3000 rpm\", \"0 N m\"]]";
     include rest: PointsOfLoad<'t>;
 }

@@ -24,7 +24,8 @@ choices!(
 );
 choices!(
     /// How an element is integrated.
-    pub(super) struct Integration(IntegrationRule): "full" => IntegrationRule::Full, "reduced" => IntegrationRule::Reduced
+    pub(super) struct Integration(IntegrationRule):
+        "full" => IntegrationRule::Full, "reduced" => IntegrationRule::Reduced
 );
 choices!(
     /// Whether a beam is in absolute nodal coordinates.

@@ -12,7 +12,8 @@ use std::f64::consts::PI;
 record! {
     /// the section of a beam: width and height, diameter, outer and inner diameter, or area and second moment
     pub(super) struct SectionTable for PartReader,
-        exactly one of [width, diameter, outer_diameter, area], exactly one of [height, diameter, inner_diameter, second_moment];
+        exactly one of [width, diameter, outer_diameter, area],
+        exactly one of [height, diameter, inner_diameter, second_moment];
     /// width across the plane of motion
     optional width: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"8 mm\"";
     /// height in the plane of motion

@@ -46,7 +46,8 @@ record! {
     /// position of the reference at time zero, beside speed
     optional start_position: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"0 mm\"";
     /// the reference over time, in place of a constant speed
-    optional motion: Entry<'t> = MOTION, "{ kind = \"cycloidal\", from = \"0 deg\", to = \"90 deg\", duration = \"0.5 s\" }";
+    optional motion: Entry<'t> =
+        MOTION, "{ kind = \"cycloidal\", from = \"0 deg\", to = \"90 deg\", duration = \"0.5 s\" }";
 }
 
 impl ModelReader {

@@ -25,7 +25,8 @@ record! {
     /// position of the slider along the guide at time zero, beside speed
     optional start_position: Entry<'t> = quantity(Dimension::LENGTH, Rule::Finite), "\"0 mm\"";
     /// angle or position over time, in place of a constant speed
-    optional motion: Entry<'t> = MOTION, "{ kind = \"harmonic\", mean = \"90 deg\", amplitude = \"30 deg\", frequency = \"2 Hz\" }";
+    optional motion: Entry<'t> =
+        MOTION, "{ kind = \"harmonic\", mean = \"90 deg\", amplitude = \"30 deg\", frequency = \"2 Hz\" }";
 }
 
 /// What stands behind `speed`.

@@ -62,7 +62,8 @@ record! {
     #[allow(dead_code)]
     optional preload: Entry<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"";
     /// pairs of an angle and the torque there, in place of stiffness and free angle; angles increasing, straight beyond both ends
-    optional points: Entry<'t> = POINTS, "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]";
+    optional points: Entry<'t> =
+        POINTS, "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]";
     include rest: FileAndCurve<'t>;
 }
 
