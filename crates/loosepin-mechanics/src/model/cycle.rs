@@ -13,11 +13,11 @@ record! {
     /// how much is run and recorded
     pub(super) struct CycleNumbers for Reads;
     /// turns run before recording; 2 if left out
-    optional transient_turns: f64 = Kind::Number { rule: Rule::Turns }, "2";
+    optional transient_turns: Option<f64> = Kind::Number { rule: Rule::Turns }, "2";
     /// turns recorded
-    optional recorded_turns: f64 = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
+    optional recorded_turns: Option<f64> = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
     /// rows recorded in a turn
-    optional samples_per_turn: usize = count(1, MOST_SAMPLES_PER_TURN), "500", or 500;
+    optional samples_per_turn: Option<usize> = count(1, MOST_SAMPLES_PER_TURN), "500", or 500;
 }
 
 /// Numbers of `[cycle]`, in model and study files alike.

@@ -54,9 +54,9 @@ record! {
     /// a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both
     struct BeltTable for CouplingReader, kind "belt" of coupling, exactly one of [radii, teeth];
     /// revolute joint of the first wheel
-    required first: Entry<'t> = Kind::Reference("joint"), "\"input\"";
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// revolute joint of the second wheel
-    required second: Entry<'t> = Kind::Reference("joint"), "\"output\"";
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
     /// open: the wheels turn the same way; crossed: against each other
     optional run: Option<IsCrossed> = choice::<IsCrossed>(), "\"open\"", or "open";
     include wheels: WheelsTable<'t>;

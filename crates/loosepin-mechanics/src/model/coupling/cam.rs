@@ -5,6 +5,7 @@ use super::kind::{Coupled, KindOfCoupling};
 use super::play::CouplingPlay;
 use super::reading::CouplingReader;
 use crate::model::ids::{ContactId, JointId};
+use crate::model::joint::span_of;
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
@@ -81,7 +82,7 @@ fn lift_off(
     if reader.coordinate_of(follower) != Dimension::LENGTH {
         let joint = reader.joint_name(follower);
         let problem = ModelProblem::FollowerTurns { entry: own.table.path.describe(), joint };
-        return reader.document().refuse(&problem, own.follower.span);
+        return reader.document().refuse(&problem, span_of(&own.follower, &own.table));
     }
     Some(CouplingPlay { backlash_m: None, second_radius_m: None, contact })
 }
@@ -101,8 +102,8 @@ fn demand_whole_turns(own: &CamTable<'_>, points: &[[QuantityId; 2]], reader: &m
         to: degrees(last),
         whole: degrees(first + turns.ceil() * std::f64::consts::TAU),
     };
-    let given = own.csv.as_ref().or(own.points.as_ref());
-    reader.document().refuse(&problem, given.map_or(own.table.span, |entry| entry.span))
+    let given = if own.csv.is_some() { &own.csv } else { &own.points };
+    reader.document().refuse(&problem, span_of(given, &own.table))
 }
 
 /// The points at which each run of dwelling intervals begins and ends.
@@ -122,9 +123,9 @@ record! {
     /// where the last one ended
     struct CamTable for CouplingReader, exactly one of [points, csv];
     /// the joint of the cam
-    required joint: Entry<'t> = Kind::Reference("joint"), "\"cam\"";
+    required joint: Option<Entry<'t>> = Kind::Reference("joint"), "\"cam\"";
     /// the joint of the follower
-    required follower: Entry<'t> = Kind::Reference("joint"), "\"lifter\"";
+    required follower: Option<Entry<'t>> = Kind::Reference("joint"), "\"lifter\"";
     /// pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first
     /// to the last is a period
     optional points: Entry<'t> = POINTS, "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]";

@@ -63,9 +63,9 @@ record! {
     /// two gears in mesh, on revolute joints with one body in common, which carries both
     struct GearsTable for CouplingReader, kind "gears" of coupling, exactly one of [radii, teeth];
     /// revolute joint of the first gear
-    required first: Entry<'t> = Kind::Reference("joint"), "\"input\"";
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// revolute joint of the second gear
-    required second: Entry<'t> = Kind::Reference("joint"), "\"output\"";
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
     /// external: they turn against each other on their carrier; internal: the same way
     required mesh: Option<Mesh> = choice::<Mesh>(), "\"external\"";
     include wheels: WheelsTable<'t>;

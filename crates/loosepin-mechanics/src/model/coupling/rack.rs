@@ -35,7 +35,7 @@ impl KindOfCoupling for Rack {
         let backlash = Backlash::read(&own.play, reader);
         let dues = [Some(Dimension::ANGLE), Some(Dimension::LENGTH)];
         let joints = reader.two_joints(table, [&own.first, &own.second], dues)?;
-        let radius_m = reader.quantity_at(&own.radius);
+        let radius_m = own.radius.as_ref().and_then(|entry| reader.quantity_at(entry));
         let is_turned = is_turned(entry, joints, reader);
         let (radius_m, IsBackward(is_backward)) = (radius_m?, own.direction?);
         let is_reversed = is_backward != is_turned?;
@@ -69,11 +69,11 @@ record! {
     /// a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both
     struct RackTable for CouplingReader, kind "rack" of coupling;
     /// revolute joint of the pinion
-    required first: Entry<'t> = Kind::Reference("joint"), "\"input\"";
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// prismatic joint of the rack
-    required second: Entry<'t> = Kind::Reference("joint"), "\"output\"";
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
     /// pitch radius of the pinion
-    required radius: Entry<'t> = quantity(Dimension::LENGTH, Rule::Positive), "\"12 mm\"";
+    required radius: Option<Entry<'t>> = quantity(Dimension::LENGTH, Rule::Positive), "\"12 mm\"";
     /// how the rack goes along the line of its guide when the pinion turns from x towards y
     required direction: Option<IsBackward> = choice::<IsBackward>(), "\"forward\"";
     optional pressure_angle: Entry<'t> as PRESSURE_ANGLE;

@@ -29,7 +29,7 @@ impl KindOfCoupling for Ratio {
         let own = RatioTable::of(reader, table.clone())?;
         let joints = reader.two_joints(table, [&own.first, &own.second], [None; 2])?;
         let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
-        let ratio = reader.quantity_of(&own.ratio, to.over(from), Rule::Finite)?;
+        let ratio = reader.quantity_of(&own.ratio?, to.over(from), Rule::Finite)?;
         let offset = offset(&own.offset, table, joints[1], reader)?;
         Some(Coupled::ideally(joints, Self { ratio, offset }))
     }
@@ -51,10 +51,10 @@ record! {
     /// the angle or position of the second joint is a multiple of that of the first
     struct RatioTable for CouplingReader, kind "ratio" of coupling;
     /// a revolute or prismatic joint
-    required first: Entry<'t> = Kind::Reference("joint"), "\"input\"";
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
     /// another one
-    required second: Entry<'t> = Kind::Reference("joint"), "\"output\"";
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
     /// coordinate of the second joint by that of the first
-    required ratio: Entry<'t> = Kind::AnyQuantity, "-2.5";
+    required ratio: Option<Entry<'t>> = Kind::AnyQuantity, "-2.5";
     optional offset: Entry<'t> as OFFSET;
 }

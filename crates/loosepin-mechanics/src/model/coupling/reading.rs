@@ -13,7 +13,7 @@ pub trait CouplingReader: EntryReader {
     fn two_joints(
         &mut self,
         table: &Table<'_>,
-        entries: [&Entry<'_>; 2],
+        entries: [&Option<Entry<'_>>; 2],
         dues: [Option<Dimension>; 2],
     ) -> Option<[JointId; 2]>;
 

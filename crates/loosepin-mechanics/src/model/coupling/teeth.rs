@@ -2,6 +2,7 @@
 
 use super::reading::CouplingReader;
 use crate::model::ids::JointId;
+use crate::model::joint::span_of;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, Vec2};
@@ -98,7 +99,7 @@ impl Teeth {
     /// Reads the teeth whose force the joints feel from a table, with its entries for the pressure angle and the second joint; the outer
     /// option is absent after a complaint, the inner where torques alone act.
     pub(super) fn read(
-        (table, pressure_angle, second): (&Table<'_>, &Option<Entry<'_>>, &Entry<'_>),
+        (table, pressure_angle, second): (&Table<'_>, &Option<Entry<'_>>, &Option<Entry<'_>>),
         joints: [JointId; 2],
         radii_m: [Option<QuantityId>; 2],
         mesh: Mesh,
@@ -124,7 +125,7 @@ impl Teeth {
         let kind = reader.joint_kind(joints[1]);
         if kind.slides() && !kind.rows().holds_angle {
             let problem = ModelProblem::ForceOnSlot { entry: described(), joint: reader.joint_name(joints[1]) };
-            return reader.document().refuse(&problem, second.span);
+            return reader.document().refuse(&problem, span_of(second, table));
         }
         let [a, b] = joints.map(|joint| reader.joint_kind(joint).bodies());
         // The common body carries both; a wheel is the other one.

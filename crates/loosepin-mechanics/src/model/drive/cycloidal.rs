@@ -93,8 +93,8 @@ impl MotionTable for Cycloidal {
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
         let own = CycloidalTable::of(reader, table.clone())?;
-        let [from, to] = [&own.from, &own.to].map(|entry| reader.quantity_of(entry, dimension, Rule::Finite));
-        let duration_s = reader.quantity_at(&own.duration);
+        let [from, to] = [&own.from, &own.to].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
+        let duration_s = own.duration.and_then(|entry| reader.quantity_at(&entry));
         let dwell_s = reader.quantity_or(table, "dwell", 0.0);
         Some(Written::Motion(Self { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? }))
     }
@@ -104,11 +104,11 @@ record! {
     /// a rise without a jump of the acceleration, between two rests
     struct CycloidalTable for DriveReader, kind "cycloidal" of motion;
     /// where it rests before
-    required from: Entry<'t> = COORDINATE, "\"0 deg\"";
+    required from: Option<Entry<'t>> = COORDINATE, "\"0 deg\"";
     /// where it rests afterwards
-    required to: Entry<'t> = COORDINATE, "\"90 deg\"";
+    required to: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
     /// duration of the rise
-    required duration: Entry<'t> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
+    required duration: Option<Entry<'t>> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
     /// rest before the rise; none if left out
     #[allow(dead_code)]
     optional dwell: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"";

@@ -85,8 +85,8 @@ impl MotionTable for Harmonic {
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
         let own = HarmonicTable::of(reader, table.clone())?;
         let [mean, amplitude] =
-            [&own.mean, &own.amplitude].map(|entry| reader.quantity_of(entry, dimension, Rule::Finite));
-        let frequency = reader.quantity_at(&own.frequency);
+            [&own.mean, &own.amplitude].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
+        let frequency = own.frequency.and_then(|entry| reader.quantity_at(&entry));
         let phase_rad = reader.quantity_or(table, "phase", 0.0);
         let (mean, amplitude) = (mean?, amplitude?);
         Some(Written::Motion(Self { mean, amplitude, frequency_1_s: frequency?, phase_rad: phase_rad? }))
@@ -97,11 +97,11 @@ record! {
     /// mean + amplitude sin(360 deg frequency time + phase)
     struct HarmonicTable for DriveReader, kind "harmonic" of motion;
     /// its middle
-    required mean: Entry<'t> = COORDINATE, "\"90 deg\"";
+    required mean: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
     /// largest departure from the middle
-    required amplitude: Entry<'t> = COORDINATE, "\"30 deg\"";
+    required amplitude: Option<Entry<'t>> = COORDINATE, "\"30 deg\"";
     /// oscillations in a second
-    required frequency: Entry<'t> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
+    required frequency: Option<Entry<'t>> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
     /// phase at time zero, 0 for the middle on the way up; 0 deg if left out
     #[allow(dead_code)]
     optional phase: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";

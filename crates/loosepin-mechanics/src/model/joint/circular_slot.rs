@@ -96,7 +96,8 @@ fn clearance(own: &CircularSlotTable<'_>, reader: &mut dyn JointReader) -> Optio
     const NEEDED: &[&str] = &["half_width", "contact"];
     const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
     let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
-    let (half_width_m, contact) = (own.half_width?, own.contact.unwrap_or_else(|| Some(reader.no_contact()))?);
+    let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()));
+    let (half_width_m, contact) = (own.half_width.flatten()?, contact?);
     if !reader.demand_order(clearance_m, half_width_m, span_of(&own.clearance, &own.table)) {
         return None;
     }
@@ -122,7 +123,7 @@ record! {
     /// point at the centre of the pin
     required pin: Option<PointId> = Kind::Point, "\"arm.pin\"";
     /// half the width of the slot, from its middle to each flank
-    optional half_width: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
+    optional half_width: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     /// half the width of the slot minus radius of the pin; ideal joint if left out or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// the contact between pin and slot

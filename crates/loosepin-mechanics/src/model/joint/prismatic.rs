@@ -144,10 +144,10 @@ fn clearance(own: &PrismaticTable<'_>, reader: &mut dyn JointReader) -> Option<O
         demand_corner_radius(own, contact, reader)?;
     }
     Some(Some(GuideClearance {
-        half_length_m: own.half_length?,
-        half_height_m: own.half_height?,
+        half_length_m: own.half_length.flatten()?,
+        half_height_m: own.half_height.flatten()?,
         clearance_m,
-        corner_radius_m: own.corner_radius,
+        corner_radius_m: own.corner_radius.flatten(),
         ends_m: None,
         contact,
     }))
@@ -235,13 +235,13 @@ record! {
     #[allow(dead_code)]
     optional guide_length: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
     /// half the length along the guide of the block around the slider's point
-    optional half_length: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"50 mm\"";
+    optional half_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"50 mm\"";
     /// half the height of that block across the guide
-    optional half_height: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"25 mm\"";
+    optional half_height: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"25 mm\"";
     /// gap between the block and each face of the guide; ideal joint if left out or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// radius of the block's corners, for a contact whose stiffness comes from the materials
-    optional corner_radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"5 mm\"";
+    optional corner_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"5 mm\"";
     /// the contact between corners and guide
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"corner\"";
 }

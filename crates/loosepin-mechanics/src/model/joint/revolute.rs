@@ -89,7 +89,7 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
     }
     let Some(stated_m) = reader.play_clearance(table, &keys)? else { return Some(None) };
     let radial_clearance_m = if on_diameter { half_of(stated_m, &table.path.join(RADIAL), reader) } else { stated_m };
-    let bearing_radius_m = own.bearing_radius?;
+    let bearing_radius_m = own.bearing_radius.flatten()?;
     if !reader.demand_order(radial_clearance_m, bearing_radius_m, own.clearance_span()) {
         return None;
     }
@@ -104,7 +104,8 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
         };
         return reader.document().refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
     }
-    Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m: own.bearing_length, contact }))
+    let bearing_length_m = own.bearing_length.flatten();
+    Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
 }
 
 /// The radial clearance at `path` of a joint that states its diametral clearance: half of it, whatever that is set to.
@@ -128,14 +129,14 @@ record! {
     /// point at the centre of the pin
     required journal: Option<PointId> = Kind::Point, "\"slider.pin\"";
     /// radius of the hole
-    optional bearing_radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
+    optional bearing_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     /// radius of the hole minus radius of the pin; ideal joint if left out or zero
     optional radial_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.5 mm\"";
     /// diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large
     optional diametral_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"1 mm\"";
     /// length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the
     /// result says what a line-contact law would give
-    optional bearing_length: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
+    optional bearing_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
     /// the contact between pin and hole
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
     /// friction of a joint without play; none if left out. A joint with play has it in its contact

@@ -87,7 +87,7 @@ fn clearance(own: &SlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option
     const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
     let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
     let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
-    let (half_length_m, end_radius_m) = (own.half_length?, own.end_radius?);
+    let (half_length_m, end_radius_m) = (own.half_length.flatten()?, own.end_radius.flatten()?);
     if !reader.demand_order(clearance_m, end_radius_m, span_of(&own.clearance, &own.table)) {
         return None;
     }
@@ -121,9 +121,9 @@ record! {
     /// point at the centre of the pin
     required pin: Option<PointId> = Kind::Point, "\"crank.pin\"";
     /// from the middle of the slot to the centre of each round end
-    optional half_length: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
+    optional half_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
     /// radius of the round ends, half the width of the slot
-    optional end_radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
+    optional end_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
     /// radius of the ends minus radius of the pin; ideal joint, without ends, if left out or zero
     optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// the contact between pin and slot

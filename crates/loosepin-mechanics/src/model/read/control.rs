@@ -24,7 +24,7 @@ record! {
     /// the joint whose angle or position follows the reference; the one of the actuator if left out
     optional measured: Entry<'t> = Kind::Reference("joint"), "\"wrist\"";
     /// torque or force by error, >= 0
-    required proportional: Entry<'t> = Kind::AnyQuantity, "\"40 N m/rad\"";
+    required proportional: Option<Entry<'t>> = Kind::AnyQuantity, "\"40 N m/rad\"";
     /// torque or force by the error integrated over time, >= 0; none if left out
     optional integral: Entry<'t> = Kind::AnyQuantity, "\"100 N m/(rad s)\"";
     /// torque or force by the rate of the error, >= 0; none if left out
@@ -87,7 +87,7 @@ impl ModelReader {
             None => Some(None),
         };
         let by_error = effort.over(coordinate);
-        let proportional = number(&Some(own.proportional.clone()), by_error, Rule::NonNegative);
+        let proportional = number(&own.proportional, by_error, Rule::NonNegative);
         let integral = number(&own.integral, by_error.over(Dimension::TIME), Rule::NonNegative);
         let derivative = number(&own.derivative, by_error.times(Dimension::TIME), Rule::NonNegative);
         let limit = number(&own.limit, effort, Rule::Positive);

@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::coupling::{CAM, COUPLING_KINDS, Coupling, CouplingReader};
 use crate::model::ids::{ContactId, JointId};
-use crate::model::joint::JointKind;
+use crate::model::joint::{JointKind, span_of};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
@@ -55,15 +55,15 @@ impl CouplingReader for ModelReader {
     fn two_joints(
         &mut self,
         table: &Table<'_>,
-        entries: [&Entry<'_>; 2],
+        entries: [&Option<Entry<'_>>; 2],
         dues: [Option<Dimension>; 2],
     ) -> Option<[JointId; 2]> {
-        let [first, second] = [0, 1].map(|side| self.coupled_joint(entries[side], dues[side]));
+        let [first, second] = [0, 1].map(|side| self.coupled_joint(entries[side].as_ref()?, dues[side]));
         let (first, second) = (first?, second?);
         if first == second {
             let name = self.joints[first.0].name.clone();
             let problem = ModelProblem::SameJoint { entry: table.path.describe(), joint: name };
-            return self.reader.refuse(&problem, entries[1].span);
+            return self.reader.refuse(&problem, span_of(entries[1], table));
         }
         Some([first, second])
     }

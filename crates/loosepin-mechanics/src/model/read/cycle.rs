@@ -29,14 +29,14 @@ impl ModelReader {
     pub fn read_cycle(&mut self, entry: &Entry<'_>) -> Option<Cycle> {
         let CycleTable { drive, duration, numbers, .. } = CycleTable::read(self, entry)?;
         self.remember(entry);
-        let CycleNumbers { transient_turns, recorded_turns, samples_per_turn, .. } = numbers;
         // A span of time has no turns to settle over.
         let default_turns = if duration.is_some() { 0.0 } else { TRANSIENT_TURNS };
         let span = match duration {
             Some(duration) => CycleSpan::Duration(duration),
             None => self.counted_drive(&drive?)?,
         };
-        let transient_turns = transient_turns.unwrap_or(default_turns);
+        let transient_turns = numbers.transient_turns.unwrap_or(Some(default_turns))?;
+        let (recorded_turns, samples_per_turn) = (numbers.recorded_turns?, numbers.samples_per_turn?);
         Some(Cycle { span, transient_turns, recorded_turns, samples_per_turn })
     }
 

@@ -5,7 +5,6 @@ use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::ids::PointId;
 use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
 use crate::model::spring::{Elasticity, Spring, SpringKind};
 use crate::model::table_curve::{CSV, POINTS, TableCurve};
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
@@ -29,9 +28,9 @@ record! {
     /// point of the second body
     required second: Option<PointId> = Kind::Point, "\"rocker.eye\"";
     /// force by extension
-    optional stiffness: QuantityId = quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"";
+    optional stiffness: Entry<'t> = quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"";
     /// length at which it is not extended
-    optional free_length: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"40 mm\"";
+    optional free_length: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"40 mm\"";
     /// force by speed of extension, along the spring; none if left out
     optional damping: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"5 N s/m\"";
     /// pull at the free length, below zero for a push; none if left out
@@ -53,9 +52,9 @@ record! {
     /// the second body, in place of a joint
     optional second: Entry<'t> = Kind::Reference("body"), "\"rocker\"";
     /// torque by angle
-    optional stiffness: QuantityId = quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"";
+    optional stiffness: Entry<'t> = quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"";
     /// angle of the second body from the first at which it is not wound up
-    optional free_angle: QuantityId = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
+    optional free_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
     /// torque by angular velocity; none if left out
     optional damping: Entry<'t> = quantity(D::TORSIONAL_DAMPING, Rule::NonNegative), "\"0.01 N m s/rad\"";
     /// torque at the free angle that turns the second body backwards; none if left out
@@ -75,7 +74,7 @@ pub(super) static SPRING_KINDS: &[(&str, &Keys)] =
 struct Pull<'e, 't> {
     table: &'e Table<'t>,
     /// Stiffness, and free length or angle.
-    linear: Option<(QuantityId, QuantityId)>,
+    linear: [&'e Option<Entry<'t>>; 2],
     points: &'e Option<Entry<'t>>,
     rest: &'e FileAndCurve<'t>,
     columns: [Column; 2],
@@ -95,17 +94,17 @@ impl ModelReader {
         let (word, table) = self.table_of_kind(entry, SPRING_KINDS)?;
         let (kind, elasticity, damping) = if word == LinearSpring::WORD {
             let own = LinearSpring::of(self, table)?;
-            let linear = own.stiffness.zip(own.free_length);
             let columns = [("length", Dimension::LENGTH), ("force", Dimension::FORCE)];
-            let LinearSpring { table, points, rest, .. } = &own;
+            let LinearSpring { table, stiffness, free_length, points, rest, .. } = &own;
+            let linear = [stiffness, free_length];
             let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
             let kind = own.first.zip(own.second).map(|(first, second)| SpringKind::Linear { first, second });
             (kind, elasticity, own.damping)
         } else {
             let own = TorsionalSpring::of(self, table)?;
-            let linear = own.stiffness.zip(own.free_angle);
             let columns = [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)];
-            let TorsionalSpring { table, points, rest, .. } = &own;
+            let TorsionalSpring { table, stiffness, free_angle, points, rest, .. } = &own;
+            let linear = [stiffness, free_angle];
             let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
             (self.torsional_spring(&own), elasticity, own.damping)
         };
@@ -125,9 +124,9 @@ impl ModelReader {
             (None, Some(_)) => "csv",
             (None, None) => {
                 self.refuse_beside(own.table, "curve", "stiffness");
+                let [stiffness, free] = own.linear.map(|entry| self.quantity_at(entry.as_ref()?));
                 let preload = self.quantity_or(own.table, "preload", 0.0);
-                let (stiffness, free) = own.linear?;
-                return Some(Elasticity::Linear { stiffness, free, preload: preload? });
+                return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
             }
         };
         self.refuse_beside(own.table, "preload", given);
