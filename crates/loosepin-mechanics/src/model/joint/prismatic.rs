@@ -166,6 +166,7 @@ fn guide_ends(
         (Some(_), Some(_)) if !has_clearance => ["start", "clearance"],
         (Some(start), Some(end)) => {
             let span = guide.table.get("start").map_or(guide.table.span, |entry| entry.span);
+            let (start, end) = (start?, end?);
             return reader.demand_order(start, end, span).then_some(Some([start, end]));
         }
     };
@@ -205,9 +206,9 @@ record! {
     /// its direction from the x axis of the body
     required angle: Option<QuantityId> = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"";
     /// where the faces of a guide with play begin, from the point along the line; without ends if left out
-    optional start: QuantityId = quantity(D::LENGTH, Rule::Finite), "\"-80 mm\"";
+    optional start: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"-80 mm\"";
     /// where those faces end
-    optional end: QuantityId = quantity(D::LENGTH, Rule::Finite), "\"200 mm\"";
+    optional end: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"200 mm\"";
 }
 
 record! {
