@@ -45,8 +45,8 @@ pub use foundation::{
     point_law_foundation_pa_m,
 };
 pub use friction::{
-    BristledForce, FRICTION_KEYS, FRICTION_LAWS, Friction, FrictionDescription, FrictionKey, FrictionLaw,
-    FrictionNumber, FrictionPart, KinkSpeeds, friction_law,
+    BristledForce, FRICTION_KEYS, FRICTION_LAWS, Friction, FrictionDescription, FrictionKey, FrictionLaw, FrictionPart,
+    KinkSpeeds, friction_law,
 };
 pub use hertz_line::{LinePatch, share_below};
 pub use line::{LINE_LAWS, LONG_PIN_LAW, LineLaw, LinePair, force_of_same_energy_n};

@@ -2,6 +2,26 @@
 
 use super::ids::DriveId;
 use super::quantity::QuantityId;
+use loosepin_text::document::{Key, Kind, Reads, count};
+use loosepin_text::record;
+use loosepin_text::units::Rule;
+
+/// Rows recorded in a turn, at most.
+const MOST_SAMPLES_PER_TURN: u64 = 1_000_000;
+
+record! {
+    /// how much is run and recorded
+    pub(super) struct CycleNumbers for Reads;
+    /// turns run before recording; 2 if left out
+    optional transient_turns: Option<f64> = Kind::Number { rule: Rule::Turns }, "2";
+    /// turns recorded
+    optional recorded_turns: Option<f64> = Kind::Number { rule: Rule::SomeTurns }, "1", or 1.0 called "1";
+    /// rows recorded in a turn
+    optional samples_per_turn: Option<usize> = count(1, MOST_SAMPLES_PER_TURN), "500", or 500;
+}
+
+/// Numbers of `[cycle]`, in model and study files alike.
+pub const CYCLE_NUMBERS: &[Key] = CycleNumbers::KEYS.keys;
 
 /// The part of the motion that `simulate` runs and a study records.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use super::joint::JointReader;
 use super::quantity::QuantityId;
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::Entry;
 use loosepin_text::units::{Dimension, Rule};
 
 /// A column of a table of points: its name in paths, and its dimension.
@@ -16,6 +16,6 @@ pub trait EntryReader: JointReader {
     /// A number that neither a study nor a setting may change, with its value.
     fn fixed_number(&mut self, entry: &Entry<'_>, rule: Rule) -> Option<(QuantityId, f64)>;
 
-    /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.
-    fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>>;
+    /// The points of a table that has either `points` or `csv`, which are given in this order, arguments increasing; at least three.
+    fn table_points(&mut self, given: [&Option<Entry<'_>>; 2], columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>>;
 }

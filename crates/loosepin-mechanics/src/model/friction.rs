@@ -2,11 +2,9 @@
 
 use super::joint::JointReader;
 use super::quantity::QuantityId;
-use crate::contact::{FRICTION_LAWS, FrictionDescription, friction_law};
-use loosepin_text::document::{Entry, Keys};
-
-/// The friction law where the file names none.
-const DEFAULT_FRICTION_LAW: &str = "ambrosio";
+use crate::contact::{FRICTION_KEYS, FRICTION_LAWS, FrictionDescription};
+use loosepin_text::document::{Choice, Entry, Keys, Table, Usual, choice};
+use loosepin_text::{choices, record};
 
 /// Friction between the parts of a joint.
 #[derive(Debug, Clone)]
@@ -28,36 +26,76 @@ pub enum SlidingVelocity {
     Literal,
 }
 
+choices!(SlidingVelocity: "material" => Self::Material, "literal" => Self::Literal);
+
+impl Choice for &'static FrictionDescription {
+    fn choices() -> Vec<(&'static str, Self)> {
+        FRICTION_LAWS.iter().map(|law| (law.name, law)).collect()
+    }
+}
+
+/// The numbers of all friction laws, of which a law reads its own.
+pub(super) struct FrictionNumbers;
+
+impl FrictionNumbers {
+    const KEYS: Keys = Keys::new("the numbers of friction laws", FRICTION_KEYS);
+
+    fn of<R: ?Sized>(_reader: &mut R, _table: Table<'_>) -> Option<Self> {
+        Some(Self)
+    }
+}
+
+record! {
+    /// friction of an ideal joint
+    pub(super) struct JointFrictionTable for JointReader;
+    /// the friction law
+    optional law: Option<&'static FrictionDescription> =
+        choice::<&'static FrictionDescription>(), "\"ambrosio\"", or "ambrosio";
+    #[allow(dead_code)]
+    include numbers: FrictionNumbers;
+}
+
+record! {
+    /// friction between pin and hole
+    pub(super) struct FrictionTable for JointReader;
+    include own: JointFrictionTable<'t>;
+    /// between the material points (material) or of the geometric contact point (literal)
+    optional sliding_velocity: Option<SlidingVelocity> = choice::<SlidingVelocity>(), "\"material\"", or "material";
+}
+
 impl Friction {
-    /// Reads a friction law with its numbers from a table with these keys; `None` after a complaint.
-    pub(super) fn read(entry: &Entry<'_>, keys: &'static Keys, reader: &mut dyn JointReader) -> Option<Self> {
-        let table = reader.document().table(entry, keys)?;
-        let laws: Vec<_> = FRICTION_LAWS.iter().map(|law| (law.name, law)).collect();
-        let law = reader.document().choice_or(&table, "law", &laws, friction_law(DEFAULT_FRICTION_LAW)?);
-        let has_readings = keys.find("sliding_velocity").is_some();
-        let sliding_velocity = if has_readings {
-            let readings = [("material", SlidingVelocity::Material), ("literal", SlidingVelocity::Literal)];
-            reader.document().choice_or(&table, "sliding_velocity", &readings, SlidingVelocity::Material)
-        } else {
-            Some(SlidingVelocity::Material)
-        };
-        let Some(law) = law else {
+    /// Reads friction of a contact; `None` after a complaint.
+    pub(super) fn of_contact(entry: &Entry<'_>, reader: &mut dyn JointReader) -> Option<Self> {
+        let FrictionTable { own, sliding_velocity, .. } = FrictionTable::read(reader, entry)?;
+        let friction = Self::read(&own, reader)?;
+        Some(Self { sliding_velocity: sliding_velocity?, ..friction })
+    }
+
+    /// Reads friction of an ideal joint, in which there is one sliding velocity alone; `None` after a complaint.
+    pub(super) fn of_joint(entry: &Entry<'_>, reader: &mut dyn JointReader) -> Option<Self> {
+        let own = JointFrictionTable::read(reader, entry)?;
+        Self::read(&own, reader)
+    }
+
+    fn read(own: &JointFrictionTable<'_>, reader: &mut dyn JointReader) -> Option<Self> {
+        let table = &own.table;
+        let Some(law) = own.law else {
             // What is wrong with the numbers is said nevertheless.
-            for key in keys.keys {
-                reader.quantity(&table, key.name);
+            for key in FRICTION_KEYS {
+                reader.quantity(table, key.name);
             }
             return None;
         };
-        for key in keys.keys.iter().filter(|key| table.due_quantity(key.name).is_some()) {
+        for key in FRICTION_KEYS {
             if law.numbers.iter().all(|number| number.name() != key.name) {
-                reader.refuse_beside(&table, key.name, law.name);
+                reader.refuse_beside(table, key.name, law.name);
             }
         }
-        let numbers = law.numbers.iter().map(|number| match number.default_si {
-            Some(default_si) => reader.quantity_or(&table, number.name(), default_si),
-            None => {
+        let numbers = law.numbers.iter().map(|number| match (table.get(number.name()), number.usual) {
+            (None, Some(usual)) => QuantityId::usual(reader, table, number.name(), usual),
+            _ => {
                 let key = number.name();
-                reader.document().demand(&table, key).then(|| reader.quantity(&table, key)).flatten()
+                reader.document().demand(table, key).then(|| reader.quantity(table, key)).flatten()
             }
         });
         // All of them are read, so that all complaints come together.
@@ -70,6 +108,6 @@ impl Friction {
             reader.demand_order(smaller?, larger?, span).then_some(())?;
         }
         let numbers = numbers.into_iter().collect::<Option<Vec<QuantityId>>>()?;
-        Some(Self { law, numbers, sliding_velocity: sliding_velocity? })
+        Some(Self { law, numbers, sliding_velocity: SlidingVelocity::Material })
     }
 }

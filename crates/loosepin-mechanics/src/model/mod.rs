@@ -1,6 +1,6 @@
 //! The checked mechanism description: in SI, immutable, with every number in a numbered slot.
 //!
-//! `read` makes a [`Model`] of the tables of a `model.toml`, whose keys are in `keys`. A model knows nothing of
+//! `read` makes a [`Model`] of the tables of a `model.toml`. The keys of a table stand where it is read. A model knows nothing of
 //! uncertainty and nothing of coordinates; [`crate::mechanism`] compiles it.
 
 mod beam;
@@ -17,7 +17,6 @@ mod function;
 mod ids;
 mod initial;
 mod joint;
-mod keys;
 mod law_choice;
 mod load;
 mod load_table;
@@ -47,7 +46,7 @@ pub use coupling::{
     Belt, Cam, CamProfile, Coupled, Coupling, CouplingKind, CouplingNumbers, CouplingPlay, CouplingReader, Curve,
     Gears, KindOfCoupling, Mesh, Proportion, Rack, Ratio, Teeth, Wheels,
 };
-pub use cycle::{Cycle, CycleSpan};
+pub use cycle::{CYCLE_NUMBERS, Cycle, CycleSpan};
 pub use cycle_input::CycleInput;
 pub use drive::{
     AtTime, ConstantSpeed, ConstantSpeedMotion, Cycloidal, CycloidalMotion, Drive, DriveLaw, DriveMotion, DriveReader,
@@ -62,7 +61,6 @@ pub use joint::{
     AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, Hanging, IdealRows, JointKind, JointPlay,
     Keeps, KindOfJoint, Line, NotDriven, PlayParts, Prismatic, Revolute, Rigid, Slot, SlotClearance,
 };
-pub use keys::CYCLE_NUMBERS;
 pub use load::{
     ActsOn, Course, Direction, ForceLoad, KindOfLoad, Load, LoadKind, LoadPlace, Push, SizeKeys, TorqueLoad,
 };

@@ -275,10 +275,10 @@ problems! {
             says("{entry} has too few entries; must be at least {least}");
         InitialOfGround => Code::UnknownReference,
             says("initial: the ground does not move; it has no initial state");
-        WrongCoordinate { entry: String, key: &'static str } => Code::ConflictingKeys,
+        WrongCoordinate { entry: String, key: String } => Code::ConflictingKeys,
             says("{entry}: '{key}' does not fit this kind of joint"),
             hint("a revolute joint has angle and angular_velocity, a prismatic one position and velocity");
-        OffsetWithoutPlay { entry: String, key: &'static str, joint: String } => Code::ConflictingKeys,
+        OffsetWithoutPlay { entry: String, key: String, joint: String } => Code::ConflictingKeys,
             says("{entry}: '{key}' is of a journal in its bearing; joint '{joint}' is no revolute joint with a clearance"),
             hint("give it a radial_clearance, or remove the key");
         GuessOfGround => Code::UnknownReference,

@@ -1,4 +1,7 @@
-//! Curves through the points of a table.
+//! Tables of points: their keys, and the curves through the points.
+
+use loosepin_text::choices;
+use loosepin_text::document::{Key, Kind, optional};
 
 /// How a curve goes between its points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,8 +12,15 @@ pub enum TableCurve {
     Spline,
 }
 
-impl TableCurve {
-    /// The words of the file for it.
-    pub(super) const WORDS: [(&str, TableCurve); 2] =
-        [("monotone", TableCurve::Monotone), ("spline", TableCurve::Spline)];
-}
+choices!(TableCurve: "monotone" => Self::Monotone, "spline" => Self::Spline);
+
+/// What stands behind `points`: pairs.
+pub(super) const POINTS: Kind = Kind::List(&Kind::List(&Kind::AnyQuantity));
+
+/// The key of a table in a file of its own.
+pub(super) const CSV: Key = optional(
+    "csv",
+    Kind::Text,
+    "\"profile.csv\"",
+    "a CSV file in place of points, its path from the folder of this file; two columns, with their units in the header: time [s], angle [deg]",
+);

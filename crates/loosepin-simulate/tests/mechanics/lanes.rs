@@ -399,7 +399,7 @@ fn contacts() -> Vec<String> {
     });
     let friction = FRICTION_LAWS.iter().map(|law| {
         let numbers =
-            law.numbers.iter().filter(|number| number.default_si.is_none()).map(|number| match number.name() {
+            law.numbers.iter().filter(|number| number.usual.is_none()).map(|number| match number.name() {
                 "coefficient" => "coefficient = 0.07",
                 "static_coefficient" => "static_coefficient = 0.11",
                 "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",

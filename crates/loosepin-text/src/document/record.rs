@@ -21,6 +21,22 @@ impl Reads for Reader {
 pub trait Value<'t, R: ?Sized>: Sized {
     /// The value; `None` after a complaint.
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self>;
+
+    /// What stands for a required key that is not written, which was complained about.
+    fn missing() -> Option<Self> {
+        None
+    }
+}
+
+/// `None` after a complaint: the other keys of the table are read and looked at nevertheless.
+impl<'t, R: ?Sized, T: Value<'t, R>> Value<'t, R> for Option<T> {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        Some(T::read(reader, entry))
+    }
+
+    fn missing() -> Option<Self> {
+        Some(None)
+    }
 }
 
 /// What stands for a key that is left out, written as `D` in the description of its table.
@@ -29,15 +45,26 @@ pub trait Usual<'t, R: ?Sized, D>: Value<'t, R> {
     fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self>;
 }
 
+impl<'t, R: ?Sized, D, T: Usual<'t, R, D>> Usual<'t, R, D> for Option<T> {
+    fn usual(reader: &mut R, table: &Table<'t>, key: &'static str, usual: D) -> Option<Self> {
+        T::usual(reader, table, key, usual).map(Some)
+    }
+}
+
 /// One of a few words of a file, with what each stands for.
 pub trait Choice: Copy + 'static {
+    /// The words in the order of the documentation, where [`Self::choices`] says nothing else.
+    const CHOICES: &'static [(&'static str, Self)] = &[];
+
     /// The words in the order of the documentation.
-    const CHOICES: &'static [(&'static str, Self)];
+    fn choices() -> Vec<(&'static str, Self)> {
+        Self::CHOICES.to_vec()
+    }
 }
 
 /// The words of a choice.
 pub fn words_of<T: Choice>() -> Vec<&'static str> {
-    T::CHOICES.iter().map(|(word, _)| *word).collect()
+    T::choices().iter().map(|(word, _)| *word).collect()
 }
 
 /// A key whose value is one of the words of `T`.
@@ -59,13 +86,13 @@ impl<'t, R: ?Sized> Value<'t, R> for Entry<'t> {
 
 impl<'t, R: Reads + ?Sized, T: Choice> Value<'t, R> for T {
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
-        reader.document().choice(entry, T::CHOICES)
+        reader.document().choice(entry, &T::choices())
     }
 }
 
 impl<'t, R: Reads + ?Sized, T: Choice> Usual<'t, R, &'static str> for T {
     fn usual(_reader: &mut R, _table: &Table<'t>, _key: &'static str, usual: &'static str) -> Option<Self> {
-        T::CHOICES.iter().find(|(word, _)| *word == usual).map(|(_, meaning)| *meaning)
+        T::choices().into_iter().find(|(word, _)| *word == usual).map(|(_, meaning)| meaning)
     }
 }
 
@@ -139,7 +166,12 @@ impl<'t, R: Reads + ?Sized> Usual<'t, R, usize> for usize {
 ///
 /// A key is `required` or `optional`; an optional one with `or` has the value that is written there where it is left out, and says so in
 /// its documentation. Its type says how it is read ([`Value`]), what follows `=` what may stand there, with an example as it is written
-/// in a file. `as KEY` takes a key that tables share. `for` names the trait of what reads the table.
+/// in a file. `as KEY` takes a key that tables share, and `include` all keys of another table, which has its own struct. Where a value is
+/// left out whose words are others, `called` says them: `or "0 s" called "none"`. `for` names the trait of what reads the table. Of a table
+/// whose keys depend on its kind, `kind "rigid" of joint` gives the key `kind`, with the word for it as `WORD`.
+///
+/// Nothing is read of a table in which a value is refused or missing. Where the rest is to be looked at nevertheless, the type of the value
+/// is an `Option`, `None` after a complaint.
 ///
 /// Of a `lenient struct` what is wrong or missing counts as left out after the complaint about it, so that everything else in the table is
 /// checked too: every field without `or` is an option, of required keys as well. It can be read where it is left out.
@@ -172,10 +204,14 @@ macro_rules! record {
         @table $mode:ident
         $(#[doc = $doc:literal])+
         $visibility:vis struct $name:ident for $reads:path
+            $(, kind $word:literal of $what:ident)?
             $(, exactly one of [$($one:ident),+])* $(, planned $planned:expr)? $(, removed $removed:expr)?;
         $(
             $(#[doc = $key_doc:literal])*
-            $need:ident $key:ident : $type:ty $(= $kind:expr, $example:literal $(, or $usual:literal)?)? $(as $shared:expr)?;
+            $(#[allow($allowed:ident)])?
+            $need:ident $key:ident : $type:ty
+                $(= $kind:expr, $example:literal $(, or $usual:literal $(called $called:literal)?)?)?
+                $(as $shared:expr)?;
         )*
     ) => {
         $(#[doc = $doc])+
@@ -183,22 +219,42 @@ macro_rules! record {
             /// The table as it stands in the file.
             #[allow(dead_code)]
             $visibility table: $crate::document::Table<'t>,
-            $($visibility $key: $crate::record!(@type $mode $need $type $(, $($usual)?)?),)*
+            $(
+                $(#[allow($allowed)])?
+                $visibility $key: $crate::record!(@type $mode $need $type $(, $($usual)?)?),
+            )*
         }
 
         impl<'t> $name<'t> {
+            $(
+                /// The word for its kind.
+                $visibility const WORD: &'static str = $word;
+            )?
+
+            const LISTS: &'static [&'static [$crate::document::Key]] = &[
+                $(&[$crate::document::required(
+                    "kind",
+                    $crate::document::Kind::Choice(&[$word]),
+                    concat!("\"", $word, "\""),
+                    concat!("the kind of ", stringify!($what)),
+                )],)?
+                $($crate::record!(
+                    @key $need $type, stringify!($key), [$($key_doc),*]
+                    $(, $kind, $example $(, $usual $(called $called)?)?)? $(; $shared)?
+                )),*
+            ];
+
             /// Its keys.
             #[allow(clippy::needless_update)]
-            $visibility const KEYS: $crate::document::Keys = $crate::document::Keys {
-                exactly_one: &[$(&[$(stringify!($one)),+]),*],
-                $(planned: $planned,)?
-                $(removed: $removed,)?
-                ..$crate::document::Keys::new(
-                    concat!($($doc),+).trim_ascii_start(),
-                    &[$($crate::record!(
-                        @key $need stringify!($key), [$($key_doc),*] $(, $kind, $example $(, $usual)?)? $(; $shared)?
-                    )),*],
-                )
+            $visibility const KEYS: $crate::document::Keys = {
+                const ALL: &[$crate::document::Key; $crate::document::count_of($name::LISTS)] =
+                    &$crate::document::joined($name::LISTS);
+                $crate::document::Keys {
+                    exactly_one: &[$(&[$(stringify!($one)),+]),*],
+                    $(planned: $planned,)?
+                    $(removed: $removed,)?
+                    ..$crate::document::Keys::new(concat!($($doc),+).trim_ascii_start(), ALL)
+                }
             };
 
             /// Reads the table at an entry; `None` after a complaint about what it must have.
@@ -246,17 +302,27 @@ macro_rules! record {
     (@type lenient $need:ident $type:ty $(,)?) => { Option<$type> };
     (@type $mode:ident optional $type:ty $(,)?) => { Option<$type> };
     (@type $mode:ident $need:ident $type:ty $(, $($usual:literal)?)?) => { $type };
-    (@key $need:ident $name:expr, []; $shared:expr) => { $shared };
-    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
-        $crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())
+    (@key include $type:ty, $name:expr, []) => { <$type>::KEYS.keys };
+    (@key $need:ident $type:ty, $name:expr, []; $shared:expr) => { &[$shared] };
+    (@key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr) => {
+        &[$crate::document::$need($name, $kind, $example, concat!($($doc),+).trim_ascii_start())]
     };
-    (@key $need:ident $name:expr, [$($doc:literal),+], $kind:expr, $example:expr, $usual:literal) => {
-        $crate::document::$need(
+    (@key $need:ident $type:ty, $name:expr, $doc:tt, $kind:expr, $example:expr, $usual:literal) => {
+        $crate::record!(@key $need $type, $name, $doc, $kind, $example, $usual called $usual)
+    };
+    (
+        @key $need:ident $type:ty, $name:expr, [$($doc:literal),+], $kind:expr, $example:expr,
+        $usual:literal called $called:literal
+    ) => {
+        &[$crate::document::$need(
             $name,
             $kind,
             $example,
-            concat!($($doc,)+ "; ", $usual, " if left out").trim_ascii_start(),
-        )
+            concat!($($doc,)+ "; ", $called, " if left out").trim_ascii_start(),
+        )]
+    };
+    (@read $mode:ident include $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
+        <$type>::of($reader, $table.clone())
     };
     (@read lenient $need:ident $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
         Some($table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry)))
@@ -268,7 +334,10 @@ macro_rules! record {
         }
     };
     (@read strict required $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
-        $table.get($key).and_then(|entry| <$type as $crate::document::Value<'t, R>>::read($reader, &entry))
+        match $table.get($key) {
+            Some(entry) => <$type as $crate::document::Value<'t, R>>::read($reader, &entry),
+            None => <$type as $crate::document::Value<'t, R>>::missing(),
+        }
     };
     (@read strict optional $type:ty, $reader:ident, $table:ident, $key:expr $(,)?) => {
         match $table.get($key) {

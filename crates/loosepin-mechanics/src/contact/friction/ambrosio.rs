@@ -2,10 +2,10 @@
 
 use super::keys::COEFFICIENT;
 use super::law::{
-    Friction, FrictionDescription, FrictionKey, FrictionNumber, FrictionPart, KinkSpeeds, friction_numbers,
+    Friction, FrictionDescription, FrictionKey, FrictionPart, KinkSpeeds, friction_key, friction_numbers,
 };
 use loosepin_math::Real;
-use loosepin_text::document::{optional, quantity};
+use loosepin_text::document::quantity;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// Friction that grows linearly between two sliding speeds (Ambrósio 2003):
@@ -22,36 +22,21 @@ pub struct AmbrosioFriction<T> {
 
 friction_numbers!(AmbrosioFriction { coefficient, lower_speed_m_s, upper_speed_m_s });
 
-const LOWER_SPEED: FrictionKey = FrictionKey {
-    of: FrictionPart::Ramp,
-    key: optional(
-        "lower_speed",
-        quantity(D::VELOCITY, Rule::NonNegative),
-        "\"0.1 mm/s\"",
-        "ambrosio: sliding speed up to which there is no friction; 0.1 mm/s if left out",
-    ),
-};
-
-const UPPER_SPEED: FrictionKey = FrictionKey {
-    of: FrictionPart::Ramp,
-    key: optional(
-        "upper_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"1 mm/s\"",
-        "ambrosio: sliding speed from which friction is full; 1 mm/s if left out",
-    ),
-};
+friction_key!(
+    /// ambrosio: sliding speed up to which there is no friction
+    LOWER_SPEED of Ramp: optional lower_speed = quantity(D::VELOCITY, Rule::NonNegative), "\"0.1 mm/s\"", or "0.1 mm/s"
+);
+friction_key!(
+    /// ambrosio: sliding speed from which friction is full
+    UPPER_SPEED of Ramp: optional upper_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
+);
 
 impl AmbrosioFriction<f64> {
     /// How model files know it.
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
         name: "ambrosio",
         source: "Coulomb friction modified by Ambrósio 2003: linear from zero at v_a to μ at v_b",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: LOWER_SPEED, default_si: Some(1e-4) },
-            FrictionNumber { key: UPPER_SPEED, default_si: Some(1e-3) },
-        ],
+        numbers: &[COEFFICIENT, LOWER_SPEED, UPPER_SPEED],
         below: Some(["lower_speed", "upper_speed"]),
     };
 }

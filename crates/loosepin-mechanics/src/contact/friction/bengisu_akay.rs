@@ -2,10 +2,10 @@
 
 use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, TRANSITION_SPEED};
 use super::law::{
-    Friction, FrictionDescription, FrictionKey, FrictionNumber, FrictionPart, KinkSpeeds, friction_numbers,
+    Friction, FrictionDescription, FrictionKey, FrictionPart, KinkSpeeds, friction_key, friction_numbers,
 };
 use loosepin_math::{Real, exponential};
-use loosepin_text::document::{optional, quantity};
+use loosepin_text::document::quantity;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// A parabola up to the static coefficient, then an exponential down to the dynamic one (Bengisu and Akay 1994):
@@ -24,27 +24,17 @@ pub struct BengisuAkayFriction<T> {
 
 friction_numbers!(BengisuAkayFriction { coefficient, static_coefficient, transition_speed_m_s, decay_s_m });
 
-const DECAY: FrictionKey = FrictionKey {
-    of: FrictionPart::Fall,
-    key: optional(
-        "decay",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"30 s/m\"",
-        "bengisu-akay: how fast friction falls from its static to its dynamic value",
-    ),
-};
+friction_key!(
+    /// bengisu-akay: how fast friction falls from its static to its dynamic value
+    DECAY of Fall: optional decay = quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"30 s/m\""
+);
 
 impl BengisuAkayFriction<f64> {
     /// How model files know it.
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
         name: "bengisu-akay",
         source: "Bengisu and Akay 1994: μ_s - (μ_s/v_a²)(v - v_a)² for v < v_a, μ_c + (μ_s - μ_c) exp(-ξ(v - v_a)) beyond",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
-            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
-            FrictionNumber { key: DECAY, default_si: None },
-        ],
+        numbers: &[COEFFICIENT, STATIC_COEFFICIENT, TRANSITION_SPEED, DECAY],
         below: None,
     };
 }

@@ -1,7 +1,7 @@
 //! Brown and McPhee 2016.
 
 use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, TRANSITION_SPEED, VISCOUS};
-use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
+use super::law::{Friction, FrictionDescription, friction_numbers};
 use loosepin_math::{Real, hyperbolic_tangent};
 
 /// A smooth Stribeck curve (Brown and McPhee 2016):
@@ -27,12 +27,7 @@ impl BrownMcPheeFriction<f64> {
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
         name: "brown-mcphee",
         source: "Brown and McPhee 2016: μ_d tanh(4v/v_t) + (μ_s - μ_d) (v/v_t)/(¼(v/v_t)² + ¾)² + η v",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
-            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
-            FrictionNumber { key: VISCOUS, default_si: Some(0.0) },
-        ],
+        numbers: &[COEFFICIENT, STATIC_COEFFICIENT, TRANSITION_SPEED, VISCOUS],
         below: None,
     };
 }

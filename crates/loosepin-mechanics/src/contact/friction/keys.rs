@@ -1,63 +1,31 @@
 //! Keys of numbers that several friction laws have, and the list of the keys of all.
 
-use super::law::{FrictionDescription, FrictionKey, FrictionPart};
-use loosepin_text::document::{Key, optional, quantity, required};
+use super::law::{FrictionDescription, FrictionKey, FrictionPart, friction_key};
+use loosepin_text::document::{Key, quantity};
 use loosepin_text::units::{Dimension as D, Rule};
 
-/// Coefficient at full sliding.
-pub(super) const COEFFICIENT: FrictionKey = FrictionKey {
-    of: FrictionPart::Sliding,
-    key: required(
-        "coefficient",
-        quantity(D::NUMBER, Rule::NonNegative),
-        "0.03",
-        "coefficient of friction at full sliding",
-    ),
-};
-
-/// Coefficient at the onset of sliding.
-pub(super) const STATIC_COEFFICIENT: FrictionKey = FrictionKey {
-    of: FrictionPart::Onset,
-    key: optional(
-        "static_coefficient",
-        quantity(D::NUMBER, Rule::NonNegative),
-        "0.05",
-        "coefficient of friction at the onset of sliding",
-    ),
-};
-
-/// Speed at which friction has risen from nothing.
-pub(super) const TRANSITION_SPEED: FrictionKey = FrictionKey {
-    of: FrictionPart::Rise,
-    key: optional(
-        "transition_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"1 mm/s\"",
-        "sliding speed at which friction has risen from nothing; 1 mm/s if left out",
-    ),
-};
-
-/// Speed over which friction falls from its static to its dynamic value.
-pub(super) const STRIBECK_SPEED: FrictionKey = FrictionKey {
-    of: FrictionPart::Fall,
-    key: optional(
-        "stribeck_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"10 mm/s\"",
-        "sliding speed over which friction falls from its static to its dynamic value",
-    ),
-};
-
-/// Gain of the coefficient with the speed.
-pub(super) const VISCOUS: FrictionKey = FrictionKey {
-    of: FrictionPart::Viscous,
-    key: optional(
-        "viscous",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"0.02 s/m\"",
-        "what the coefficient gains for each unit of sliding speed; nothing if left out",
-    ),
-};
+friction_key!(
+    /// coefficient of friction at full sliding
+    pub(super) COEFFICIENT of Sliding: required coefficient = quantity(D::NUMBER, Rule::NonNegative), "0.03"
+);
+friction_key!(
+    /// coefficient of friction at the onset of sliding
+    pub(super) STATIC_COEFFICIENT of Onset: optional static_coefficient = quantity(D::NUMBER, Rule::NonNegative), "0.05"
+);
+friction_key!(
+    /// sliding speed at which friction has risen from nothing
+    pub(super) TRANSITION_SPEED of Rise:
+        optional transition_speed = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s"
+);
+friction_key!(
+    /// sliding speed over which friction falls from its static to its dynamic value
+    pub(super) STRIBECK_SPEED of Fall: optional stribeck_speed = quantity(D::VELOCITY, Rule::Positive), "\"10 mm/s\""
+);
+friction_key!(
+    /// what the coefficient gains for each unit of sliding speed
+    pub(super) VISCOUS of Viscous:
+        optional viscous = quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"0.02 s/m\"", or "0 s/m" called "nothing"
+);
 
 /// Number of different keys of `laws`.
 pub(super) const fn count(laws: &[FrictionDescription]) -> usize {
@@ -82,7 +50,7 @@ pub(super) const fn keys<const COUNT: usize>(laws: &[FrictionDescription]) -> [K
         while law < laws.len() {
             let mut number = 0;
             while number < laws[law].numbers.len() {
-                let FrictionKey { of, key } = laws[law].numbers[number].key;
+                let FrictionKey { of, key, .. } = laws[law].numbers[number];
                 if of as u8 == part && is_new(laws, law, number) {
                     keys[count] = key;
                     count += 1;

@@ -61,30 +61,42 @@ macro_rules! friction_numbers {
 }
 pub(super) use friction_numbers;
 
-/// A number that a friction law takes from the model file.
-#[derive(Debug, Clone, Copy)]
-pub struct FrictionNumber {
-    /// Its key. Laws that have a key in common have the same one.
-    pub key: FrictionKey,
-    /// Its value, SI, where the file has none; absent where the file must have one.
-    pub default_si: Option<f64>,
-}
-
-impl FrictionNumber {
-    /// The word of its key.
-    pub const fn name(&self) -> &'static str {
-        self.key.key.name
-    }
-}
-
-/// A key of a number, and the part of friction that it tells of.
+/// A number that friction laws take from the model file: its key, and the part of friction that it tells of.
 #[derive(Debug, Clone, Copy)]
 pub struct FrictionKey {
     /// The part.
     pub of: FrictionPart,
-    /// The key.
+    /// The key. Laws that have a key in common have the same one.
     pub key: Key,
+    /// Its value where the file has none; `None` where the file must have one.
+    pub usual: Option<&'static str>,
 }
+
+impl FrictionKey {
+    /// The word of its key.
+    pub const fn name(&self) -> &'static str {
+        self.key.name
+    }
+}
+
+/// Declares a [`FrictionKey`], written as a key of a [`record!`](loosepin_text::record) behind its part.
+macro_rules! friction_key {
+    (
+        $(#[doc = $doc:literal])+
+        $visibility:vis $name:ident of $part:ident:
+        $need:ident $key:ident = $kind:expr, $example:literal $(, or $usual:literal $(called $called:literal)?)?
+    ) => {
+        $(#[doc = $doc])+
+        $visibility const $name: FrictionKey = FrictionKey {
+            of: FrictionPart::$part,
+            key: loosepin_text::record!(
+                @key $need (), stringify!($key), [$($doc),+], $kind, $example $(, $usual $(called $called)?)?
+            )[0],
+            usual: [$(Some($usual),)? None][0],
+        };
+    };
+}
+pub(super) use friction_key;
 
 /// The parts of friction, from rest to fast sliding: keys are listed in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,7 +130,7 @@ pub struct FrictionDescription {
     /// Author, year and equation.
     pub source: &'static str,
     /// Its numbers in the model file.
-    pub numbers: &'static [FrictionNumber],
+    pub numbers: &'static [FrictionKey],
     /// Two of its keys: the value of the first must be below that of the second.
     pub below: Option<[&'static str; 2]>,
 }

@@ -2,10 +2,10 @@
 
 use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, STRIBECK_SPEED, VISCOUS};
 use super::law::{
-    BristledForce, Friction, FrictionDescription, FrictionKey, FrictionNumber, FrictionPart, friction_numbers,
+    BristledForce, Friction, FrictionDescription, FrictionKey, FrictionPart, friction_key, friction_numbers,
 };
 use loosepin_math::{Real, exponential};
-use loosepin_text::document::{optional, quantity};
+use loosepin_text::document::quantity;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// g(v) is at least this: bristles settle in a time g/(σ0 |v|), so that with no friction at all they would be infinitely fast.
@@ -53,25 +53,17 @@ friction_numbers!(LuGreFriction {
     viscous_s_m
 });
 
-const BRISTLE_STIFFNESS: FrictionKey = FrictionKey {
-    of: FrictionPart::Bristles,
-    key: optional(
-        "bristle_stiffness",
-        quantity(D::INVERSE_LENGTH, Rule::Positive),
-        "\"1e5 m^-1\"",
-        "lugre: what the coefficient gains for each unit of deflection of the bristles",
-    ),
-};
-
-const BRISTLE_DAMPING: FrictionKey = FrictionKey {
-    of: FrictionPart::Bristles,
-    key: optional(
-        "bristle_damping",
-        quantity(D::INVERSE_VELOCITY, Rule::NonNegative),
-        "\"0.4 s/m\"",
-        "lugre: what the coefficient gains for each unit of speed of the bristles; nothing if left out",
-    ),
-};
+friction_key!(
+    /// lugre: what the coefficient gains for each unit of deflection of the bristles
+    BRISTLE_STIFFNESS of Bristles:
+        optional bristle_stiffness = quantity(D::INVERSE_LENGTH, Rule::Positive), "\"1e5 m^-1\""
+);
+friction_key!(
+    /// lugre: what the coefficient gains for each unit of speed of the bristles
+    BRISTLE_DAMPING of Bristles:
+        optional bristle_damping =
+            quantity(D::INVERSE_VELOCITY, Rule::NonNegative), "\"0.4 s/m\"", or "0 s/m" called "nothing"
+);
 
 impl LuGreFriction<f64> {
     /// How model files know it.
@@ -79,14 +71,7 @@ impl LuGreFriction<f64> {
         name: "lugre",
         source: "Canudas de Wit, Olsson, Åström and Lischinsky 1995: ż = v - σ0 |v| z/g(v), μ = σ0 z + σ1 ż + η v, \
                  g(v) = μ_c + (μ_s - μ_c) exp(-(v/v_s)²)",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
-            FrictionNumber { key: STRIBECK_SPEED, default_si: None },
-            FrictionNumber { key: BRISTLE_STIFFNESS, default_si: None },
-            FrictionNumber { key: BRISTLE_DAMPING, default_si: Some(0.0) },
-            FrictionNumber { key: VISCOUS, default_si: Some(0.0) },
-        ],
+        numbers: &[COEFFICIENT, STATIC_COEFFICIENT, STRIBECK_SPEED, BRISTLE_STIFFNESS, BRISTLE_DAMPING, VISCOUS],
         below: None,
     };
 }

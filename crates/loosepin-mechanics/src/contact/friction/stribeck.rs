@@ -1,7 +1,7 @@
 //! Stribeck's curve.
 
 use super::keys::{COEFFICIENT, STATIC_COEFFICIENT, STRIBECK_SPEED, TRANSITION_SPEED, VISCOUS};
-use super::law::{Friction, FrictionDescription, FrictionNumber, friction_numbers};
+use super::law::{Friction, FrictionDescription, friction_numbers};
 use loosepin_math::{Real, exponential, hyperbolic_tangent};
 
 /// Friction that falls from its static to its dynamic value (Stribeck 1902, as Bo and Pavelescu 1982 write it):
@@ -35,13 +35,7 @@ impl StribeckFriction<f64> {
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
         name: "stribeck",
         source: "Stribeck 1902, Bo and Pavelescu 1982: (μ_c + (μ_s - μ_c) exp(-(v/v_s)²)) tanh(4v/v_t) + η v",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: STATIC_COEFFICIENT, default_si: None },
-            FrictionNumber { key: STRIBECK_SPEED, default_si: None },
-            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
-            FrictionNumber { key: VISCOUS, default_si: Some(0.0) },
-        ],
+        numbers: &[COEFFICIENT, STATIC_COEFFICIENT, STRIBECK_SPEED, TRANSITION_SPEED, VISCOUS],
         below: None,
     };
 }

@@ -1,7 +1,7 @@
 //! Threlfall 1978.
 
 use super::keys::{COEFFICIENT, TRANSITION_SPEED};
-use super::law::{Friction, FrictionDescription, FrictionNumber, KinkSpeeds, friction_numbers};
+use super::law::{Friction, FrictionDescription, KinkSpeeds, friction_numbers};
 use loosepin_math::{Real, exponential};
 
 /// Friction that grows steeply and evens out (Threlfall 1978): μ(v) = μ (1 - exp(-3v/v_r)) up to v_r, and from
@@ -21,10 +21,7 @@ impl ThrelfallFriction<f64> {
     pub const DESCRIPTION: FrictionDescription = FrictionDescription {
         name: "threlfall",
         source: "Threlfall 1978: μ (1 - exp(-3v/v_r)) up to v_r, constant and continuous beyond",
-        numbers: &[
-            FrictionNumber { key: COEFFICIENT, default_si: None },
-            FrictionNumber { key: TRANSITION_SPEED, default_si: Some(1e-3) },
-        ],
+        numbers: &[COEFFICIENT, TRANSITION_SPEED],
         below: None,
     };
 }

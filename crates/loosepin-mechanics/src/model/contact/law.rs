@@ -6,7 +6,7 @@
 
 use super::description::NormalDescription;
 use super::law_error::LawError;
-use super::materials::{MATERIAL_KEYS, Materials, material_keys};
+use super::materials::{MaterialTable, Materials, material_keys};
 use crate::contact::{
     DEFAULT_LAW, LONG_PIN_LAW, LineLaw, LinearLaw, NormalLaw, POINT_LAWS, PointLaw, TouchingParts,
     delivered_restitution,
@@ -14,7 +14,8 @@ use crate::contact::{
 use crate::model::entry_reader::EntryReader;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{QuantityId, UNREAD, Values};
-use loosepin_text::document::{Key, Kind, Table, joined, optional, quantity};
+use loosepin_text::document::{Choice, Entry, Kind, choice, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// The normal force law of a contact with what the file gives for it; c_e is the nominal coefficient of restitution.
@@ -64,31 +65,35 @@ pub enum ContactLaw {
 
 impl ContactLaw {
     /// Reads it from the table of a contact; `None` after a complaint.
-    pub(super) fn read(table: &Table<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
-        let laws: Vec<_> = NormalDescription::all().map(|law| (law.name(), law)).collect();
-        let default = NormalDescription::Point(DEFAULT_LAW);
-        let known = reader.document().choice_or(table, "law", &laws, default);
+    pub(super) fn read(own: &LawTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
+        let (table, default) = (&own.table, NormalDescription::Point(DEFAULT_LAW));
+        let known = own.law.unwrap_or(Some(default));
         // Where the law is not known, what else is wrong is said nevertheless.
         let law = known.unwrap_or(default);
         for key in known.map(keys_of_other_laws).unwrap_or_default() {
             reader.refuse_beside(table, key, law.name());
         }
-        let key = loss_key(law);
-        let is_there = reader.document().demand(table, key);
-        let restitution = is_there.then(|| reader.quantity(table, key)).flatten().unwrap_or(UNREAD);
+        let (key, loss) = match loss_key(law) {
+            DAMPING_COEFFICIENT => (DAMPING_COEFFICIENT, &own.damping_coefficient),
+            key => (key, &own.restitution),
+        };
+        reader.document().demand(table, key);
+        let restitution = loss.as_ref().and_then(|entry| reader.quantity_at(entry)).unwrap_or(UNREAD);
         let found = match law {
-            NormalDescription::Point(law) => Self::read_point(law, restitution, table, reader),
+            NormalDescription::Point(law) => Self::read_point(law, restitution, own, reader),
             NormalDescription::Line(law) => {
-                let materials = Materials::read(table, reader);
-                let laws: Vec<_> = POINT_LAWS.iter().map(|law| (law.name, law)).collect();
-                let loss = reader.document().choice_or(table, "damping", &laws, law.default_damping);
+                let materials = Materials::read(&own.materials, reader);
+                let loss = match &own.damping {
+                    Some(entry) => reader.document().choice(entry, &<&PointLaw>::choices()),
+                    None => Some(law.default_damping),
+                };
                 loss.zip(materials).map(|(loss, materials)| Self::Line { law, loss, restitution, materials })
             }
             NormalDescription::Linear(law) => {
                 reader.document().demand(table, "stiffness");
-                let entry = table.get("stiffness");
+                let entry = own.stiffness.as_ref();
                 let stiffness =
-                    entry.and_then(|entry| reader.quantity_of(&entry, D::contact_stiffness(1.0), Rule::Positive));
+                    entry.and_then(|entry| reader.quantity_of(entry, D::contact_stiffness(1.0), Rule::Positive));
                 stiffness.map(|stiffness_n_m| Self::Linear { law, stiffness_n_m, damping: restitution })
             }
         };
@@ -99,37 +104,36 @@ impl ContactLaw {
     fn read_point(
         law: &'static PointLaw,
         restitution: QuantityId,
-        table: &Table<'_>,
+        own: &LawTable<'_>,
         reader: &mut dyn EntryReader,
     ) -> Option<Self> {
+        let table = &own.table;
         let material = material_keys().find(|key| table.has(key));
-        let given = ["stiffness", "exponent"].into_iter().find(|key| table.has(key));
-        match (material, given) {
-            (Some(material), Some(given)) => {
-                let problem = ModelProblem::StiffnessTwice { entry: table.path.describe(), material, given };
-                let span = table.get(given).map_or(table.span, |entry| entry.key_span);
-                reader.document().refuse(&problem, span)
+        let (given, at) = match (&own.stiffness, &own.exponent) {
+            (Some(stiffness), Some(exponent)) if material.is_none() => {
+                // The exponent fixes the unit of the stiffness, so that neither a study nor a setting may move it.
+                let (exponent, value) = reader.fixed_number(exponent, Rule::AtLeastOne)?;
+                let dimension = D::contact_stiffness(value);
+                let stiffness_n_m_n = reader.quantity_of(stiffness, dimension, Rule::Positive)?;
+                return Some(Self::GivenPoint { law, restitution, stiffness_n_m_n, exponent });
+            }
+            (Some(stiffness), _) => (["stiffness", "exponent"], stiffness),
+            (None, Some(exponent)) => (["exponent", "stiffness"], exponent),
+            (None, None) if material.is_some() => {
+                let materials = Materials::read(&own.materials, reader)?;
+                return Some(Self::Point { law, restitution, materials });
             }
             (None, None) => {
-                reader.document().refuse(&ModelProblem::NoStiffness { entry: table.path.describe() }, table.span)
+                let problem = ModelProblem::NoStiffness { entry: table.path.describe() };
+                return reader.document().refuse(&problem, table.span);
             }
-            (Some(_), None) => {
-                Materials::read(table, reader).map(|materials| Self::Point { law, restitution, materials })
-            }
-            (None, Some(_)) => {
-                for (key, needs) in [("stiffness", "exponent"), ("exponent", "stiffness")] {
-                    if !table.has(needs) {
-                        let problem = ModelProblem::NeedsKeys { entry: table.path.describe(), key, needs: vec![needs] };
-                        return reader.document().refuse(&problem, table.span);
-                    }
-                }
-                // The exponent fixes the unit of the stiffness, so that neither a study nor a setting may move it.
-                let (exponent, value) = reader.fixed_number(&table.get("exponent")?, Rule::AtLeastOne)?;
-                let dimension = D::contact_stiffness(value);
-                let stiffness_n_m_n = reader.quantity_of(&table.get("stiffness")?, dimension, Rule::Positive)?;
-                Some(Self::GivenPoint { law, restitution, stiffness_n_m_n, exponent })
-            }
-        }
+        };
+        let ([given, needs], entry) = (given, table.path.describe());
+        let (problem, span) = match material {
+            Some(material) => (ModelProblem::StiffnessTwice { entry, material, given }, at.key_span),
+            None => (ModelProblem::NeedsKeys { entry, key: given, needs: vec![needs] }, table.span),
+        };
+        reader.document().refuse(&problem, span)
     }
 
     /// The law with the numbers of a run between `parts`. `None` where the stiffness comes from materials and nothing tells the radius of
@@ -258,10 +262,13 @@ impl ContactLaw {
     }
 }
 
+/// The key of the damping coefficient.
+const DAMPING_COEFFICIENT: &str = "damping_coefficient";
+
 /// The key of the energy loss.
 fn loss_key(law: NormalDescription) -> &'static str {
     match law {
-        NormalDescription::Linear(law) if law.has_given_damping() => "damping_coefficient",
+        NormalDescription::Linear(law) if law.has_given_damping() => DAMPING_COEFFICIENT,
         _ => "restitution",
     }
 }
@@ -269,59 +276,42 @@ fn loss_key(law: NormalDescription) -> &'static str {
 /// The keys that mean nothing beside a law.
 fn keys_of_other_laws(law: NormalDescription) -> Vec<&'static str> {
     match law {
-        NormalDescription::Point(_) => vec!["damping", "damping_coefficient"],
-        NormalDescription::Line(_) => vec!["stiffness", "exponent", "damping_coefficient"],
+        NormalDescription::Point(_) => vec!["damping", DAMPING_COEFFICIENT],
+        NormalDescription::Line(_) => vec!["stiffness", "exponent", DAMPING_COEFFICIENT],
         NormalDescription::Linear(law) => {
-            let loss = if law.has_given_damping() { "restitution" } else { "damping_coefficient" };
+            let loss = if law.has_given_damping() { "restitution" } else { DAMPING_COEFFICIENT };
             material_keys().chain(["exponent", "density", "damping", loss]).collect()
         }
     }
 }
 
-fn law_names() -> Vec<&'static str> {
-    NormalDescription::all().map(|law| law.name()).collect()
+impl Choice for NormalDescription {
+    fn choices() -> Vec<(&'static str, Self)> {
+        Self::all().map(|law| (law.name(), law)).collect()
+    }
 }
 
-fn loss_names() -> Vec<&'static str> {
-    POINT_LAWS.iter().map(|law| law.name).collect()
+impl Choice for &'static PointLaw {
+    fn choices() -> Vec<(&'static str, Self)> {
+        POINT_LAWS.iter().map(|law| (law.name, law)).collect()
+    }
 }
 
-const LOSS_KEYS: [Key; 4] = [
-    optional(
-        "law",
-        Kind::ChoiceOf(law_names),
-        "\"lankarani-nikravesh\"",
-        "the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from \
-         materials, else lankarani-nikravesh",
-    ),
-    optional(
-        "restitution",
-        quantity(D::NUMBER, Rule::Restitution),
-        "0.9",
-        "nominal coefficient of restitution, in (0, 1]",
-    ),
-    optional(
-        "damping",
-        Kind::ChoiceOf(loss_names),
-        "\"flores\"",
-        "the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao",
-    ),
-    optional(
-        "damping_coefficient",
-        quantity(D::DAMPING, Rule::NonNegative),
-        "\"900 N s/m\"",
-        "damping coefficient D of kelvin-voigt, in place of the restitution",
-    ),
-];
-
-const STIFFNESS_KEYS: [Key; 2] = [
-    optional(
-        "stiffness",
-        Kind::Stiffness,
-        "\"6.6e10 N/m^1.5\"",
-        "stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m",
-    ),
-    optional("exponent", quantity(D::NUMBER, Rule::AtLeastOne), "1.5", "exponent n of F = K x^n, beside stiffness"),
-];
-
-pub(super) const LAW_KEYS: [Key; 12] = joined(&[&LOSS_KEYS, &MATERIAL_KEYS, &STIFFNESS_KEYS]);
+record! {
+    /// the normal force law of a contact
+    pub(super) struct LawTable for EntryReader;
+    /// the normal force law; if left out johnson where all its joints are pins with a bearing_length and the stiffness comes from
+    /// materials, else lankarani-nikravesh
+    optional law: Option<NormalDescription> = choice::<NormalDescription>(), "\"lankarani-nikravesh\"";
+    /// nominal coefficient of restitution, in (0, 1]
+    optional restitution: Entry<'t> = quantity(D::NUMBER, Rule::Restitution), "0.9";
+    /// the law whose energy loss a line-contact law has; lankarani-nikravesh if left out, for bai-zhao zhiying-qishao
+    optional damping: Entry<'t> = choice::<&'static PointLaw>(), "\"flores\"";
+    /// damping coefficient D of kelvin-voigt, in place of the restitution
+    optional damping_coefficient: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"900 N s/m\"";
+    include materials: MaterialTable<'t>;
+    /// stiffness K of F = K x^n in place of materials; a linear law has n = 1 and takes N/m
+    optional stiffness: Entry<'t> = Kind::Stiffness, "\"6.6e10 N/m^1.5\"";
+    /// exponent n of F = K x^n, beside stiffness
+    optional exponent: Entry<'t> = quantity(D::NUMBER, Rule::AtLeastOne), "1.5";
+}

@@ -4,7 +4,8 @@ use crate::contact::compliance_1_pa;
 use crate::model::entry_reader::EntryReader;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{QuantityId, Values};
-use loosepin_text::document::{Key, Table, optional, quantity};
+use loosepin_text::document::{Entry, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
 const YOUNGS_MODULUS: [&str; 3] = ["youngs_modulus", "bearing_youngs_modulus", "journal_youngs_modulus"];
@@ -26,14 +27,17 @@ pub struct Materials {
 
 impl Materials {
     /// Reads them from the table of a contact; `None` after a complaint.
-    pub(super) fn read(table: &Table<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
-        if !material_keys().any(|key| table.has(key)) {
-            reader.document().demand(table, YOUNGS_MODULUS[0]);
-            reader.document().demand(table, POISSON_RATIO[0]);
+    pub(super) fn read(own: &MaterialTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
+        let moduli = [&own.youngs_modulus, &own.bearing_youngs_modulus, &own.journal_youngs_modulus];
+        let ratios = [&own.poisson_ratio, &own.bearing_poisson_ratio, &own.journal_poisson_ratio];
+        let first = |keys: [&'static str; 3]| keys.into_iter().find(|key| own.table.has(key)).unwrap_or(keys[0]);
+        if moduli.iter().chain(&ratios).all(|entry| entry.is_none()) {
+            reader.document().demand(&own.table, YOUNGS_MODULUS[0]);
+            reader.document().demand(&own.table, POISSON_RATIO[0]);
             return None;
         }
-        let youngs_modulus_pa = of_both_parts(table, YOUNGS_MODULUS, reader);
-        let poisson_ratio = of_both_parts(table, POISSON_RATIO, reader);
+        let youngs_modulus_pa = of_both_parts(&own.table, YOUNGS_MODULUS, moduli, first(POISSON_RATIO), reader);
+        let poisson_ratio = of_both_parts(&own.table, POISSON_RATIO, ratios, first(YOUNGS_MODULUS), reader);
         Some(Self { youngs_modulus_pa: youngs_modulus_pa?, poisson_ratio: poisson_ratio? })
     }
 
@@ -43,51 +47,45 @@ impl Materials {
     }
 }
 
-/// A material value for bearing and journal: one key for both, or one each.
-fn of_both_parts(table: &Table<'_>, keys: [&'static str; 3], reader: &mut dyn EntryReader) -> Option<[QuantityId; 2]> {
-    let [both, bearing, journal] = keys;
-    let [for_both, of_bearing, of_journal] = keys.map(|key| reader.quantity(table, key));
-    let one = [bearing, journal].into_iter().find(|key| table.has(key));
-    match (table.has(both), one) {
-        (true, Some(one)) => {
-            let span = table.get(one).map_or(table.span, |entry| entry.key_span);
+/// A material value for bearing and journal: one key for both, or one each. `other` is a key of the other value.
+fn of_both_parts(
+    table: &Table<'_>,
+    [both, bearing, journal]: [&'static str; 3],
+    entries: [&Option<Entry<'_>>; 3],
+    other: &'static str,
+    reader: &mut dyn EntryReader,
+) -> Option<[QuantityId; 2]> {
+    let [for_both, of_bearing, of_journal] = entries.map(|entry| reader.quantity_at(entry.as_ref()?));
+    let (key, missing) = match entries {
+        [Some(_), None, None] => return for_both.map(|id| [id, id]),
+        [None, Some(_), Some(_)] => return of_bearing.zip(of_journal).map(|(bearing, journal)| [bearing, journal]),
+        [Some(_), of_bearing, of_journal] => {
+            let one = if of_bearing.is_some() { bearing } else { journal };
+            let span = of_bearing.as_ref().or(of_journal.as_ref()).map_or(table.span, |entry| entry.key_span);
             let problem = ModelProblem::MaterialTwice { entry: table.path.describe(), both, one };
-            reader.document().refuse(&problem, span)
+            return reader.document().refuse(&problem, span);
         }
-        (true, None) => for_both.map(|id| [id, id]),
-        (false, Some(one)) => {
-            let missing: Vec<&'static str> = [bearing, journal].into_iter().filter(|key| !table.has(key)).collect();
-            if missing.is_empty() {
-                return of_bearing.zip(of_journal).map(|(bearing, journal)| [bearing, journal]);
-            }
-            reader.complain_of_missing(table, one, missing);
-            None
-        }
-        (false, None) => {
-            // The other material value is there, or we would not be here.
-            let other = if both == YOUNGS_MODULUS[0] { POISSON_RATIO } else { YOUNGS_MODULUS };
-            let key = other.into_iter().find(|key| table.has(key)).unwrap_or(other[0]);
-            reader.complain_of_missing(table, key, vec![both]);
-            None
-        }
-    }
+        [None, Some(_), None] => (bearing, journal),
+        [None, None, Some(_)] => (journal, bearing),
+        [None, None, None] => (other, both),
+    };
+    reader.complain_of_missing(table, key, vec![missing]);
+    None
 }
 
-pub(super) const MATERIAL_KEYS: [Key; 6] = [
-    optional(
-        YOUNGS_MODULUS[0],
-        quantity(D::PRESSURE, Rule::Positive),
-        "\"207 GPa\"",
-        "Young's modulus of bearing and journal",
-    ),
-    optional(YOUNGS_MODULUS[1], quantity(D::PRESSURE, Rule::Positive), "\"110 GPa\"", "Young's modulus of the bearing"),
-    optional(YOUNGS_MODULUS[2], quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"", "Young's modulus of the journal"),
-    optional(
-        POISSON_RATIO[0],
-        quantity(D::NUMBER, Rule::PoissonRatio),
-        "0.3",
-        "Poisson's ratio of bearing and journal",
-    ),
-    optional(POISSON_RATIO[1], quantity(D::NUMBER, Rule::PoissonRatio), "0.34", "Poisson's ratio of the bearing"),
-    optional(POISSON_RATIO[2], quantity(D::NUMBER, Rule::PoissonRatio), "0.3", "Poisson's ratio of the journal"),
-];
+record! {
+    /// the materials of both parts
+    pub(super) struct MaterialTable for EntryReader;
+    /// Young's modulus of bearing and journal
+    optional youngs_modulus: Entry<'t> = quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"";
+    /// Young's modulus of the bearing
+    optional bearing_youngs_modulus: Entry<'t> = quantity(D::PRESSURE, Rule::Positive), "\"110 GPa\"";
+    /// Young's modulus of the journal
+    optional journal_youngs_modulus: Entry<'t> = quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"";
+    /// Poisson's ratio of bearing and journal
+    optional poisson_ratio: Entry<'t> = quantity(D::NUMBER, Rule::PoissonRatio), "0.3";
+    /// Poisson's ratio of the bearing
+    optional bearing_poisson_ratio: Entry<'t> = quantity(D::NUMBER, Rule::PoissonRatio), "0.34";
+    /// Poisson's ratio of the journal
+    optional journal_poisson_ratio: Entry<'t> = quantity(D::NUMBER, Rule::PoissonRatio), "0.3";
+}

@@ -13,14 +13,14 @@ pub use lubrication::Lubrication;
 pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
-use super::friction::{Friction, SlidingVelocity};
-use super::keys::friction::FRICTION_KEYS;
+use super::friction::{Friction, FrictionTable, SlidingVelocity};
 use super::quantity::{QuantityId, Values};
 use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
-use law::LAW_KEYS;
-use loosepin_text::document::{Key, Keys, Kind, Table, joined, optional, quantity};
+use law::LawTable;
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
-use lubrication::FILM_KEYS;
+use lubrication::FilmTable;
 
 /// v_min where the file gives none (our choice), m/s.
 const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
@@ -50,18 +50,18 @@ pub struct Contact {
 
 impl Contact {
     /// Reads it from its table; `None` after a complaint.
-    pub(super) fn read(name: &str, table: &Table<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
-        let law = ContactLaw::read(table, reader);
-        let minimum_impact_speed_m_s = reader.quantity_or(table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
-        let density_kg_m3 = reader.quantity(table, "density");
-        let friction = table.get("friction").and_then(|entry| Friction::read(&entry, &FRICTION_KEYS, reader));
-        let film = table.get("film").map(|entry| Lubrication::read(&entry, reader));
+    pub(super) fn read(name: &str, own: &ContactTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
+        let law = ContactLaw::read(&own.law, reader);
+        let minimum_impact_speed_m_s = reader.quantity_or(&own.table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
+        let density_kg_m3 = own.density.as_ref().and_then(|entry| reader.quantity_at(entry));
+        let friction = own.friction.as_ref().and_then(|entry| Friction::of_contact(entry, reader));
+        let film = own.film.as_ref().map(|entry| Lubrication::read(entry, reader));
         let law = law?;
         Some(Self {
             name: name.to_owned(),
             law,
-            is_law_named: table.has("law"),
-            line_loss: law.line().and_then(|_| law.loss()).filter(|_| table.has("damping")),
+            is_law_named: own.law.law.is_some(),
+            line_loss: law.line().and_then(|_| law.loss()).filter(|_| own.law.damping.is_some()),
             minimum_impact_speed_m_s: minimum_impact_speed_m_s?,
             density_kg_m3,
             friction,
@@ -101,31 +101,17 @@ impl Contact {
     }
 }
 
-const FURTHER_KEYS: [Key; 4] = [
-    optional(
-        "minimum_impact_speed",
-        quantity(D::VELOCITY, Rule::Positive),
-        "\"1 mm/s\"",
-        "floor of the impact speed in the force law; 1 mm/s if left out",
-    ),
-    optional(
-        "density",
-        quantity(D::DENSITY, Rule::Positive),
-        "\"7800 kg/m^3\"",
-        "density, to say which impacts are too fast for the law",
-    ),
-    optional("friction", Kind::Table(&FRICTION_KEYS), "{ coefficient = 0.03 }", "friction; none if left out"),
-    optional(
-        "film",
-        Kind::Table(&FILM_KEYS),
-        "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }",
-        "film of oil, for joints with a bearing_length; none if left out",
-    ),
-];
-
-static KEYS: [Key; LAW_KEYS.len() + FURTHER_KEYS.len()] = joined(&[&LAW_KEYS, &FURTHER_KEYS]);
-
-pub(super) static CONTACT_KEYS: Keys = Keys::new(
-    "contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent",
-    &KEYS,
-);
+record! {
+    /// contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent
+    pub(in crate::model) struct ContactTable for EntryReader;
+    include law: LawTable<'t>;
+    /// floor of the impact speed in the force law; 1 mm/s if left out
+    #[allow(dead_code)]
+    optional minimum_impact_speed: Entry<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"";
+    /// density, to say which impacts are too fast for the law
+    optional density: Entry<'t> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
+    /// friction; none if left out
+    optional friction: Entry<'t> = Kind::Table(&FrictionTable::KEYS), "{ coefficient = 0.03 }";
+    /// film of oil, for joints with a bearing_length; none if left out
+    optional film: Entry<'t> = Kind::Table(&FilmTable::KEYS), "{ viscosity = \"0.04 Pa s\", roughness = \"2 um\" }";
+}

@@ -1,14 +1,15 @@
 //! A belt or a chain around two wheels.
 
 use super::kind::{Coupled, KindOfCoupling};
-use super::proportion::{OFFSET, Proportion, first, joints, second};
+use super::proportion::{OFFSET, Proportion};
 use super::reading::CouplingReader;
-use super::wheels::{RADII, TEETH, Wheels};
+use super::wheels::{Wheels, WheelsTable};
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Keys, Kind, Table, optional, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table, choice};
 use loosepin_text::units::Dimension;
+use loosepin_text::{choices, record};
 
 /// A belt or a chain without slip around two wheels.
 #[derive(Debug, Clone)]
@@ -20,16 +21,14 @@ pub struct Belt {
 impl KindOfCoupling for Belt {
     type Curve<T: Real> = Proportion<T>;
 
-    const WORD: &'static str = "belt";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = BeltTable::WORD;
+    const KEYS: &'static Keys = &BeltTable::KEYS;
 
     fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
-        let joints = joints(table, [Some(Dimension::ANGLE); 2], reader)?;
-        let are_opposed = match table.get("run") {
-            Some(entry) => reader.document().choice(&entry, &[("open", false), ("crossed", true)]),
-            None => Some(false),
-        };
-        let wheels = Wheels::read((entry, table), joints, are_opposed, reader)?;
+        let own = BeltTable::of(reader, table.clone())?;
+        let joints = reader.two_joints(table, [&own.first, &own.second], [Some(Dimension::ANGLE); 2])?;
+        let are_opposed = own.run.map(|IsCrossed(is_crossed)| is_crossed);
+        let wheels = Wheels::read((entry, &own.wheels, &own.offset), joints, are_opposed, reader)?;
         Some(Coupled::ideally(joints, Self { wheels }))
     }
 
@@ -46,21 +45,20 @@ impl KindOfCoupling for Belt {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both",
-    &[
-        required("kind", Kind::Choice(&["belt"]), "\"belt\"", "the kind of coupling"),
-        first("revolute joint of the first wheel"),
-        second("revolute joint of the second wheel"),
-        optional(
-            "run",
-            Kind::Choice(&["open", "crossed"]),
-            "\"open\"",
-            "open, if left out: the wheels turn the same way; crossed: against each other",
-        ),
-        RADII,
-        TEETH,
-        OFFSET,
-    ],
-)
-.with_exactly_one(&[&["radii", "teeth"]]);
+choices!(
+    /// Whether the belt makes the wheels turn against each other.
+    struct IsCrossed(bool): "open" => false, "crossed" => true
+);
+
+record! {
+    /// a belt or a chain without slip around two wheels, on revolute joints with one body in common, which carries both
+    struct BeltTable for CouplingReader, kind "belt" of coupling, exactly one of [radii, teeth];
+    /// revolute joint of the first wheel
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
+    /// revolute joint of the second wheel
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
+    /// open: the wheels turn the same way; crossed: against each other
+    optional run: Option<IsCrossed> = choice::<IsCrossed>(), "\"open\"", or "open";
+    include wheels: WheelsTable<'t>;
+    optional offset: Entry<'t> as OFFSET;
+}

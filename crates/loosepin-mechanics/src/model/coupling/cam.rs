@@ -4,13 +4,15 @@ use super::cam_profile::CamProfile;
 use super::kind::{Coupled, KindOfCoupling};
 use super::play::CouplingPlay;
 use super::reading::CouplingReader;
-use crate::model::ids::JointId;
-use crate::model::keys::table::CSV;
+use crate::model::ids::{ContactId, JointId};
+use crate::model::joint::span_of;
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
+use crate::model::table_curve::{CSV, POINTS};
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Keys, Kind, Table, optional, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, format_value, listed};
 
 /// Of the angles of a whole period that are written with as many digits as tables have.
@@ -29,21 +31,25 @@ impl KindOfCoupling for Cam {
     type Curve<T: Real> = CamProfile<T>;
 
     const WORD: &'static str = "cam";
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &CamTable::KEYS;
 
     fn read(_entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
-        let joints = reader.two_joints(table, ["joint", "follower"], [None; 2])?;
+        let own = CamTable::of(reader, table.clone())?;
+        let joints = reader.two_joints(table, [&own.joint, &own.follower], [None; 2])?;
         let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
-        let points = reader.table_points(table, [("cam", from), ("follower", to)])?;
+        let points = reader.table_points([&own.points, &own.csv], [("cam", from), ("follower", to)])?;
         if from == Dimension::ANGLE {
-            demand_whole_turns(table, &points, reader)?;
+            demand_whole_turns(&own, &points, reader)?;
         }
         let dwells = points.windows(2).map(|pair| {
             let [before, after] = [pair[0][1], pair[1][1]].map(|id| reader.nominal_value(id));
             before == after
         });
         let dwells = dwells.collect();
-        let play = if table.has("contact") { Some(lift_off(table, joints[1], reader)?) } else { None };
+        let play = match own.contact {
+            Some(contact) => Some(lift_off(&own, contact?, joints[1], reader)?),
+            None => None,
+        };
         Some(Coupled { joints, kind: Self { points, dwells }, play, teeth: None })
     }
 
@@ -66,20 +72,23 @@ impl KindOfCoupling for Cam {
 }
 
 /// The play of a follower that may lift off; nothing after a complaint.
-fn lift_off(table: &Table<'_>, follower: JointId, reader: &mut dyn CouplingReader) -> Option<CouplingPlay> {
-    let contact = reader.contact_of(table)?;
-    reader.demand_contact_of_flanks(table, contact, "a cam and its follower")?;
-    let entry = table.get("follower").filter(|_| reader.coordinate_of(follower) != Dimension::LENGTH);
-    if let Some(entry) = entry {
+fn lift_off(
+    own: &CamTable<'_>,
+    contact: ContactId,
+    follower: JointId,
+    reader: &mut dyn CouplingReader,
+) -> Option<CouplingPlay> {
+    reader.demand_contact_of_flanks(&own.table, contact, "a cam and its follower")?;
+    if reader.coordinate_of(follower) != Dimension::LENGTH {
         let joint = reader.joint_name(follower);
-        let problem = ModelProblem::FollowerTurns { entry: table.path.describe(), joint };
-        return reader.document().refuse(&problem, entry.span);
+        let problem = ModelProblem::FollowerTurns { entry: own.table.path.describe(), joint };
+        return reader.document().refuse(&problem, span_of(&own.follower, &own.table));
     }
     Some(CouplingPlay { backlash_m: None, second_radius_m: None, contact })
 }
 
 /// The points of a cam that turns span a turn, whole turns, or a whole part of one: after a turn it is where it was.
-fn demand_whole_turns(table: &Table<'_>, points: &[[QuantityId; 2]], reader: &mut dyn CouplingReader) -> Option<()> {
+fn demand_whole_turns(own: &CamTable<'_>, points: &[[QuantityId; 2]], reader: &mut dyn CouplingReader) -> Option<()> {
     let [first, last] = [points[0][0], points[points.len() - 1][0]].map(|id| reader.nominal_value(id));
     let turns = (last - first) / std::f64::consts::TAU;
     let is_whole = |count: f64| (count - count.round()).abs() < PERIOD_ROUND_OFF * count;
@@ -88,13 +97,13 @@ fn demand_whole_turns(table: &Table<'_>, points: &[[QuantityId; 2]], reader: &mu
     }
     let degrees = |angle_rad: f64| format_value(angle_rad, Dimension::ANGLE);
     let problem = ModelProblem::CamPeriod {
-        entry: table.path.describe(),
+        entry: own.table.path.describe(),
         from: degrees(first),
         to: degrees(last),
         whole: degrees(first + turns.ceil() * std::f64::consts::TAU),
     };
-    let key = if table.has("csv") { "csv" } else { "points" };
-    reader.document().refuse(&problem, table.get(key).map_or(table.span, |entry| entry.span))
+    let given = if own.csv.is_some() { &own.csv } else { &own.points };
+    reader.document().refuse(&problem, span_of(given, &own.table))
 }
 
 /// The points at which each run of dwelling intervals begins and ends.
@@ -109,26 +118,18 @@ fn dwell_ends(dwells: &[bool]) -> Vec<[usize; 2]> {
     ends
 }
 
-static KEYS: Keys = Keys::new(
-    "a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from \
-     where the last one ended",
-    &[
-        required("joint", Kind::Reference("joint"), "\"cam\"", "the joint of the cam"),
-        required("follower", Kind::Reference("joint"), "\"lifter\"", "the joint of the follower"),
-        optional(
-            "points",
-            Kind::List(&Kind::List(&Kind::AnyQuantity)),
-            "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]",
-            "pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first \
-             to the last is a period",
-        ),
-        CSV,
-        optional(
-            "contact",
-            Kind::Reference("contact"),
-            "\"tappet\"",
-            "contact between cam and follower, which may then lift off; if left out, the cam holds it both ways",
-        ),
-    ],
-)
-.with_exactly_one(&[&["points", "csv"]]);
+record! {
+    /// a cam: the follower goes along a smooth profile over the angle (or position) of the cam's joint, again and again, each time from
+    /// where the last one ended
+    struct CamTable for CouplingReader, exactly one of [points, csv];
+    /// the joint of the cam
+    required joint: Option<Entry<'t>> = Kind::Reference("joint"), "\"cam\"";
+    /// the joint of the follower
+    required follower: Option<Entry<'t>> = Kind::Reference("joint"), "\"lifter\"";
+    /// pairs of an angle (or position) of the cam and that of the follower there, the first ones increasing; from the first
+    /// to the last is a period
+    optional points: Entry<'t> = POINTS, "[[\"0 deg\", \"0 mm\"], [\"120 deg\", \"8 mm\"], [\"360 deg\", \"0 mm\"]]";
+    optional csv: Entry<'t> as CSV;
+    /// contact between cam and follower, which may then lift off; if left out, the cam holds it both ways
+    optional contact: Option<ContactId> = Kind::Reference("contact"), "\"tappet\"";
+}

@@ -1,17 +1,18 @@
 //! Two gears in mesh.
 
 use super::kind::{Coupled, KindOfCoupling};
-use super::play::{BACKLASH, Backlash, CONTACT};
-use super::proportion::{OFFSET, Proportion, first, joints, second};
+use super::play::{Backlash, BacklashTable};
+use super::proportion::{OFFSET, Proportion};
 use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
-use super::wheels::{RADII, TEETH, Wheels};
+use super::wheels::{Wheels, WheelsTable};
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Keys, Kind, Table, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table, choice};
 use loosepin_text::units::Dimension;
+use loosepin_text::{choices, record};
 
 /// Two gears in mesh.
 #[derive(Debug, Clone)]
@@ -23,26 +24,23 @@ pub struct Gears {
 impl KindOfCoupling for Gears {
     type Curve<T: Real> = Proportion<T>;
 
-    const WORD: &'static str = "gears";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = GearsTable::WORD;
+    const KEYS: &'static Keys = &GearsTable::KEYS;
 
     fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
-        let mut backlash = Backlash::read(table, reader);
-        if backlash.is_stated() && table.has("teeth") {
+        let own = GearsTable::of(reader, table.clone())?;
+        let mut backlash = Backlash::read(&own.play, reader);
+        if let Some(entry) = own.play.backlash.as_ref().filter(|_| backlash.is_stated() && own.wheels.teeth.is_some()) {
             let problem = ModelProblem::BacklashNeedsRadii { entry: table.path.describe() };
-            let span = table.get("backlash").map_or(table.span, |entry| entry.key_span);
-            reader.document().complain(&problem, span);
+            reader.document().complain(&problem, entry.key_span);
             backlash = backlash.refused();
         }
-        let joints = joints(table, [Some(Dimension::ANGLE); 2], reader)?;
-        let mesh = table.get("mesh");
-        let mesh = mesh.and_then(|entry| {
-            reader.document().choice(&entry, &[("external", Mesh::External), ("internal", Mesh::Internal)])
-        });
-        let are_opposed = mesh.map(|mesh| mesh == Mesh::External);
-        let wheels = Wheels::read((entry, table), joints, are_opposed, reader)?;
+        let joints = reader.two_joints(table, [&own.first, &own.second], [Some(Dimension::ANGLE); 2])?;
+        let are_opposed = own.mesh.map(|mesh| mesh == Mesh::External);
+        let wheels = Wheels::read((entry, &own.wheels, &own.offset), joints, are_opposed, reader)?;
         let play = backlash.between_flanks(table, Some(wheels.sizes[1]), reader)?;
-        let teeth = Teeth::read(table, joints, wheels.sizes.map(Some), mesh?, reader)?;
+        let radii_m = wheels.sizes.map(|size| own.wheels.teeth.is_none().then_some(size));
+        let teeth = Teeth::read((table, &own.pressure_angle, &own.second), joints, radii_m, own.mesh?, reader)?;
         Some(Coupled { joints, kind: Self { wheels }, play, teeth })
     }
 
@@ -59,24 +57,19 @@ impl KindOfCoupling for Gears {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "two gears in mesh, on revolute joints with one body in common, which carries both",
-    &[
-        required("kind", Kind::Choice(&["gears"]), "\"gears\"", "the kind of coupling"),
-        first("revolute joint of the first gear"),
-        second("revolute joint of the second gear"),
-        required(
-            "mesh",
-            Kind::Choice(&["external", "internal"]),
-            "\"external\"",
-            "external: they turn against each other on their carrier; internal: the same way",
-        ),
-        RADII,
-        TEETH,
-        PRESSURE_ANGLE,
-        OFFSET,
-        BACKLASH,
-        CONTACT,
-    ],
-)
-.with_exactly_one(&[&["radii", "teeth"]]);
+choices!(Mesh: "external" => Self::External, "internal" => Self::Internal);
+
+record! {
+    /// two gears in mesh, on revolute joints with one body in common, which carries both
+    struct GearsTable for CouplingReader, kind "gears" of coupling, exactly one of [radii, teeth];
+    /// revolute joint of the first gear
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
+    /// revolute joint of the second gear
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
+    /// external: they turn against each other on their carrier; internal: the same way
+    required mesh: Option<Mesh> = choice::<Mesh>(), "\"external\"";
+    include wheels: WheelsTable<'t>;
+    optional pressure_angle: Entry<'t> as PRESSURE_ANGLE;
+    optional offset: Entry<'t> as OFFSET;
+    include play: BacklashTable<'t>;
+}

@@ -5,7 +5,8 @@ use crate::model::ids::ContactId;
 use crate::model::joint::PlayKeys;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Key, Kind, Table, optional, quantity};
+use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// The play of a coupling: contact in place of the relation of both coordinates.
@@ -29,34 +30,27 @@ impl CouplingPlay {
     }
 }
 
-/// The key of the backlash.
-pub(super) const BACKLASH: Key = optional(
-    "backlash",
-    quantity(D::LENGTH, Rule::NonNegative),
-    "\"0.1 mm\"",
-    "way from flank to flank on the pitch circles; zero, or left out: none",
-);
-
-/// The key of the contact of flanks.
-pub(super) const CONTACT: Key = optional(
-    "contact",
-    Kind::Reference("contact"),
-    "\"teeth\"",
-    "contact between the flanks; with a backlash above zero",
-);
+record! {
+    /// the play between the flanks of teeth
+    pub(super) struct BacklashTable for CouplingReader;
+    /// way from flank to flank on the pitch circles; zero, or left out: none
+    optional backlash: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    /// contact between the flanks; with a backlash above zero
+    optional contact: Option<ContactId> = Kind::Reference("contact"), "\"teeth\"";
+}
 
 /// Backlash and contact as a table states them.
 pub(super) struct Backlash {
-    contact: Option<ContactId>,
+    contact: Option<Option<ContactId>>,
     /// The outer option is absent after a complaint, the inner for an ideal coupling.
     backlash_m: Option<Option<QuantityId>>,
 }
 
 impl Backlash {
     /// Reads both keys.
-    pub fn read(table: &Table<'_>, reader: &mut dyn CouplingReader) -> Self {
+    pub fn read(own: &BacklashTable<'_>, reader: &mut dyn CouplingReader) -> Self {
         const KEYS: PlayKeys = PlayKeys { clearance: "backlash", needed: &["contact"], beside: &["contact"] };
-        Self { contact: reader.contact_of(table), backlash_m: reader.play_clearance(table, &KEYS) }
+        Self { contact: own.contact, backlash_m: reader.play_clearance(&own.table, &KEYS) }
     }
 
     /// Whether there is a backlash, be it zero.
@@ -77,7 +71,7 @@ impl Backlash {
         reader: &mut dyn CouplingReader,
     ) -> Option<Option<CouplingPlay>> {
         let Some(backlash_m) = self.backlash_m? else { return Some(None) };
-        let contact = reader.contact_of_play(table, self.contact)?;
+        let contact = self.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
         reader.demand_contact_of_flanks(table, contact, "the flanks of teeth")?;
         Some(Some(CouplingPlay { backlash_m: Some(backlash_m), second_radius_m, contact }))
     }

@@ -6,7 +6,7 @@ use crate::model::ids::JointId;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
-use loosepin_text::document::{Key, Kind, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// Numbers of ratio · q + offset.
@@ -39,16 +39,6 @@ impl<T: Real> Curve<T> for Proportion<T> {
     }
 }
 
-/// The key of the joint that is followed.
-pub(super) const fn first(doc: &'static str) -> Key {
-    required("first", Kind::Reference("joint"), "\"input\"", doc)
-}
-
-/// The key of the joint that follows.
-pub(super) const fn second(doc: &'static str) -> Key {
-    required("second", Kind::Reference("joint"), "\"output\"", doc)
-}
-
 /// The key of the offset.
 pub(super) const OFFSET: Key = optional(
     "offset",
@@ -57,17 +47,17 @@ pub(super) const OFFSET: Key = optional(
     "angle or position of the second joint where the first is at zero; zero if left out",
 );
 
-/// The two joints, each with a coordinate of the dimension that is due, where one is.
-pub(super) fn joints(table: &Table<'_>, dues: [Option<D>; 2], reader: &mut dyn CouplingReader) -> Option<[JointId; 2]> {
-    reader.two_joints(table, ["first", "second"], dues)
-}
-
-/// The offset of a coordinate of the second joint.
-pub(super) fn offset(table: &Table<'_>, second: JointId, reader: &mut dyn CouplingReader) -> Option<QuantityId> {
+/// The offset of a coordinate of the second joint, which stands at `entry` of `table`.
+pub(super) fn offset(
+    entry: &Option<Entry<'_>>,
+    table: &Table<'_>,
+    second: JointId,
+    reader: &mut dyn CouplingReader,
+) -> Option<QuantityId> {
     let dimension = reader.coordinate_of(second);
-    match table.get("offset") {
-        Some(entry) => reader.quantity_of(&entry, dimension, Rule::Finite),
-        None => Some(reader.default_quantity(&table.path.join("offset"), dimension, Rule::Finite, 0.0)),
+    match entry {
+        Some(entry) => reader.quantity_of(entry, dimension, Rule::Finite),
+        None => Some(reader.default_quantity(&table.path.join(OFFSET.name), dimension, Rule::Finite, 0.0)),
     }
 }
 

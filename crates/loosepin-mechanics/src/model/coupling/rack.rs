@@ -1,16 +1,17 @@
 //! A rack and its pinion.
 
 use super::kind::{Coupled, KindOfCoupling};
-use super::play::{BACKLASH, Backlash, CONTACT};
-use super::proportion::{OFFSET, Proportion, first, joints, offset, second, sign, signed, words};
+use super::play::{Backlash, BacklashTable};
+use super::proportion::{OFFSET, Proportion, offset, sign, signed, words};
 use super::reading::CouplingReader;
 use super::teeth::{Mesh, PRESSURE_ANGLE, Teeth};
 use super::wheels::is_turned;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Keys, Kind, Table, quantity, required};
-use loosepin_text::units::{Dimension, Dimension as D, Rule};
+use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
+use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::{choices, record};
 
 /// A rack and its pinion.
 #[derive(Debug, Clone)]
@@ -26,22 +27,22 @@ pub struct Rack {
 impl KindOfCoupling for Rack {
     type Curve<T: Real> = Proportion<T>;
 
-    const WORD: &'static str = "rack";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = RackTable::WORD;
+    const KEYS: &'static Keys = &RackTable::KEYS;
 
     fn read(entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
-        let backlash = Backlash::read(table, reader);
-        let joints = joints(table, [Some(Dimension::ANGLE), Some(Dimension::LENGTH)], reader)?;
-        let is_backward = table.get("direction");
-        let is_backward =
-            is_backward.and_then(|entry| reader.document().choice(&entry, &[("forward", false), ("backward", true)]));
-        let radius_m = reader.quantity(table, "radius");
+        let own = RackTable::of(reader, table.clone())?;
+        let backlash = Backlash::read(&own.play, reader);
+        let dues = [Some(Dimension::ANGLE), Some(Dimension::LENGTH)];
+        let joints = reader.two_joints(table, [&own.first, &own.second], dues)?;
+        let radius_m = own.radius.as_ref().and_then(|entry| reader.quantity_at(entry));
         let is_turned = is_turned(entry, joints, reader);
-        let (radius_m, is_backward) = (radius_m?, is_backward?);
+        let (radius_m, IsBackward(is_backward)) = (radius_m?, own.direction?);
         let is_reversed = is_backward != is_turned?;
-        let offset_m = offset(table, joints[1], reader)?;
+        let offset_m = offset(&own.offset, table, joints[1], reader)?;
         let play = backlash.between_flanks(table, None, reader)?;
-        let teeth = Teeth::read(table, joints, [Some(radius_m), None], Mesh::Rack { is_backward }, reader)?;
+        let (radii_m, mesh) = ([Some(radius_m), None], Mesh::Rack { is_backward });
+        let teeth = Teeth::read((table, &own.pressure_angle, &own.second), joints, radii_m, mesh, reader)?;
         Some(Coupled { joints, kind: Self { radius_m, is_reversed, offset_m }, play, teeth })
     }
 
@@ -59,22 +60,23 @@ impl KindOfCoupling for Rack {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both",
-    &[
-        required("kind", Kind::Choice(&["rack"]), "\"rack\"", "the kind of coupling"),
-        first("revolute joint of the pinion"),
-        second("prismatic joint of the rack"),
-        required("radius", quantity(D::LENGTH, Rule::Positive), "\"12 mm\"", "pitch radius of the pinion"),
-        required(
-            "direction",
-            Kind::Choice(&["forward", "backward"]),
-            "\"forward\"",
-            "how the rack goes along the line of its guide when the pinion turns from x towards y",
-        ),
-        PRESSURE_ANGLE,
-        OFFSET,
-        BACKLASH,
-        CONTACT,
-    ],
+choices!(
+    /// Whether the rack goes against its guide.
+    struct IsBackward(bool): "forward" => false, "backward" => true
 );
+
+record! {
+    /// a rack and its pinion, on a prismatic and a revolute joint with one body in common, which carries both
+    struct RackTable for CouplingReader, kind "rack" of coupling;
+    /// revolute joint of the pinion
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
+    /// prismatic joint of the rack
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
+    /// pitch radius of the pinion
+    required radius: Option<Entry<'t>> = quantity(Dimension::LENGTH, Rule::Positive), "\"12 mm\"";
+    /// how the rack goes along the line of its guide when the pinion turns from x towards y
+    required direction: Option<IsBackward> = choice::<IsBackward>(), "\"forward\"";
+    optional pressure_angle: Entry<'t> as PRESSURE_ANGLE;
+    optional offset: Entry<'t> as OFFSET;
+    include play: BacklashTable<'t>;
+}

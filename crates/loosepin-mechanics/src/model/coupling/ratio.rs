@@ -1,12 +1,13 @@
 //! Any two joints, the coordinate of one a multiple of that of the other.
 
 use super::kind::{Coupled, KindOfCoupling};
-use super::proportion::{OFFSET, Proportion, first, joints, offset, second, words};
+use super::proportion::{OFFSET, Proportion, offset, words};
 use super::reading::CouplingReader;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Keys, Kind, Table, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::record;
 use loosepin_text::units::Rule;
 
 /// A ratio as given.
@@ -21,14 +22,15 @@ pub struct Ratio {
 impl KindOfCoupling for Ratio {
     type Curve<T: Real> = Proportion<T>;
 
-    const WORD: &'static str = "ratio";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = RatioTable::WORD;
+    const KEYS: &'static Keys = &RatioTable::KEYS;
 
     fn read(_entry: &Entry<'_>, table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<Coupled<Self>> {
-        let joints = joints(table, [None; 2], reader)?;
+        let own = RatioTable::of(reader, table.clone())?;
+        let joints = reader.two_joints(table, [&own.first, &own.second], [None; 2])?;
         let [from, to] = joints.map(|joint| reader.coordinate_of(joint));
-        let ratio = table.get("ratio").and_then(|entry| reader.quantity_of(&entry, to.over(from), Rule::Finite))?;
-        let offset = offset(table, joints[1], reader)?;
+        let ratio = reader.quantity_of(&own.ratio?, to.over(from), Rule::Finite)?;
+        let offset = offset(&own.offset, table, joints[1], reader)?;
         Some(Coupled::ideally(joints, Self { ratio, offset }))
     }
 
@@ -45,13 +47,14 @@ impl KindOfCoupling for Ratio {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "the angle or position of the second joint is a multiple of that of the first",
-    &[
-        required("kind", Kind::Choice(&["ratio"]), "\"ratio\"", "the kind of coupling"),
-        first("a revolute or prismatic joint"),
-        second("another one"),
-        required("ratio", Kind::AnyQuantity, "-2.5", "coordinate of the second joint by that of the first"),
-        OFFSET,
-    ],
-);
+record! {
+    /// the angle or position of the second joint is a multiple of that of the first
+    struct RatioTable for CouplingReader, kind "ratio" of coupling;
+    /// a revolute or prismatic joint
+    required first: Option<Entry<'t>> = Kind::Reference("joint"), "\"input\"";
+    /// another one
+    required second: Option<Entry<'t>> = Kind::Reference("joint"), "\"output\"";
+    /// coordinate of the second joint by that of the first
+    required ratio: Option<Entry<'t>> = Kind::AnyQuantity, "-2.5";
+    optional offset: Entry<'t> as OFFSET;
+}

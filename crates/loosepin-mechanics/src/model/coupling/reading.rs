@@ -4,13 +4,18 @@ use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::JointKind;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::Table;
+use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 
 /// The reader of a model, as far as couplings know it. What returns nothing has complained.
 pub trait CouplingReader: EntryReader {
     /// Two different joints with coordinates, each of the dimension that is due, where one is.
-    fn two_joints(&mut self, table: &Table<'_>, keys: [&str; 2], dues: [Option<Dimension>; 2]) -> Option<[JointId; 2]>;
+    fn two_joints(
+        &mut self,
+        table: &Table<'_>,
+        entries: [&Option<Entry<'_>>; 2],
+        dues: [Option<Dimension>; 2],
+    ) -> Option<[JointId; 2]>;
 
     /// Complains where the contact is one that flanks of teeth, or a cam and its follower, cannot have.
     fn demand_contact_of_flanks(

@@ -2,10 +2,11 @@
 
 use super::reading::CouplingReader;
 use crate::model::ids::JointId;
+use crate::model::joint::span_of;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, Vec2};
-use loosepin_text::document::{Key, Table, optional, quantity};
+use loosepin_text::document::{Entry, Key, Table, optional, quantity};
 use loosepin_text::units::{Dimension as D, Rule};
 
 /// The teeth of gears, or of a rack and its pinion, whose force the two joints feel.
@@ -95,18 +96,19 @@ pub(super) const PRESSURE_ANGLE: Key = optional(
 );
 
 impl Teeth {
-    /// Reads the teeth whose force the joints feel; the outer option is absent after a complaint, the inner where torques alone act.
+    /// Reads the teeth whose force the joints feel from a table, with its entries for the pressure angle and the second joint; the outer
+    /// option is absent after a complaint, the inner where torques alone act.
     pub(super) fn read(
-        table: &Table<'_>,
+        (table, pressure_angle, second): (&Table<'_>, &Option<Entry<'_>>, &Option<Entry<'_>>),
         joints: [JointId; 2],
         radii_m: [Option<QuantityId>; 2],
         mesh: Mesh,
         reader: &mut dyn CouplingReader,
     ) -> Option<Option<Self>> {
-        let Some(entry) = table.get("pressure_angle") else { return Some(None) };
-        let pressure_angle_rad = reader.quantity(table, "pressure_angle");
+        let Some(entry) = pressure_angle else { return Some(None) };
+        let pressure_angle_rad = reader.quantity_at(entry);
         let described = || table.path.describe();
-        if !mesh.is_along_line() && table.has("teeth") {
+        if radii_m == [None; 2] {
             return reader.document().refuse(&ModelProblem::ForceNeedsRadii { entry: described() }, entry.key_span);
         }
         for joint in joints {
@@ -120,11 +122,10 @@ impl Teeth {
             return reader.document().refuse(&problem, entry.key_span);
         }
         // A force along the line of a joint that turns as well, such as a slot, is not that of a rack; gears need joints with an angle.
-        let second = reader.joint_kind(joints[1]);
-        if second.slides() && !second.rows().holds_angle {
+        let kind = reader.joint_kind(joints[1]);
+        if kind.slides() && !kind.rows().holds_angle {
             let problem = ModelProblem::ForceOnSlot { entry: described(), joint: reader.joint_name(joints[1]) };
-            let span = table.get("second").map_or(table.span, |entry| entry.span);
-            return reader.document().refuse(&problem, span);
+            return reader.document().refuse(&problem, span_of(second, table));
         }
         let [a, b] = joints.map(|joint| reader.joint_kind(joint).bodies());
         // The common body carries both; a wheel is the other one.

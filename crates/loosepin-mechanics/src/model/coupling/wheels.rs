@@ -7,8 +7,9 @@ use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::Real;
-use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
-use loosepin_text::units::{Dimension, Dimension as D, Rule};
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension as D, Rule};
 
 /// Two wheels: size of the first over that of the second, with a sign, and the angle between them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,35 +22,28 @@ pub struct Wheels {
     pub offset_rad: QuantityId,
 }
 
-/// The key of both radii.
-pub(super) const RADII: Key = optional(
-    "radii",
-    Kind::List(&quantity(D::LENGTH, Rule::Positive)),
-    "[\"20 mm\", \"45 mm\"]",
-    "pitch radii on the first and on the second joint",
-);
-
-/// The key of both numbers of teeth.
-pub(super) const TEETH: Key = optional(
-    "teeth",
-    Kind::List(&quantity(D::NUMBER, Rule::Positive)),
-    "[20, 45]",
-    "numbers of teeth on the first and on the second joint, in place of radii",
-);
+record! {
+    /// the sizes of two wheels
+    pub(super) struct WheelsTable for CouplingReader;
+    /// pitch radii on the first and on the second joint
+    optional radii: Entry<'t> = Kind::List(&quantity(D::LENGTH, Rule::Positive)), "[\"20 mm\", \"45 mm\"]";
+    /// numbers of teeth on the first and on the second joint, in place of radii
+    optional teeth: Entry<'t> = Kind::List(&quantity(D::NUMBER, Rule::Positive)), "[20, 45]";
+}
 
 impl Wheels {
-    /// Reads them from `table` at `entry`; `are_opposed`: whether they turn against each other on the body that carries both, nothing after
-    /// a complaint.
+    /// Reads them from `own`, the table at `entry`, with the offset there; `are_opposed`: whether they turn against each other on the body
+    /// that carries both, nothing after a complaint.
     pub(super) fn read(
-        (entry, table): (&Entry<'_>, &Table<'_>),
+        (entry, own, at_offset): (&Entry<'_>, &WheelsTable<'_>, &Option<Entry<'_>>),
         joints: [JointId; 2],
         are_opposed: Option<bool>,
         reader: &mut dyn CouplingReader,
     ) -> Option<Self> {
-        let sizes = sizes(table, reader);
+        let sizes = sizes(own, reader);
         let is_turned = is_turned(entry, joints, reader);
         let (sizes, is_reversed) = (sizes?, are_opposed? != is_turned?);
-        Some(Self { sizes, is_reversed, offset_rad: offset(table, joints[1], reader)? })
+        Some(Self { sizes, is_reversed, offset_rad: offset(at_offset, &own.table, joints[1], reader)? })
     }
 
     /// What shapes the coordinate of the second by that of the first.
@@ -72,10 +66,12 @@ impl Wheels {
 }
 
 /// Radii or teeth of two wheels.
-fn sizes(table: &Table<'_>, reader: &mut dyn CouplingReader) -> Option<[QuantityId; 2]> {
-    let (key, dimension) = if table.has("radii") { ("radii", Dimension::LENGTH) } else { ("teeth", Dimension::NUMBER) };
-    let entry = table.get(key)?;
-    let pair = reader.document().pair(&entry)?;
+fn sizes(own: &WheelsTable<'_>, reader: &mut dyn CouplingReader) -> Option<[QuantityId; 2]> {
+    let (entry, dimension) = match (&own.radii, &own.teeth) {
+        (Some(radii), _) => (radii, D::LENGTH),
+        (None, teeth) => (teeth.as_ref()?, D::NUMBER),
+    };
+    let pair = reader.document().pair(entry)?;
     let mut ids = [None; 2];
     for ((mut element, name), id) in pair.into_iter().zip(["first", "second"]).zip(&mut ids) {
         element.path = entry.path.join(name);

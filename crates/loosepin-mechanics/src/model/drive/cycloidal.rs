@@ -1,12 +1,13 @@
 //! A rise between two rests.
 
-use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, coordinate, kind};
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
-use loosepin_text::document::{Keys, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Keys, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 /// from + (to - from) (τ - sin(2π τ)/2π) with τ = (t - dwell)/duration cut to [0, 1].
@@ -40,7 +41,7 @@ numbers!(struct CycloidalMotion { from, rise, duration_s, dwell_s });
 impl KindOfDrive for Cycloidal {
     type Motion<T: Real> = CycloidalMotion<T>;
 
-    const WORD: &'static str = "cycloidal";
+    const WORD: &'static str = CycloidalTable::WORD;
 
     fn quantities(&self) -> Vec<QuantityId> {
         vec![self.from, self.to, self.duration_s, self.dwell_s]
@@ -88,23 +89,27 @@ impl<T: Real> MotionLaw<T> for CycloidalMotion<T> {
 }
 
 impl MotionTable for Cycloidal {
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &CycloidalTable::KEYS;
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
-        let [from, to] = ["from", "to"].map(|key| coordinate(table, key, dimension, reader));
-        let duration_s = reader.quantity(table, "duration");
+        let own = CycloidalTable::of(reader, table.clone())?;
+        let [from, to] = [&own.from, &own.to].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
+        let duration_s = own.duration.and_then(|entry| reader.quantity_at(&entry));
         let dwell_s = reader.quantity_or(table, "dwell", 0.0);
         Some(Written::Motion(Self { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? }))
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "a rise without a jump of the acceleration, between two rests",
-    &[
-        kind(&["cycloidal"], "\"cycloidal\""),
-        required("from", COORDINATE, "\"0 deg\"", "where it rests before"),
-        required("to", COORDINATE, "\"90 deg\"", "where it rests afterwards"),
-        required("duration", quantity(D::TIME, Rule::Positive), "\"0.2 s\"", "duration of the rise"),
-        optional("dwell", quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", "rest before the rise; none if left out"),
-    ],
-);
+record! {
+    /// a rise without a jump of the acceleration, between two rests
+    struct CycloidalTable for DriveReader, kind "cycloidal" of motion;
+    /// where it rests before
+    required from: Option<Entry<'t>> = COORDINATE, "\"0 deg\"";
+    /// where it rests afterwards
+    required to: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
+    /// duration of the rise
+    required duration: Option<Entry<'t>> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
+    /// rest before the rise; none if left out
+    #[allow(dead_code)]
+    optional dwell: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"";
+}

@@ -1,13 +1,14 @@
 //! An expression over time.
 
-use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, kind};
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::function::{Changing, Function};
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Dual, Real, numbers};
-use loosepin_text::document::{Keys, Table, required};
+use loosepin_text::document::{Entry, Keys, Table};
+use loosepin_text::record;
 use loosepin_text::units::Dimension;
 use std::sync::Arc;
 
@@ -30,7 +31,7 @@ numbers!(struct ExpressionMotion { parameters; function });
 impl KindOfDrive for Expression {
     type Motion<T: Real> = ExpressionMotion<T>;
 
-    const WORD: &'static str = "expression";
+    const WORD: &'static str = ExpressionTable::WORD;
 
     fn quantities(&self) -> Vec<QuantityId> {
         self.function.parameters.clone()
@@ -66,21 +67,20 @@ impl<T: Real> MotionLaw<T> for ExpressionMotion<T> {
 }
 
 impl MotionTable for Expression {
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &ExpressionTable::KEYS;
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
-        let entry = table.get("position")?;
-        Some(match reader.over_time(&entry, dimension)? {
+        let own = ExpressionTable::of(reader, table.clone())?;
+        Some(match reader.over_time(&own.position, dimension)? {
             Changing::Function(function) => Written::Motion(Self { function: Arc::new(function) }),
             Changing::Constant(id) => Written::Standstill(id),
         })
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "an expression over time",
-    &[
-        kind(&["expression"], "\"expression\""),
-        required("position", COORDINATE, "\"30 deg * sin(3 rad/s * time)\"", "the angle or position at the time"),
-    ],
-);
+record! {
+    /// an expression over time
+    struct ExpressionTable for DriveReader, kind "expression" of motion;
+    /// the angle or position at the time
+    required position: Entry<'t> = COORDINATE, "\"30 deg * sin(3 rad/s * time)\"";
+}

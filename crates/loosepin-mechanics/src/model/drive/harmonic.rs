@@ -1,12 +1,13 @@
 //! A harmonic motion.
 
-use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written, coordinate, kind};
+use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
-use loosepin_text::document::{Keys, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Keys, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 /// mean + amplitude sin(2π frequency t + phase).
@@ -40,7 +41,7 @@ numbers!(struct HarmonicMotion { mean, amplitude, angular_frequency_rad_s, phase
 impl KindOfDrive for Harmonic {
     type Motion<T: Real> = HarmonicMotion<T>;
 
-    const WORD: &'static str = "harmonic";
+    const WORD: &'static str = HarmonicTable::WORD;
 
     fn quantities(&self) -> Vec<QuantityId> {
         vec![self.mean, self.amplitude, self.frequency_1_s, self.phase_rad]
@@ -79,29 +80,29 @@ impl<T: Real> MotionLaw<T> for HarmonicMotion<T> {
 }
 
 impl MotionTable for Harmonic {
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &HarmonicTable::KEYS;
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
-        let [mean, amplitude] = ["mean", "amplitude"].map(|key| coordinate(table, key, dimension, reader));
-        let frequency = reader.quantity(table, "frequency");
+        let own = HarmonicTable::of(reader, table.clone())?;
+        let [mean, amplitude] =
+            [&own.mean, &own.amplitude].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
+        let frequency = own.frequency.and_then(|entry| reader.quantity_at(&entry));
         let phase_rad = reader.quantity_or(table, "phase", 0.0);
         let (mean, amplitude) = (mean?, amplitude?);
         Some(Written::Motion(Self { mean, amplitude, frequency_1_s: frequency?, phase_rad: phase_rad? }))
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "mean + amplitude sin(360 deg frequency time + phase)",
-    &[
-        kind(&["harmonic"], "\"harmonic\""),
-        required("mean", COORDINATE, "\"90 deg\"", "its middle"),
-        required("amplitude", COORDINATE, "\"30 deg\"", "largest departure from the middle"),
-        required("frequency", quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"", "oscillations in a second"),
-        optional(
-            "phase",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"90 deg\"",
-            "phase at time zero, 0 for the middle on the way up; 0 deg if left out",
-        ),
-    ],
-);
+record! {
+    /// mean + amplitude sin(360 deg frequency time + phase)
+    struct HarmonicTable for DriveReader, kind "harmonic" of motion;
+    /// its middle
+    required mean: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
+    /// largest departure from the middle
+    required amplitude: Option<Entry<'t>> = COORDINATE, "\"30 deg\"";
+    /// oscillations in a second
+    required frequency: Option<Entry<'t>> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
+    /// phase at time zero, 0 for the middle on the way up; 0 deg if left out
+    #[allow(dead_code)]
+    optional phase: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";
+}

@@ -5,7 +5,7 @@ use super::table_motion::{AtTime, TableMotion};
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Dual, Real};
-use loosepin_text::document::{Key, Keys, Kind, Table, quantity, required};
+use loosepin_text::document::{Keys, Kind, Table, quantity};
 use loosepin_text::units::{Dimension, Rule};
 
 /// Second-order dual number over time: value, rate and acceleration at once.
@@ -126,18 +126,3 @@ impl Period {
 /// An angle or a position.
 pub(super) const COORDINATE: Kind =
     Kind::AnyOf(&[quantity(Dimension::ANGLE, Rule::Finite), quantity(Dimension::LENGTH, Rule::Finite)]);
-
-/// The key that says which motion it is.
-pub(super) const fn kind(choice: &'static [&'static str], example: &'static str) -> Key {
-    required("kind", Kind::Choice(choice), example, "the kind of motion")
-}
-
-/// An angle or a position behind `key`.
-pub(super) fn coordinate(
-    table: &Table<'_>,
-    key: &str,
-    dimension: Dimension,
-    reader: &mut dyn DriveReader,
-) -> Option<QuantityId> {
-    table.get(key).and_then(|entry| reader.quantity_of(&entry, dimension, Rule::Finite))
-}

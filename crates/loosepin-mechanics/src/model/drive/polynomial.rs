@@ -1,13 +1,14 @@
 //! A polynomial over time.
 
-use super::kind::{KindOfDrive, MotionLaw, MotionTable, TimeDual, Written, kind};
+use super::kind::{KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, polynomial_at};
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
-use loosepin_text::document::{Keys, Kind, Table, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 /// Σ c_k t^k.
@@ -31,7 +32,7 @@ numbers!(struct PolynomialMotion { origin_s, coefficients });
 impl KindOfDrive for Polynomial {
     type Motion<T: Real> = PolynomialMotion<T>;
 
-    const WORD: &'static str = "polynomial";
+    const WORD: &'static str = PolynomialTable::WORD;
 
     fn quantities(&self) -> Vec<QuantityId> {
         self.coefficients.clone()
@@ -55,10 +56,10 @@ impl<T: Real> MotionLaw<T> for PolynomialMotion<T> {
 }
 
 impl MotionTable for Polynomial {
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &PolynomialTable::KEYS;
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
-        let list = table.get("coefficients")?;
+        let list = PolynomialTable::of(reader, table.clone())?.coefficients;
         let elements = reader.document().list(&list)?;
         if elements.is_empty() {
             let problem = ModelProblem::TooFewPoints { entry: list.path.describe(), least: 1 };
@@ -75,15 +76,9 @@ impl MotionTable for Polynomial {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "c0 + c1 time + c2 time^2 + ...",
-    &[
-        kind(&["polynomial"], "\"polynomial\""),
-        required(
-            "coefficients",
-            Kind::List(&Kind::AnyQuantity),
-            "[\"10 deg\", \"5 rad/s\", \"20 rad/s^2\"]",
-            "c0, c1, c2, ... with their units",
-        ),
-    ],
-);
+record! {
+    /// c0 + c1 time + c2 time^2 + ...
+    struct PolynomialTable for DriveReader, kind "polynomial" of motion;
+    /// c0, c1, c2, ... with their units
+    required coefficients: Entry<'t> = Kind::List(&Kind::AnyQuantity), "[\"10 deg\", \"5 rad/s\", \"20 rad/s^2\"]";
+}

@@ -1,14 +1,15 @@
 //! A table of times and coordinates.
 
-use super::kind::{KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written, kind};
+use super::kind::{KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion, TablePiece, polynomial_at};
-use crate::model::keys::table::CSV;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
+use crate::model::table_curve::{CSV, POINTS};
 use loosepin_math::Real;
-use loosepin_text::document::{Keys, Kind, Table, optional, required};
+use loosepin_text::document::{Entry, Keys, Table, choice};
 use loosepin_text::units::Dimension;
+use loosepin_text::{choices, record};
 
 /// A cubic spline.
 #[derive(Debug, Clone)]
@@ -29,7 +30,7 @@ impl TimeTable {
 impl KindOfDrive for TimeTable {
     type Motion<T: Real> = TablePiece<T>;
 
-    const WORD: &'static str = "table";
+    const WORD: &'static str = PointsTable::WORD;
 
     fn quantities(&self) -> Vec<QuantityId> {
         self.points.iter().flatten().copied().collect()
@@ -63,35 +64,28 @@ impl<T: Real> MotionLaw<T> for TablePiece<T> {
 }
 
 impl MotionTable for TimeTable {
-    const KEYS: &'static Keys = &KEYS;
+    const KEYS: &'static Keys = &PointsTable::KEYS;
 
     fn read(table: &Table<'_>, dimension: Dimension, reader: &mut dyn DriveReader) -> Option<Written<Self>> {
-        let ends = table.get("ends");
-        let is_periodic =
-            ends.and_then(|entry| reader.document().choice(&entry, &[("clamped", false), ("periodic", true)]));
-        let points = reader.table_points(table, [("time", Dimension::TIME), ("position", dimension)])?;
-        Some(Written::Motion(Self { points, is_periodic: is_periodic? }))
+        let own = PointsTable::of(reader, table.clone())?;
+        let points =
+            reader.table_points([&own.points, &own.csv], [("time", Dimension::TIME), ("position", dimension)])?;
+        own.ends.map(|IsPeriodic(is_periodic)| Written::Motion(Self { points, is_periodic }))
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "a cubic spline through points, whose acceleration does not jump between them",
-    &[
-        kind(&["table"], "\"table\""),
-        optional(
-            "points",
-            Kind::List(&Kind::List(&Kind::AnyQuantity)),
-            "[[\"0 s\", \"0 deg\"], [\"0.1 s\", \"40 deg\"], [\"0.3 s\", \"0 deg\"]]",
-            "pairs of a time and the angle or position there, times increasing",
-        ),
-        required(
-            "ends",
-            Kind::Choice(&["clamped", "periodic"]),
-            "\"clamped\"",
-            "clamped: at rest before the first point and after the last; periodic: the same course again and again, each \
-             time from where the last one ended",
-        ),
-        CSV,
-    ],
-)
-.with_exactly_one(&[&["points", "csv"]]);
+choices!(
+    /// Whether the motion goes on with the same course.
+    struct IsPeriodic(bool): "clamped" => false, "periodic" => true
+);
+
+record! {
+    /// a cubic spline through points, whose acceleration does not jump between them
+    struct PointsTable for DriveReader, kind "table" of motion, exactly one of [points, csv];
+    /// pairs of a time and the angle or position there, times increasing
+    optional points: Entry<'t> = POINTS, "[[\"0 s\", \"0 deg\"], [\"0.1 s\", \"40 deg\"], [\"0.3 s\", \"0 deg\"]]";
+    /// clamped: at rest before the first point and after the last; periodic: the same course again and again, each
+    /// time from where the last one ended
+    required ends: Option<IsPeriodic> = choice::<IsPeriodic>(), "\"clamped\"";
+    optional csv: Entry<'t> as CSV;
+}

@@ -2,11 +2,12 @@
 
 use super::clearance::CircularSlotClearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
-use super::reading::{JointReader, PlayKeys, clearance_span};
-use crate::model::ids::PointId;
+use super::reading::{JointReader, PlayKeys, span_of};
+use crate::model::ids::{ContactId, PointId};
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Keys, Kind, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 /// The pin's centre stays on a circle fixed to the slot's body, and turns there; with a clearance, it may leave the circle and touch
@@ -24,8 +25,8 @@ pub struct CircularSlot {
 }
 
 impl KindOfJoint for CircularSlot {
-    const WORD: &'static str = "circular-slot";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = CircularSlotTable::WORD;
+    const KEYS: &'static Keys = &CircularSlotTable::KEYS;
     // Neither the turn of the bodies nor a position along a line.
     const COORDINATE: Option<Dimension> = None;
     // In the tree it would have two coordinates; cut, it is one constraint.
@@ -35,21 +36,19 @@ impl KindOfJoint for CircularSlot {
     const CONTACT_PLACES: &'static [&'static str] = &["outer flank", "inner flank"];
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
-        let slot = table.get("slot").and_then(|entry| {
-            let slot = reader.document().table(&entry, &CIRCLE_KEYS)?;
-            let centre = slot.get("point").and_then(|entry| reader.point(&entry));
-            let radius_m = reader.quantity(&slot, "radius");
-            Some((centre?, radius_m?))
-        });
-        let pin = table.get("pin").and_then(|entry| reader.point(&entry));
-        let cold = clearance(table, reader);
-        let ((centre, radius_m), pin) = (slot?, pin?);
+        let own = CircularSlotTable::of(reader, table.clone())?;
+        let cold = clearance(&own, reader);
+        let (CircleTable { point: centre, radius: radius_m, .. }, pin) = (own.slot?, own.pin?);
         let clearance = match cold? {
             Some(cold) => {
-                if !reader.demand_order(cold.half_width_m, radius_m, clearance_span(table, &["half_width"])) {
+                if !reader.demand_order(
+                    cold.half_width_m,
+                    radius_m,
+                    table.get("half_width").map_or(table.span, |entry| entry.span),
+                ) {
                     return None;
                 }
-                let (bodies, span) = ([centre.body, pin.body], clearance_span(table, &["clearance"]));
+                let (bodies, span) = ([centre.body, pin.body], span_of(&own.clearance, table));
                 let clearance_m = reader.warm_clearance(cold.clearance_m, &[cold.half_width_m], bodies, span)?;
                 let half_width_m = reader.grown_with(cold.half_width_m, centre.body);
                 Some(CircularSlotClearance { half_width_m, clearance_m, ..cold })
@@ -93,52 +92,40 @@ impl KindOfJoint for CircularSlot {
 }
 
 /// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
-fn clearance(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Option<CircularSlotClearance>> {
+fn clearance(own: &CircularSlotTable<'_>, reader: &mut dyn JointReader) -> Option<Option<CircularSlotClearance>> {
     const NEEDED: &[&str] = &["half_width", "contact"];
     const PLAY_KEYS: PlayKeys = PlayKeys { clearance: "clearance", needed: NEEDED, beside: NEEDED };
-    let half_width_m = reader.quantity(table, "half_width");
-    let contact = reader.contact_of(table);
-    let Some(clearance_m) = reader.play_clearance(table, &PLAY_KEYS)? else { return Some(None) };
-    let contact = reader.contact_of_play(table, contact);
-    let (half_width_m, contact) = (half_width_m?, contact?);
-    if !reader.demand_order(clearance_m, half_width_m, clearance_span(table, &["clearance"])) {
+    let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
+    let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()));
+    let (half_width_m, contact) = (own.half_width.flatten()?, contact?);
+    if !reader.demand_order(clearance_m, half_width_m, span_of(&own.clearance, &own.table)) {
         return None;
     }
-    reader.demand_flat_contact(table, contact, "a pin on the flank of a slot")?;
+    reader.demand_flat_contact(&own.table, contact, "a pin on the flank of a slot")?;
     Some(Some(CircularSlotClearance { half_width_m, clearance_m, contact }))
 }
 
-static CIRCLE_KEYS: Keys = Keys::new(
-    "the circle of a slot",
-    &[
-        required("point", Kind::Point, "\"plate.centre\"", "the centre of the circle"),
-        required("radius", quantity(D::LENGTH, Rule::Positive), "\"60 mm\"", "radius of the middle of the slot"),
-    ],
-);
+record! {
+    /// the circle of a slot
+    struct CircleTable for JointReader;
+    /// the centre of the circle
+    required point: PointId = Kind::Point, "\"plate.centre\"";
+    /// radius of the middle of the slot
+    required radius: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
+}
 
-static KEYS: Keys = Keys::new(
-    "a pin runs and turns in a slot along a circle; with a clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["circular-slot"]), "\"circular-slot\"", "the kind of joint"),
-        required(
-            "slot",
-            Kind::Table(&CIRCLE_KEYS),
-            "{ point = \"plate.centre\", radius = \"60 mm\" }",
-            "the centre and the radius of the slot",
-        ),
-        required("pin", Kind::Point, "\"arm.pin\"", "point at the centre of the pin"),
-        optional(
-            "half_width",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"10 mm\"",
-            "half the width of the slot, from its middle to each flank",
-        ),
-        optional(
-            "clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.1 mm\"",
-            "half the width of the slot minus radius of the pin; ideal joint if left out or zero",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and slot"),
-    ],
-);
+record! {
+    /// a pin runs and turns in a slot along a circle; with a clearance it has play
+    struct CircularSlotTable for JointReader, kind "circular-slot" of joint;
+    /// the centre and the radius of the slot
+    required slot: Option<CircleTable<'t>> =
+        Kind::Table(&CircleTable::KEYS), "{ point = \"plate.centre\", radius = \"60 mm\" }";
+    /// point at the centre of the pin
+    required pin: Option<PointId> = Kind::Point, "\"arm.pin\"";
+    /// half the width of the slot, from its middle to each flank
+    optional half_width: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
+    /// half the width of the slot minus radius of the pin; ideal joint if left out or zero
+    optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    /// the contact between pin and slot
+    optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
+}

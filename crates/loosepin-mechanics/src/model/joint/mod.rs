@@ -15,6 +15,7 @@ pub use circular_slot::CircularSlot;
 pub use clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 pub use kind::{AtBeam, Hanging, IdealRows, JointPlay, Keeps, KindOfJoint, Line, NotDriven, PlayParts};
 pub use prismatic::Prismatic;
+pub(super) use reading::span_of;
 pub use reading::{ContactFacts, JointReader, PlayKeys};
 pub use revolute::Revolute;
 pub use rigid::Rigid;

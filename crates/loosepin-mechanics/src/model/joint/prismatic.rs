@@ -2,12 +2,14 @@
 
 use super::clearance::GuideClearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
-use super::reading::{JointReader, PlayKeys, clearance_span};
+use super::reading::{JointReader, PlayKeys, span_of};
+use crate::model::friction::JointFrictionTable;
 use crate::model::ids::{BodyId, ContactId, PointId};
-use crate::model::keys::friction::JOINT_FRICTION_KEYS;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Entry, Keys, Kind, Table, optional, quantity, required};
+use loosepin_text::diagnostics::Span;
+use loosepin_text::document::{Entry, Keys, Kind, Table, Value, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
 /// The slider point stays on a line fixed to the guide body, and the slider body does not turn against it.
@@ -27,8 +29,8 @@ pub struct Prismatic {
 }
 
 impl KindOfJoint for Prismatic {
-    const WORD: &'static str = "prismatic";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = PrismaticTable::WORD;
+    const KEYS: &'static Keys = &PrismaticTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::LENGTH);
     const HANGING: Hanging = Hanging::Sliding;
     const ROWS: IdealRows = IdealRows { keeps: Keeps::Line, holds_angle: true };
@@ -38,24 +40,16 @@ impl KindOfJoint for Prismatic {
     const FRICTION_SIZE: Option<&'static str> = Some("guide_length");
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
-        let guide = table.get("guide").and_then(|entry| {
-            let guide = reader.document().table(&entry, &GUIDE_KEYS)?;
-            let point = guide.get("point").and_then(|entry| reader.point(&entry));
-            let angle_rad = reader.quantity(&guide, "angle");
-            let ends_m = guide_ends(&guide, table.has("clearance"), reader);
-            Some((point?, angle_rad?, ends_m?))
-        });
-        let slider = table.get("slider").and_then(|entry| slider(&entry, reader));
-        let ((guide, guide_angle_rad, ends_m), (slider, slider_angle_rad)) = match guide.zip(slider) {
-            Some(sound) => sound,
-            None => {
-                // Its complaints belong to the others.
-                clearance(table, None, reader);
-                return None;
+        let own = PrismaticTable::of(reader, table.clone())?;
+        let ends_m = own.guide.as_ref().and_then(|guide| guide_ends(guide, own.clearance.is_some(), reader));
+        let clearance = clearance(&own, reader);
+        let (guide, LineOfSlider { point: slider, angle_rad: slider_angle_rad }) = (own.guide?, own.slider?);
+        let (guide, guide_angle_rad, ends_m) = (guide.point?, guide.angle?, ends_m?);
+        let clearance = match clearance? {
+            Some(cold) => {
+                let cold = GuideClearance { ends_m, ..cold };
+                Some(warm(cold, [guide.body, slider.body], span_of(&own.clearance, table), reader)?)
             }
-        };
-        let clearance = match clearance(table, ends_m, reader)? {
-            Some(cold) => Some(warm(cold, [guide.body, slider.body], table, reader)?),
             None => None,
         };
         Some(Self { guide, guide_angle_rad, slider, slider_angle_rad, clearance })
@@ -115,95 +109,86 @@ impl KindOfJoint for Prismatic {
 }
 
 /// The slider's point, with the angle of the line in its body.
-fn slider(entry: &Entry<'_>, reader: &mut dyn JointReader) -> Option<(PointId, QuantityId)> {
-    if entry.is_text() {
-        let point = reader.point(entry)?;
-        let path = entry.path.join("angle");
-        return Some((point, reader.default_quantity(&path, Dimension::ANGLE, Rule::Finite, 0.0)));
-    }
-    if !entry.is_table() {
-        return reader.document().wrong_type(entry, "a point or a table with point and angle");
-    }
-    let table = reader.document().table(entry, &SLIDER_KEYS)?;
-    let point = table.get("point").and_then(|entry| reader.point(&entry));
-    let angle_rad = reader.quantity_or(&table, "angle", 0.0);
-    Some((point?, angle_rad?))
+struct LineOfSlider {
+    point: PointId,
+    angle_rad: QuantityId,
 }
 
-/// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
-fn clearance(
-    table: &Table<'_>,
-    ends_m: Option<[QuantityId; 2]>,
-    reader: &mut dyn JointReader,
-) -> Option<Option<GuideClearance>> {
+impl<'t, R: JointReader + ?Sized> Value<'t, R> for LineOfSlider {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        if entry.is_text() {
+            let point = reader.point(entry)?;
+            let path = entry.path.join("angle");
+            let angle_rad = reader.default_quantity(&path, Dimension::ANGLE, Rule::Finite, 0.0);
+            return Some(Self { point, angle_rad });
+        }
+        if !entry.is_table() {
+            return reader.document().wrong_type(entry, "a point or a table with point and angle");
+        }
+        let SliderTable { point, angle, .. } = SliderTable::read(reader, entry)?;
+        Some(Self { point, angle_rad: angle })
+    }
+}
+
+/// The clearance, in a guide without ends; the outer option is absent after a complaint, the inner for an ideal joint.
+fn clearance(own: &PrismaticTable<'_>, reader: &mut dyn JointReader) -> Option<Option<GuideClearance>> {
     const PLAY_KEYS: PlayKeys = PlayKeys {
         clearance: "clearance",
         needed: &["half_length", "half_height", "contact"],
         beside: &["half_length", "half_height", "contact", "corner_radius"],
     };
-    let [half_length_m, half_height_m, corner_radius_m] =
-        ["half_length", "half_height", "corner_radius"].map(|key| reader.quantity(table, key));
-    let contact = reader.contact_of(table);
-    let Some(clearance_m) = reader.play_clearance(table, &PLAY_KEYS)? else { return Some(None) };
-    let contact = reader.contact_of_play(table, contact)?;
-    reader.demand_flat_contact(table, contact, "a corner of a slider")?;
-    if table.has("contact") {
-        demand_corner_radius(table, contact, reader)?;
+    let Some(clearance_m) = reader.play_clearance(&own.table, &PLAY_KEYS)? else { return Some(None) };
+    let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
+    reader.demand_flat_contact(&own.table, contact, "a corner of a slider")?;
+    if own.contact.is_some() {
+        demand_corner_radius(own, contact, reader)?;
     }
     Some(Some(GuideClearance {
-        half_length_m: half_length_m?,
-        half_height_m: half_height_m?,
+        half_length_m: own.half_length.flatten()?,
+        half_height_m: own.half_height.flatten()?,
         clearance_m,
-        corner_radius_m,
-        ends_m,
+        corner_radius_m: own.corner_radius.flatten(),
+        ends_m: None,
         contact,
     }))
 }
 
 /// The ends of a guide; the outer option is absent after a complaint, the inner for a guide without ends.
-fn guide_ends(guide: &Table<'_>, has_clearance: bool, reader: &mut dyn JointReader) -> Option<Option<[QuantityId; 2]>> {
-    const END_KEYS: [&str; 2] = ["start", "end"];
-    let ends = END_KEYS.map(|key| reader.quantity(guide, key));
-    let (given, missing): (Vec<&'static str>, Vec<&'static str>) = END_KEYS.into_iter().partition(|key| guide.has(key));
-    let Some(key) = given.first() else { return Some(None) };
-    if !missing.is_empty() {
-        reader.complain_of_missing(guide, key, missing);
-        return None;
-    }
-    if !has_clearance {
-        reader.complain_of_missing(guide, key, vec!["clearance"]);
-        return None;
-    }
-    let [start, end] = [ends[0]?, ends[1]?];
-    let span = guide.get("start").map_or(guide.span, |entry| entry.span);
-    reader.demand_order(start, end, span).then_some(Some([start, end]))
+fn guide_ends(
+    guide: &GuideTable<'_>,
+    has_clearance: bool,
+    reader: &mut dyn JointReader,
+) -> Option<Option<[QuantityId; 2]>> {
+    let [key, missing] = match (guide.start, guide.end) {
+        (None, None) => return Some(None),
+        (Some(_), None) => ["start", "end"],
+        (None, Some(_)) => ["end", "start"],
+        (Some(_), Some(_)) if !has_clearance => ["start", "clearance"],
+        (Some(start), Some(end)) => {
+            let span = guide.table.get("start").map_or(guide.table.span, |entry| entry.span);
+            let (start, end) = (start?, end?);
+            return reader.demand_order(start, end, span).then_some(Some([start, end]));
+        }
+    };
+    reader.complain_of_missing(&guide.table, key, vec![missing]);
+    None
 }
 
 /// The radius of the corners belongs to a stiffness from the materials, and to no other.
-fn demand_corner_radius(table: &Table<'_>, contact: ContactId, reader: &mut dyn JointReader) -> Option<()> {
-    match (reader.contact_facts(contact).is_of_materials, table.get("corner_radius")) {
-        (true, None) => {
-            reader.complain_of_missing(table, "contact", vec!["corner_radius"]);
-            None
-        }
-        (false, Some(_)) => {
-            reader.refuse_beside(table, "corner_radius", "stiffness");
-            None
-        }
-        _ => Some(()),
+fn demand_corner_radius(own: &PrismaticTable<'_>, contact: ContactId, reader: &mut dyn JointReader) -> Option<()> {
+    match (reader.contact_facts(contact).is_of_materials, own.corner_radius) {
+        (true, None) => reader.complain_of_missing(&own.table, "contact", vec!["corner_radius"]),
+        (false, Some(_)) => reader.refuse_beside(&own.table, "corner_radius", "stiffness"),
+        _ => return Some(()),
     }
+    None
 }
 
 /// The clearance with guide and block as warm as their bodies.
-fn warm(
-    cold: GuideClearance,
-    bodies: [BodyId; 2],
-    table: &Table<'_>,
-    reader: &mut dyn JointReader,
-) -> Option<GuideClearance> {
+fn warm(cold: GuideClearance, bodies: [BodyId; 2], span: Span, reader: &mut dyn JointReader) -> Option<GuideClearance> {
     // The guide is as high as the block and the gap.
     let outer = [cold.half_height_m, cold.clearance_m];
-    let clearance_m = reader.warm_clearance(cold.clearance_m, &outer, bodies, clearance_span(table, &["clearance"]))?;
+    let clearance_m = reader.warm_clearance(cold.clearance_m, &outer, bodies, span)?;
     let [half_length_m, half_height_m] =
         [cold.half_length_m, cold.half_height_m].map(|length| reader.grown_with(length, bodies[1]));
     let ends_m = cold.ends_m.map(|ends| ends.map(|end| reader.grown_with(end, bodies[0])));
@@ -213,76 +198,51 @@ fn warm(
 /// Names of the places where a block may touch: where along the guide's direction, at which face.
 const CORNERS: [&str; 4] = ["upper rear", "upper front", "lower rear", "lower front"];
 
-static GUIDE_KEYS: Keys = Keys::new(
-    "the line of a guide",
-    &[
-        required("point", Kind::Point, "\"ground.o\"", "a point that the line goes through"),
-        required("angle", quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", "its direction from the x axis of the body"),
-        optional(
-            "start",
-            quantity(D::LENGTH, Rule::Finite),
-            "\"-80 mm\"",
-            "where the faces of a guide with play begin, from the point along the line; without ends if left out",
-        ),
-        optional("end", quantity(D::LENGTH, Rule::Finite), "\"200 mm\"", "where those faces end"),
-    ],
-);
+record! {
+    /// the line of a guide
+    struct GuideTable for JointReader;
+    /// a point that the line goes through
+    required point: Option<PointId> = Kind::Point, "\"ground.o\"";
+    /// its direction from the x axis of the body
+    required angle: Option<QuantityId> = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"";
+    /// where the faces of a guide with play begin, from the point along the line; without ends if left out
+    optional start: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"-80 mm\"";
+    /// where those faces end
+    optional end: Option<QuantityId> = quantity(D::LENGTH, Rule::Finite), "\"200 mm\"";
+}
 
-static SLIDER_KEYS: Keys = Keys::new(
-    "the point that stays on the line of a guide",
-    &[
-        required("point", Kind::Point, "\"slider.pin\"", "the point"),
-        optional(
-            "angle",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"0 deg\"",
-            "direction of the line from the x axis of the slider; 0 deg if left out",
-        ),
-    ],
-);
+record! {
+    /// the point that stays on the line of a guide
+    struct SliderTable for JointReader;
+    /// the point
+    required point: PointId = Kind::Point, "\"slider.pin\"";
+    /// direction of the line from the x axis of the slider
+    optional angle: QuantityId = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"", or "0 deg";
+}
 
-static KEYS: Keys = Keys::new(
-    "a slider moves along a line of its guide and does not turn against it; with a clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["prismatic"]), "\"prismatic\"", "the kind of joint"),
-        required("guide", Kind::Table(&GUIDE_KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }", "the line"),
-        required(
-            "slider",
-            Kind::AnyOf(&[Kind::Point, Kind::Table(&SLIDER_KEYS)]),
-            "\"slider.pin\"",
-            "the point on the line, with an angle where the line is not along the slider's x axis",
-        ),
-        optional("friction", Kind::Table(&JOINT_FRICTION_KEYS), "{ coefficient = 0.1 }", "friction; none if left out"),
-        optional(
-            "guide_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"60 mm\"",
-            "length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends",
-        ),
-        optional(
-            "half_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"50 mm\"",
-            "half the length along the guide of the block around the slider's point",
-        ),
-        optional(
-            "half_height",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"25 mm\"",
-            "half the height of that block across the guide",
-        ),
-        optional(
-            "clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.1 mm\"",
-            "gap between the block and each face of the guide; ideal joint if left out or zero",
-        ),
-        optional(
-            "corner_radius",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"5 mm\"",
-            "radius of the block's corners, for a contact whose stiffness comes from the materials",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"corner\"", "the contact between corners and guide"),
-    ],
-);
+record! {
+    /// a slider moves along a line of its guide and does not turn against it; with a clearance it has play
+    struct PrismaticTable for JointReader, kind "prismatic" of joint;
+    /// the line
+    required guide: Option<GuideTable<'t>> =
+        Kind::Table(&GuideTable::KEYS), "{ point = \"ground.o\", angle = \"0 deg\" }";
+    /// the point on the line, with an angle where the line is not along the slider's x axis
+    required slider: Option<LineOfSlider> =
+        Kind::AnyOf(&[Kind::Point, Kind::Table(&SliderTable::KEYS)]), "\"slider.pin\"";
+    /// friction; none if left out
+    #[allow(dead_code)]
+    optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
+    /// length over which the guide holds the slider, half of it on each side of the slider point; friction acts at both ends
+    #[allow(dead_code)]
+    optional guide_length: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"60 mm\"";
+    /// half the length along the guide of the block around the slider's point
+    optional half_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"50 mm\"";
+    /// half the height of that block across the guide
+    optional half_height: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"25 mm\"";
+    /// gap between the block and each face of the guide; ideal joint if left out or zero
+    optional clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
+    /// radius of the block's corners, for a contact whose stiffness comes from the materials
+    optional corner_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"5 mm\"";
+    /// the contact between corners and guide
+    optional contact: Option<ContactId> = Kind::Reference("contact"), "\"corner\"";
+}

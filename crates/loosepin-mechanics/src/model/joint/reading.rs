@@ -4,7 +4,7 @@ use crate::model::ids::{BodyId, ContactId};
 use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::{EntryPath, Table};
+use loosepin_text::document::{Entry, EntryPath, Table, Value};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Keys of a kind that go with its clearance.
@@ -52,11 +52,11 @@ pub trait JointReader: PartReader {
     /// Whether one quantity stays below another, whatever both are set to.
     fn demand_order(&mut self, smaller: QuantityId, larger: QuantityId, span: Span) -> bool;
 
-    /// The contact that the table names.
-    fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId>;
+    /// A contact.
+    fn contact(&mut self, entry: &Entry<'_>) -> Option<ContactId>;
 
-    /// The contact of a joint with play: the named one, or one that stands for none.
-    fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId>;
+    /// The contact that stands for none, of what has play and names none.
+    fn no_contact(&mut self) -> ContactId;
 
     /// What a joint asks of a contact.
     fn contact_facts(&self, contact: ContactId) -> ContactFacts;
@@ -80,7 +80,13 @@ pub trait JointReader: PartReader {
     fn grown_with(&mut self, length: QuantityId, body: BodyId) -> QuantityId;
 }
 
-/// Where the clearance of a joint stands, under one of `keys`.
-pub fn clearance_span(table: &Table<'_>, keys: &[&str]) -> Span {
-    keys.iter().find_map(|key| table.get(key)).map_or(table.span, |entry| entry.span)
+impl<'t, R: JointReader + ?Sized> Value<'t, R> for ContactId {
+    fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        reader.contact(entry)
+    }
+}
+
+/// Where the value of a key stands; where it is not written, the table.
+pub fn span_of(entry: &Option<Entry<'_>>, table: &Table<'_>) -> Span {
+    entry.as_ref().map_or(table.span, |entry| entry.span)
 }

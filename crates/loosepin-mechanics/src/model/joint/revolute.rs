@@ -2,14 +2,16 @@
 
 use super::clearance::Clearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
-use super::reading::{JointReader, PlayKeys, clearance_span};
-use crate::model::ids::{BodyId, PointId};
-use crate::model::keys::friction::JOINT_FRICTION_KEYS;
-use crate::model::keys::wear::JOINT_WEAR;
+use super::reading::{JointReader, PlayKeys, span_of};
+use crate::model::friction::JointFrictionTable;
+use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
-use loosepin_text::document::{EntryPath, Keys, Kind, Table, optional, quantity, required};
+use crate::model::wear::JOINT_WEAR;
+use loosepin_text::diagnostics::Span;
+use loosepin_text::document::{Entry, EntryPath, Keys, Kind, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
 
 /// The journal point turns about the bearing point; with a clearance, it may leave it.
@@ -24,8 +26,8 @@ pub struct Revolute {
 }
 
 impl KindOfJoint for Revolute {
-    const WORD: &'static str = "revolute";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = RevoluteTable::WORD;
+    const KEYS: &'static Keys = &RevoluteTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::ANGLE);
     const HANGING: Hanging = Hanging::Turning;
     const ROWS: IdealRows = IdealRows { keeps: Keeps::Points, holds_angle: false };
@@ -36,12 +38,11 @@ impl KindOfJoint for Revolute {
     const WEARS: bool = true;
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
-        let [bearing, journal] =
-            ["bearing", "journal"].map(|key| table.get(key).and_then(|entry| reader.point(&entry)));
-        let clearance = clearance(table, reader);
-        let (bearing, journal) = (bearing?, journal?);
+        let own = RevoluteTable::of(reader, table.clone())?;
+        let clearance = clearance(&own, reader);
+        let (bearing, journal) = (own.bearing?, own.journal?);
         let clearance = match clearance? {
-            Some(cold) => Some(warm(cold, [bearing.body, journal.body], table, reader)?),
+            Some(cold) => Some(warm(cold, [bearing.body, journal.body], own.clearance_span(), reader)?),
             None => None,
         };
         Some(Self { bearing, journal, clearance })
@@ -75,31 +76,26 @@ impl KindOfJoint for Revolute {
 }
 
 /// The clearance; the outer option is absent after a complaint, the inner for an ideal joint.
-fn clearance(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Option<Clearance>> {
-    let on_diameter = table.has(DIAMETRAL);
+fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Option<Clearance>> {
+    let (table, on_diameter) = (&own.table, own.diametral_clearance.is_some());
     let keys = PlayKeys {
         clearance: if on_diameter { DIAMETRAL } else { RADIAL },
         needed: &["bearing_radius", "contact"],
         beside: &["bearing_radius", "bearing_length", "contact"],
     };
-    let bearing_radius_m = reader.quantity(table, "bearing_radius");
-    let bearing_length_m = reader.quantity(table, "bearing_length");
-    let contact = reader.contact_of(table);
-    if let Some(radial) = table.get(RADIAL).filter(|_| on_diameter) {
+    if let Some(radial) = own.radial_clearance.as_ref().filter(|_| on_diameter) {
         let problem = ModelProblem::ClearanceTwice { entry: table.path.describe() };
         return reader.document().refuse(&problem, radial.key_span);
     }
     let Some(stated_m) = reader.play_clearance(table, &keys)? else { return Some(None) };
-    let span = table.get(keys.clearance).map_or(table.span, |entry| entry.span);
     let radial_clearance_m = if on_diameter { half_of(stated_m, &table.path.join(RADIAL), reader) } else { stated_m };
-    let bearing_radius_m = bearing_radius_m?;
-    if !reader.demand_order(radial_clearance_m, bearing_radius_m, span) {
+    let bearing_radius_m = own.bearing_radius.flatten()?;
+    if !reader.demand_order(radial_clearance_m, bearing_radius_m, own.clearance_span()) {
         return None;
     }
-    let contact = reader.contact_of_play(table, contact)?;
-    // A length that is there and could not be read was complained about.
+    let contact = own.contact.unwrap_or_else(|| Some(reader.no_contact()))?;
     let facts = reader.contact_facts(contact);
-    if (facts.is_line || facts.has_film) && !table.has("bearing_length") {
+    if (facts.is_line || facts.has_film) && own.bearing_length.is_none() {
         let entry = table.path.describe();
         let problem = if facts.is_line {
             ModelProblem::NeedsKeys { entry, key: "contact", needs: vec!["bearing_length"] }
@@ -108,6 +104,7 @@ fn clearance(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Option<C
         };
         return reader.document().refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
     }
+    let bearing_length_m = own.bearing_length.flatten();
     Some(Some(Clearance { bearing_radius_m, radial_clearance_m, bearing_length_m, contact }))
 }
 
@@ -118,52 +115,46 @@ fn half_of(diametral_m: QuantityId, path: &EntryPath, reader: &mut dyn JointRead
 }
 
 /// The clearance with hole and pin as warm as their bodies.
-fn warm(cold: Clearance, bodies: [BodyId; 2], table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Clearance> {
-    let span = clearance_span(table, &[RADIAL, DIAMETRAL]);
+fn warm(cold: Clearance, bodies: [BodyId; 2], span: Span, reader: &mut dyn JointReader) -> Option<Clearance> {
     let radial_clearance_m = reader.warm_clearance(cold.radial_clearance_m, &[cold.bearing_radius_m], bodies, span)?;
     let bearing_radius_m = reader.grown_with(cold.bearing_radius_m, bodies[0]);
     Some(Clearance { bearing_radius_m, radial_clearance_m, ..cold })
 }
 
-static KEYS: Keys = Keys::new(
-    "the journal (pin) turns in the bearing (hole); with a radial clearance it has play",
-    &[
-        required("kind", Kind::Choice(&["revolute"]), "\"revolute\"", "the kind of joint"),
-        required("bearing", Kind::Point, "\"rod.small_end\"", "point at the centre of the hole"),
-        required("journal", Kind::Point, "\"slider.pin\"", "point at the centre of the pin"),
-        optional("bearing_radius", quantity(D::LENGTH, Rule::Positive), "\"10 mm\"", "radius of the hole"),
-        optional(
-            "radial_clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"0.5 mm\"",
-            "radius of the hole minus radius of the pin; ideal joint if left out or zero",
-        ),
-        optional(
-            "diametral_clearance",
-            quantity(D::LENGTH, Rule::NonNegative),
-            "\"1 mm\"",
-            "diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large",
-        ),
-        optional(
-            "bearing_length",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"20 mm\"",
-            "length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the \
-             result says what a line-contact law would give",
-        ),
-        optional("contact", Kind::Reference("contact"), "\"steel_pin\"", "the contact between pin and hole"),
-        optional(
-            "friction",
-            Kind::Table(&JOINT_FRICTION_KEYS),
-            "{ coefficient = 0.1 }",
-            "friction of a joint without play; none if left out. A joint with play has it in its contact",
-        ),
-        optional(
-            "pin_radius",
-            quantity(D::LENGTH, Rule::Positive),
-            "\"8 mm\"",
-            "radius of the pin, at whose surface friction acts",
-        ),
-        JOINT_WEAR,
-    ],
-);
+record! {
+    /// the journal (pin) turns in the bearing (hole); with a radial clearance it has play
+    struct RevoluteTable for JointReader, kind "revolute" of joint;
+    /// point at the centre of the hole
+    required bearing: Option<PointId> = Kind::Point, "\"rod.small_end\"";
+    /// point at the centre of the pin
+    required journal: Option<PointId> = Kind::Point, "\"slider.pin\"";
+    /// radius of the hole
+    optional bearing_radius: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"10 mm\"";
+    /// radius of the hole minus radius of the pin; ideal joint if left out or zero
+    optional radial_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.5 mm\"";
+    /// diameter of the hole minus diameter of the pin, in place of radial_clearance: twice as large
+    optional diametral_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"1 mm\"";
+    /// length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, and the
+    /// result says what a line-contact law would give
+    optional bearing_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
+    /// the contact between pin and hole
+    optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
+    /// friction of a joint without play; none if left out. A joint with play has it in its contact
+    #[allow(dead_code)]
+    optional friction: Entry<'t> = Kind::Table(&JointFrictionTable::KEYS), "{ coefficient = 0.1 }";
+    /// radius of the pin, at whose surface friction acts
+    #[allow(dead_code)]
+    optional pin_radius: Entry<'t> = quantity(D::LENGTH, Rule::Positive), "\"8 mm\"";
+    #[allow(dead_code)]
+    optional wear: Entry<'t> as JOINT_WEAR;
+}
+
+impl RevoluteTable<'_> {
+    /// Where its clearance stands.
+    fn clearance_span(&self) -> Span {
+        span_of(
+            if self.radial_clearance.is_some() { &self.radial_clearance } else { &self.diametral_clearance },
+            &self.table,
+        )
+    }
+}

@@ -5,8 +5,9 @@ use super::reading::JointReader;
 use crate::model::ids::PointId;
 use crate::model::part_names::Names;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Keys, Kind, Table, quantity, required};
-use loosepin_text::units::{Dimension, Dimension as D, Rule};
+use loosepin_text::document::{Keys, Kind, Table, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Rule};
 
 /// Both points coincide and the bodies do not turn against each other.
 #[derive(Debug, Clone)]
@@ -20,17 +21,16 @@ pub struct Rigid {
 }
 
 impl KindOfJoint for Rigid {
-    const WORD: &'static str = "rigid";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = RigidTable::WORD;
+    const KEYS: &'static Keys = &RigidTable::KEYS;
     const COORDINATE: Option<Dimension> = None;
     const HANGING: Hanging = Hanging::Fixed;
     const ROWS: IdealRows = IdealRows { keeps: Keeps::Points, holds_angle: true };
     const AT_BEAM: AtBeam = AtBeam::Section;
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {
-        let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| reader.point(&entry)));
-        let angle_rad = reader.quantity(table, "angle");
-        Some(Self { first: first?, second: second?, angle_rad: angle_rad? })
+        let RigidTable { first, second, angle, .. } = RigidTable::of(reader, table.clone())?;
+        Some(Self { first, second, angle_rad: angle })
     }
 
     fn points(&self) -> [PointId; 2] {
@@ -50,17 +50,13 @@ impl KindOfJoint for Rigid {
     }
 }
 
-static KEYS: Keys = Keys::new(
-    "two points coincide and the bodies do not turn against each other",
-    &[
-        required("kind", Kind::Choice(&["rigid"]), "\"rigid\"", "the kind of joint"),
-        required("first", Kind::Point, "\"arm.end\"", "point of the first body"),
-        required("second", Kind::Point, "\"tool.base\"", "point of the second body"),
-        required(
-            "angle",
-            quantity(D::ANGLE, Rule::Finite),
-            "\"0 deg\"",
-            "angle of the second body's x axis from the first's",
-        ),
-    ],
-);
+record! {
+    /// two points coincide and the bodies do not turn against each other
+    struct RigidTable for JointReader, kind "rigid" of joint;
+    /// point of the first body
+    required first: PointId = Kind::Point, "\"arm.end\"";
+    /// point of the second body
+    required second: PointId = Kind::Point, "\"tool.base\"";
+    /// angle of the second body's x axis from the first's
+    required angle: QuantityId = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
+}

@@ -1,15 +1,17 @@
 //! A force on a point of a body.
 
+use super::course::Course;
 use super::kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
-use super::size::{CURVE, FREQUENCY, JOINT, OF, PERIOD, PHASE, SizeKeys};
+use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::PointId;
-use crate::model::keys::table::CSV;
 use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
+use crate::model::table_curve::POINTS;
 use loosepin_math::{Real, Vec2, sin_cos};
-use loosepin_text::document::{Keys, Kind, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
 use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::{choices, record};
 
 /// A force on a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,20 +23,27 @@ pub struct ForceLoad {
 }
 
 impl KindOfLoad for ForceLoad {
-    const WORD: &'static str = "force";
-    const KEYS: &'static Keys = &KEYS;
-    const SIZE: Option<SizeKeys> =
-        Some(SizeKeys { key: "force", dimension: Dimension::FORCE, harmonic: &HARMONIC_KEYS, takes_pressures: true });
+    const WORD: &'static str = ForceTable::WORD;
+    const KEYS: &'static Keys = &ForceTable::KEYS;
+    const SIZE: Option<SizeKeys> = Some(SizeKeys {
+        key: "force",
+        dimension: Dimension::FORCE,
+        harmonic: |reader, entry| {
+            let HarmonicForce { mean, amplitude, at: Oscillation { frequency, phase, .. }, .. } =
+                HarmonicForce::read(reader, entry)?;
+            Some(Course::Harmonic { mean, amplitude, frequency, phase_rad: phase })
+        },
+    });
 
-    fn read(table: &Table<'_>, reader: &mut dyn PartReader) -> Option<Self> {
-        let point = table.get("point").and_then(|entry| reader.point(&entry));
-        let angle_rad = reader.quantity(table, "direction");
-        let follows_body = match table.get("frame") {
-            Some(entry) => reader.document().choice(&entry, &[("ground", false), ("body", true)]),
-            None => Some(false),
-        };
-        let direction = Direction { angle_rad: angle_rad?, follows_body: follows_body? };
-        Some(Self { point: point?, direction })
+    fn read<'t>(table: Table<'t>, reader: &mut dyn PartReader) -> (Option<Self>, Option<SizeTable<'t>>) {
+        let Some(own) = ForceTable::of(reader, table) else { return (None, None) };
+        let direction = own.direction.zip(own.frame);
+        let kind = own.point.zip(direction).map(|(point, (angle_rad, FollowsBody(follows_body)))| Self {
+            point,
+            direction: Direction { angle_rad, follows_body },
+        });
+        let ForceTable { table, force: size, joint, points, rest, area, back_pressure, .. } = own;
+        (kind, Some(SizeTable { table, size, joint, points, rest, pressures: Some([area, back_pressure]) }))
     }
 
     fn acts_on(&self) -> ActsOn {
@@ -65,58 +74,40 @@ impl KindOfLoad for ForceLoad {
     }
 }
 
-static HARMONIC_KEYS: Keys = Keys::new(
-    "a force that goes up and down: mean + amplitude sin(360 deg frequency time + phase)",
-    &[
-        optional("mean", quantity(Dimension::FORCE, Rule::Finite), "\"0 N\"", "its middle; 0 N if left out"),
-        required("amplitude", quantity(Dimension::FORCE, Rule::Finite), "\"5 N\"", "largest departure from the middle"),
-        FREQUENCY,
-        PHASE,
-    ],
+choices!(
+    /// Whether a direction turns with the body.
+    struct FollowsBody(bool): "ground" => false, "body" => true
 );
 
-static KEYS: Keys = Keys::new(
-    "a force on a point of a body",
-    &[
-        required("kind", Kind::Choice(&["force"]), "\"force\"", "the kind of load"),
-        required("point", Kind::Point, "\"rocker.tip\"", "the point that it acts on"),
-        optional(
-            "force",
-            Kind::AnyOf(&[quantity(Dimension::FORCE, Rule::Finite), Kind::Table(&HARMONIC_KEYS)]),
-            "\"10 N\"",
-            "its size: constant, an expression over time, or a table with amplitude and frequency",
-        ),
-        required("direction", quantity(Dimension::ANGLE, Rule::Finite), "\"-90 deg\"", "its direction from the x axis"),
-        optional(
-            "frame",
-            Kind::Choice(&["ground", "body"]),
-            "\"ground\"",
-            "whose x axis: the ground's, if left out, or the body's, with which it then turns",
-        ),
-        JOINT,
-        optional(
-            "points",
-            Kind::List(&Kind::List(&Kind::AnyQuantity)),
-            "[[\"0 deg\", \"40 N\"], [\"90 deg\", \"65 N\"], [\"270 deg\", \"10 N\"]]",
-            "in place of force: pairs of what it is over and the force there, or the pressure where there is an area; the first ones \
-             increasing",
-        ),
-        CSV,
-        OF,
-        PERIOD,
-        CURVE,
-        optional(
-            "area",
-            quantity(Dimension::AREA, Rule::Positive),
-            "\"50 cm^2\"",
-            "beside points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area",
-        ),
-        optional(
-            "back_pressure",
-            quantity(Dimension::PRESSURE, Rule::Finite),
-            "\"1 bar\"",
-            "beside area: the pressure on its other side; 0 Pa if left out",
-        ),
-    ],
-)
-.with_exactly_one(&[&["force", "points", "csv"]]);
+record! {
+    /// a force that goes up and down: mean + amplitude sin(360 deg frequency time + phase)
+    struct HarmonicForce for PartReader;
+    /// its middle
+    optional mean: QuantityId = quantity(Dimension::FORCE, Rule::Finite), "\"0 N\"", or "0 N";
+    /// largest departure from the middle
+    required amplitude: QuantityId = quantity(Dimension::FORCE, Rule::Finite), "\"5 N\"";
+    include at: Oscillation<'t>;
+}
+
+record! {
+    /// a force on a point of a body
+    struct ForceTable for PartReader, kind "force" of load, exactly one of [force, points, csv];
+    /// the point that it acts on
+    required point: Option<PointId> = Kind::Point, "\"rocker.tip\"";
+    /// its size: constant, an expression over time, or a table with amplitude and frequency
+    optional force: Entry<'t> =
+        Kind::AnyOf(&[quantity(Dimension::FORCE, Rule::Finite), Kind::Table(&HarmonicForce::KEYS)]), "\"10 N\"";
+    /// its direction from the x axis
+    required direction: Option<QuantityId> = quantity(Dimension::ANGLE, Rule::Finite), "\"-90 deg\"";
+    /// whose x axis: the ground's, or the body's, with which it then turns
+    optional frame: Option<FollowsBody> = choice::<FollowsBody>(), "\"ground\"", or "ground";
+    optional joint: Entry<'t> as JOINT;
+    /// in place of force: pairs of what it is over and the force there, or the pressure where there is an area; the first ones
+    /// increasing
+    optional points: Entry<'t> = POINTS, "[[\"0 deg\", \"40 N\"], [\"90 deg\", \"65 N\"], [\"270 deg\", \"10 N\"]]";
+    include rest: PointsOfLoad<'t>;
+    /// beside points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area
+    optional area: Entry<'t> = quantity(Dimension::AREA, Rule::Positive), "\"50 cm^2\"";
+    /// beside area: the pressure on its other side; 0 Pa if left out
+    optional back_pressure: Entry<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"";
+}

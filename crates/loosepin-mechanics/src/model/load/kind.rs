@@ -1,6 +1,6 @@
 //! What every kind of load says of itself, and the terms in which it says it.
 
-use super::size::SizeKeys;
+use super::size::{SizeKeys, SizeTable};
 use crate::model::ids::{BodyId, PointId};
 use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
@@ -17,12 +17,11 @@ pub trait KindOfLoad: Sized {
     const WORD: &'static str;
     /// Keys of its table.
     const KEYS: &'static Keys;
-    /// How its size is written, where it has one that is constant or changes with time or with the motion of a joint. Its table has the key
-    /// `joint` then.
+    /// How its size is written, where it has one that is constant or changes with time or with the motion of a joint.
     const SIZE: Option<SizeKeys>;
 
-    /// Reads it from its table, but for its size; nothing after a complaint.
-    fn read(table: &Table<'_>, reader: &mut dyn PartReader) -> Option<Self>;
+    /// Reads it from its table, but for its size, which is handed on as it stands there; `None` of either after a complaint.
+    fn read<'t>(table: Table<'t>, reader: &mut dyn PartReader) -> (Option<Self>, Option<SizeTable<'t>>);
 
     /// What it acts on.
     fn acts_on(&self) -> ActsOn;

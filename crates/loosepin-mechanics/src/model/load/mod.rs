@@ -11,8 +11,8 @@ mod torque;
 pub use course::Course;
 pub use force::ForceLoad;
 pub use kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
-pub(super) use size::ARGUMENTS;
-pub use size::SizeKeys;
+pub(super) use size::{ARGUMENTS, PointsOfLoad};
+pub use size::{SizeKeys, SizeTable};
 pub use torque::TorqueLoad;
 
 use super::ids::JointId;
@@ -36,11 +36,18 @@ macro_rules! load_kinds {
             &[$((<$kind as KindOfLoad>::WORD, <$kind as KindOfLoad>::KEYS)),*];
 
         impl LoadKind {
-            /// Reads a load of the kind `word` from its table; nothing after a complaint, or where there is no such kind.
-            pub(super) fn read(word: &str, table: &Table<'_>, reader: &mut dyn PartReader) -> Option<Self> {
+            /// Reads a load of the kind `word` from its table: see [`KindOfLoad::read`].
+            pub(super) fn read<'t>(
+                word: &str,
+                table: Table<'t>,
+                reader: &mut dyn PartReader,
+            ) -> (Option<Self>, Option<SizeTable<'t>>) {
                 match word {
-                    $(<$kind as KindOfLoad>::WORD => $kind::read(table, reader).map(Self::$kind),)*
-                    _ => None,
+                    $(<$kind as KindOfLoad>::WORD => {
+                        let (kind, size) = $kind::read(table, reader);
+                        (kind.map(Self::$kind), size)
+                    })*
+                    _ => (None, None),
                 }
             }
 

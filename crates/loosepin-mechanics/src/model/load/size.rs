@@ -1,6 +1,11 @@
 //! How the size of a load is written: constant, over time or the motion of a joint, or by points.
 
-use loosepin_text::document::{Key, Keys, Kind, optional, quantity, required};
+use super::course::Course;
+use crate::model::part_reader::PartReader;
+use crate::model::quantity::QuantityId;
+use crate::model::table_curve::{CSV, TableCurve};
+use loosepin_text::document::{Entry, Key, Kind, Table, choice, optional, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 /// The keys under which a kind of load has its size.
@@ -10,20 +15,35 @@ pub struct SizeKeys {
     pub key: &'static str,
     /// Its dimension.
     pub dimension: Dimension,
-    /// Keys of a size that goes up and down.
-    pub harmonic: &'static Keys,
-    /// Whether the points of a table may be pressures on an area.
-    pub takes_pressures: bool,
+    /// Reads the table of a size that goes up and down; `None` after a complaint.
+    pub harmonic: fn(&mut dyn PartReader, &Entry<'_>) -> Option<Course>,
 }
 
-pub(super) const FREQUENCY: Key =
-    required("frequency", quantity(Dimension::FREQUENCY, Rule::Positive), "\"20 Hz\"", "oscillations in a second");
-pub(super) const PHASE: Key = optional(
-    "phase",
-    quantity(Dimension::ANGLE, Rule::Finite),
-    "\"90 deg\"",
-    "phase at time zero, 0 for the middle on the way up; 0 deg if left out",
-);
+/// The size of a load as it stands in a table.
+pub struct SizeTable<'t> {
+    /// The table of the load.
+    pub table: Table<'t>,
+    /// The size itself.
+    pub size: Option<Entry<'t>>,
+    /// The joint whose motion it is over.
+    pub joint: Option<Entry<'t>>,
+    /// Points in place of the size.
+    pub points: Option<Entry<'t>>,
+    /// What else goes with points.
+    pub(in crate::model) rest: PointsOfLoad<'t>,
+    /// Area and back pressure, of a kind whose points may be pressures.
+    pub pressures: Option<[Option<Entry<'t>>; 2]>,
+}
+
+record! {
+    /// how fast a size goes up and down
+    pub(super) struct Oscillation for PartReader;
+    /// oscillations in a second
+    required frequency: QuantityId = quantity(Dimension::FREQUENCY, Rule::Positive), "\"20 Hz\"";
+    /// phase at time zero, 0 for the middle on the way up
+    optional phase: QuantityId = quantity(Dimension::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
+}
+
 pub(super) const JOINT: Key = optional(
     "joint",
     Kind::Reference("joint"),
@@ -34,21 +54,14 @@ pub(super) const JOINT: Key = optional(
 /// The words for what a table is over.
 pub(in crate::model) const ARGUMENTS: [&str; 4] = ["time", "angle", "position", "speed"];
 
-pub(super) const OF: Key = optional(
-    "of",
-    Kind::Choice(&ARGUMENTS),
-    "\"angle\"",
-    "beside points or csv, needed there: what the first column is: the time, or angle, position or speed of the joint",
-);
-pub(super) const PERIOD: Key = optional(
-    "period",
-    Kind::AnyQuantity,
-    "\"720 deg\"",
-    "beside points or csv: after which the table begins again; if left out, it keeps the value of each end beyond it",
-);
-pub(super) const CURVE: Key = optional(
-    "curve",
-    Kind::Choice(&["monotone", "spline"]),
-    "\"spline\"",
-    "beside points or csv: monotone, if left out: between two points nowhere beyond them; spline: smoother, and it may swing beyond them",
-);
+record! {
+    /// what goes with the points of a load
+    pub(in crate::model) struct PointsOfLoad for PartReader;
+    optional csv: Entry<'t> as CSV;
+    /// beside points or csv, needed there: what the first column is: the time, or angle, position or speed of the joint
+    optional of: Entry<'t> = Kind::Choice(&ARGUMENTS), "\"angle\"";
+    /// beside points or csv: after which the table begins again; if left out, it keeps the value of each end beyond it
+    optional period: Entry<'t> = Kind::AnyQuantity, "\"720 deg\"";
+    /// beside points or csv: monotone: between two points nowhere beyond them; spline: smoother, and it may swing beyond them
+    optional curve: Option<TableCurve> = choice::<TableCurve>(), "\"spline\"", or "monotone";
+}

@@ -1,13 +1,16 @@
 //! A torque on a body.
 
+use super::course::Course;
 use super::kind::{ActsOn, KindOfLoad, LoadPlace, Push};
-use super::size::{CURVE, FREQUENCY, JOINT, OF, PERIOD, PHASE, SizeKeys};
+use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::BodyId;
-use crate::model::keys::table::CSV;
 use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
+use crate::model::quantity::QuantityId;
+use crate::model::table_curve::POINTS;
 use loosepin_math::{Real, Vec2};
-use loosepin_text::document::{Keys, Kind, Table, optional, quantity, required};
+use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
 /// A torque on a body.
@@ -18,17 +21,23 @@ pub struct TorqueLoad {
 }
 
 impl KindOfLoad for TorqueLoad {
-    const WORD: &'static str = "torque";
-    const KEYS: &'static Keys = &KEYS;
+    const WORD: &'static str = TorqueTable::WORD;
+    const KEYS: &'static Keys = &TorqueTable::KEYS;
     const SIZE: Option<SizeKeys> = Some(SizeKeys {
         key: "torque",
         dimension: Dimension::TORQUE,
-        harmonic: &HARMONIC_KEYS,
-        takes_pressures: false,
+        harmonic: |reader, entry| {
+            let HarmonicTorque { mean, amplitude, at: Oscillation { frequency, phase, .. }, .. } =
+                HarmonicTorque::read(reader, entry)?;
+            Some(Course::Harmonic { mean, amplitude, frequency, phase_rad: phase })
+        },
     });
 
-    fn read(table: &Table<'_>, reader: &mut dyn PartReader) -> Option<Self> {
-        reader.body(&table.get("body")?).map(|body| Self { body })
+    fn read<'t>(table: Table<'t>, reader: &mut dyn PartReader) -> (Option<Self>, Option<SizeTable<'t>>) {
+        let Some(own) = TorqueTable::of(reader, table) else { return (None, None) };
+        let kind = own.body.map(|body| Self { body });
+        let TorqueTable { table, torque: size, joint, points, rest, .. } = own;
+        (kind, Some(SizeTable { table, size, joint, points, rest, pressures: None }))
     }
 
     fn acts_on(&self) -> ActsOn {
@@ -45,43 +54,27 @@ impl KindOfLoad for TorqueLoad {
     }
 }
 
-static HARMONIC_KEYS: Keys = Keys::new(
-    "a torque that goes up and down: mean + amplitude sin(360 deg frequency time + phase)",
-    &[
-        optional("mean", quantity(Dimension::TORQUE, Rule::Finite), "\"0 N m\"", "its middle; 0 N m if left out"),
-        required(
-            "amplitude",
-            quantity(Dimension::TORQUE, Rule::Finite),
-            "\"0.2 N m\"",
-            "largest departure from the middle",
-        ),
-        FREQUENCY,
-        PHASE,
-    ],
-);
+record! {
+    /// a torque that goes up and down: mean + amplitude sin(360 deg frequency time + phase)
+    struct HarmonicTorque for PartReader;
+    /// its middle
+    optional mean: QuantityId = quantity(Dimension::TORQUE, Rule::Finite), "\"0 N m\"", or "0 N m";
+    /// largest departure from the middle
+    required amplitude: QuantityId = quantity(Dimension::TORQUE, Rule::Finite), "\"0.2 N m\"";
+    include at: Oscillation<'t>;
+}
 
-static KEYS: Keys = Keys::new(
-    "a torque on a body",
-    &[
-        required("kind", Kind::Choice(&["torque"]), "\"torque\"", "the kind of load"),
-        required("body", Kind::Reference("body"), "\"rocker\"", "the body that it acts on"),
-        optional(
-            "torque",
-            Kind::AnyOf(&[quantity(Dimension::TORQUE, Rule::Finite), Kind::Table(&HARMONIC_KEYS)]),
-            "\"0.2 N m\"",
-            "its size: constant, an expression over time, or a table with amplitude and frequency",
-        ),
-        JOINT,
-        optional(
-            "points",
-            Kind::List(&Kind::List(&Kind::AnyQuantity)),
-            "[[\"0 rpm\", \"12 N m\"], [\"2000 rpm\", \"15 N m\"], [\"3000 rpm\", \"0 N m\"]]",
-            "in place of torque: pairs of what it is over and the torque there, the first ones increasing",
-        ),
-        CSV,
-        OF,
-        PERIOD,
-        CURVE,
-    ],
-)
-.with_exactly_one(&[&["torque", "points", "csv"]]);
+record! {
+    /// a torque on a body
+    struct TorqueTable for PartReader, kind "torque" of load, exactly one of [torque, points, csv];
+    /// the body that it acts on
+    required body: Option<BodyId> = Kind::Reference("body"), "\"rocker\"";
+    /// its size: constant, an expression over time, or a table with amplitude and frequency
+    optional torque: Entry<'t> =
+        Kind::AnyOf(&[quantity(Dimension::TORQUE, Rule::Finite), Kind::Table(&HarmonicTorque::KEYS)]), "\"0.2 N m\"";
+    optional joint: Entry<'t> as JOINT;
+    /// in place of torque: pairs of what it is over and the torque there, the first ones increasing
+    optional points: Entry<'t> =
+        POINTS, "[[\"0 rpm\", \"12 N m\"], [\"2000 rpm\", \"15 N m\"], [\"3000 rpm\", \"0 N m\"]]";
+    include rest: PointsOfLoad<'t>;
+}

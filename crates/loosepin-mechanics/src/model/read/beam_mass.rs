@@ -2,11 +2,23 @@
 
 use super::reader::ModelReader;
 use crate::model::beam::Lump;
-use crate::model::keys::beam::LUMP_KEYS;
+use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use crate::model::topology::Body;
-use loosepin_text::document::Entry;
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Op, Rule};
+
+record! {
+    /// a mass at a point of a flexible body
+    pub(super) struct LumpTable for PartReader;
+    /// point of the body at which its centre of mass lies; it turns with the section there
+    required at: Option<Entry<'t>> = Kind::Text, "\"small_end\"";
+    /// its mass
+    required mass: Option<QuantityId> = quantity(Dimension::MASS, Rule::NonNegative), "\"50 g\"";
+    /// its moment of inertia about its centre of mass; none if left out
+    optional inertia: QuantityId = quantity(Dimension::INERTIA, Rule::NonNegative), "\"2e-6 kg m^2\"";
+}
 
 /// A straight line of mass.
 pub(super) struct Line {
@@ -79,12 +91,9 @@ impl ModelReader {
         let mut lumps = Vec::new();
         for entry in self.reader.named(entry, "a lump") {
             self.remember(&entry);
-            let Some(table) = self.reader.table(&entry, &LUMP_KEYS) else { continue };
-            let point = table.get("at").and_then(|entry| self.end(&entry, body));
-            let mass_kg = self.quantity(&table, "mass");
-            let inertia_kg_m2 = self.quantity(&table, "inertia");
-            if let (Some(point), Some(mass_kg)) = (point, mass_kg) {
-                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2 });
+            let Some(LumpTable { at, mass, inertia, .. }) = LumpTable::read(self, &entry) else { continue };
+            if let (Some(point), Some(mass_kg)) = (at.and_then(|entry| self.end(&entry, body)), mass) {
+                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2: inertia });
             }
         }
         lumps

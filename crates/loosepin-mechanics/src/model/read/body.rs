@@ -1,11 +1,42 @@
 //! Bodies and their points.
 
+use super::beam::BeamTable;
 use super::reader::ModelReader;
+use super::warm::Warmth;
 use crate::model::ids::BodyId;
-use crate::model::keys::{BODY_KEYS, GROUND_KEYS};
+use crate::model::part_reader::PartReader;
 use crate::model::quantity::{QuantityId, UNREAD};
 use crate::model::topology::{Body, Point};
-use loosepin_text::document::{DocumentProblem, Entry, Table};
+use loosepin_text::document::{DocumentProblem, Entry, Kind, Table, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension as D, Rule};
+
+/// Named points.
+const POINTS: Kind = Kind::Values(&Kind::Vector);
+
+record! {
+    /// the ground: points that do not move
+    pub(super) struct GroundTable for PartReader;
+    /// named points in the frame of the body
+    optional points: Entry<'t> = POINTS, "{ o = [\"0 mm\", \"0 mm\"] }";
+    include warmth: Warmth<'t>;
+}
+
+record! {
+    /// a body: rigid with mass, inertia and centre of mass, or a flexible beam
+    pub(super) struct BodyTable for PartReader;
+    /// mass of a rigid body; needed for runs
+    optional mass: Entry<'t> = quantity(D::MASS, Rule::Positive), "\"0.3 kg\"";
+    /// moment of inertia about the centre of mass; needed for runs
+    optional inertia: Entry<'t> = quantity(D::INERTIA, Rule::Positive), "\"1e-4 kg m^2\"";
+    /// centre of mass in the frame of the body; needed for runs
+    optional centre_of_mass: Entry<'t> = Kind::Vector, "[\"25 mm\", \"0 mm\"]";
+    /// named points in the frame of the body
+    optional points: Entry<'t> = POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }";
+    /// a beam that bends and stretches, under [body.NAME.beam]
+    optional beam: Entry<'t> = Kind::Table(&BeamTable::KEYS), "";
+    include warmth: Warmth<'t>;
+}
 
 /// What a rigid body needs to be run.
 const MASS_KEYS: [&str; 3] = ["mass", "inertia", "centre_of_mass"];
@@ -16,10 +47,10 @@ impl ModelReader {
         for entry in self.reader.named(entry, "a body") {
             self.remember(&entry);
             if entry.name == "ground" {
-                if let Some(table) = self.reader.table(&entry, &GROUND_KEYS) {
-                    let elongation = self.elongation(&table);
+                if let Some(own) = GroundTable::read(self, &entry) {
+                    let elongation = self.elongation(&own.warmth);
                     self.elongations.extend(elongation.map(|id| (BodyId(0), id)));
-                    self.bodies[0].points = self.points(&table, elongation);
+                    self.bodies[0].points = self.points(&own.points, elongation);
                 }
                 continue;
             }
@@ -33,28 +64,28 @@ impl ModelReader {
                 beam: None,
             };
             let id = BodyId(self.bodies.len());
-            if let Some(table) = self.reader.table(&entry, &BODY_KEYS) {
-                let elongation = self.elongation(&table);
+            if let Some(own) = BodyTable::read(self, &entry) {
+                let table = &own.table;
+                let elongation = self.elongation(&own.warmth);
                 self.elongations.extend(elongation.map(|elongation| (id, elongation)));
-                body.mass_kg = self.quantity(&table, "mass");
-                let inertia = self.quantity(&table, "inertia");
+                body.mass_kg = own.mass.as_ref().and_then(|entry| self.quantity_at(entry));
+                let inertia = own.inertia.as_ref().and_then(|entry| self.quantity_at(entry));
                 body.inertia_kg_m2 = inertia.map(|inertia| self.times_grown(inertia, elongation, 2));
-                let centre = table.get("centre_of_mass").map(|entry| self.vector(&entry));
+                let centre = own.centre_of_mass.as_ref().map(|entry| self.vector(entry));
                 body.centre_of_mass_m = centre.map(|centre| centre.map(|length| self.grown(length, elongation)));
-                body.points = self.points(&table, elongation);
-                if table.get("beam").is_none() {
-                    for key in MASS_KEYS.into_iter().filter(|key| !table.has(key)) {
-                        self.miss_for_runs(&table, key);
-                    }
-                }
-                if let Some(entry) = table.get("beam") {
+                body.points = self.points(&own.points, elongation);
+                if let Some(entry) = &own.beam {
                     for key in MASS_KEYS {
-                        self.refuse_both(&table, [key, "beam"]);
+                        self.refuse_both(table, [key, "beam"]);
                     }
-                    self.refuse_beside(&table, "thermal_expansion", "beam");
-                    self.beam(&entry, &mut body);
+                    self.refuse_beside(table, "thermal_expansion", "beam");
+                    self.beam(entry, &mut body);
+                } else {
+                    for key in MASS_KEYS.into_iter().filter(|key| !table.has(key)) {
+                        self.miss_for_runs(table, key);
+                    }
                 }
-                if table.get("points").is_some_and(|points| !points.is_table()) {
+                if own.points.is_some_and(|points| !points.is_table()) {
                     self.without_points.insert(id);
                 }
             } else {
@@ -74,10 +105,10 @@ impl ModelReader {
         }
     }
 
-    fn points(&mut self, table: &Table<'_>, elongation: Option<QuantityId>) -> Vec<Point> {
-        let Some(entry) = table.get("points") else { return Vec::new() };
+    fn points(&mut self, entry: &Option<Entry<'_>>, elongation: Option<QuantityId>) -> Vec<Point> {
+        let Some(entry) = entry else { return Vec::new() };
         let mut points = Vec::new();
-        for entry in self.reader.named(&entry, "a point") {
+        for entry in self.reader.named(entry, "a point") {
             self.remember(&entry);
             let position_m = self.vector(&entry).map(|length| self.grown(length, elongation));
             points.push(Point { name: entry.name.to_owned(), position_m });

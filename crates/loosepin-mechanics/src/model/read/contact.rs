@@ -1,7 +1,7 @@
 //! Reading contacts.
 
 use super::reader::ModelReader;
-use crate::model::contact::{CONTACT_KEYS, Contact};
+use crate::model::contact::{Contact, ContactTable};
 use crate::model::ids::ContactId;
 use loosepin_text::document::Entry;
 
@@ -10,8 +10,8 @@ impl ModelReader {
     pub fn read_contacts(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.named(entry, "a contact") {
             self.remember(&entry);
-            let table = self.reader.table(&entry, &CONTACT_KEYS);
-            let contact = table.and_then(|table| Contact::read(entry.name, &table, self));
+            let own = ContactTable::read(self, &entry);
+            let contact = own.and_then(|own| Contact::read(entry.name, &own, self));
             let id = contact.map(|contact| {
                 self.contacts.push(contact);
                 ContactId(self.contacts.len() - 1)

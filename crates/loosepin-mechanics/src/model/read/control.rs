@@ -1,23 +1,61 @@
 //! Reading controlled joints.
 
-use super::drive::Driven;
+use super::drive::{Driven, MOTION, Prescribed, SPEED};
 use super::reader::ModelReader;
 use crate::model::control::{Control, FeedForward};
 use crate::model::ids::{ControlId, JointId};
 use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
-use crate::model::keys::control::{CONTROL_KEYS, INVERSE_DYNAMICS};
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
 use crate::model::topology::Joint;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
+
+/// Value of `feed_forward` that asks for the torques that the references need.
+const INVERSE_DYNAMICS: &str = "inverse dynamics";
+
+record! {
+    /// a controlled joint: its actuator turns or pushes by the error of a joint against a reference, by the integral of the error and by its rate
+    pub(super) struct ControlTable for PartReader,
+        exactly one of [speed, motion], exactly one of [start_angle, start_position, motion];
+    /// the revolute (with or without play) or prismatic joint in which the actuator sits
+    required joint: Entry<'t> = Kind::Reference("joint"), "\"elbow\"";
+    /// the joint whose angle or position follows the reference; the one of the actuator if left out
+    optional measured: Entry<'t> = Kind::Reference("joint"), "\"wrist\"";
+    /// torque or force by error, >= 0
+    required proportional: Option<Entry<'t>> = Kind::AnyQuantity, "\"40 N m/rad\"";
+    /// torque or force by the error integrated over time, >= 0; none if left out
+    optional integral: Entry<'t> = Kind::AnyQuantity, "\"100 N m/(rad s)\"";
+    /// torque or force by the rate of the error, >= 0; none if left out
+    optional derivative: Entry<'t> = Kind::AnyQuantity, "\"2 N m s/rad\"";
+    /// torque or force beside that: constant, an expression over time, angle (or position) and speed, or what the bodies need to follow the
+    /// references without play; none if left out
+    optional feed_forward: Entry<'t> = Kind::AnyOf(&[
+        Kind::Choice(&[INVERSE_DYNAMICS]),
+        quantity(D::TORQUE, Rule::Finite),
+        quantity(D::FORCE, Rule::Finite),
+    ]), "\"inverse dynamics\"";
+    /// largest torque or force of the actuator, either way; none if left out
+    optional limit: Entry<'t> =
+        Kind::AnyOf(&[quantity(D::TORQUE, Rule::Positive), quantity(D::FORCE, Rule::Positive)]), "\"8 N m\"";
+    /// constant speed of the reference
+    optional speed: Entry<'t> = SPEED, "\"90 deg/s\"";
+    /// angle of the reference at time zero, beside speed
+    optional start_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"0 deg\"";
+    /// position of the reference at time zero, beside speed
+    optional start_position: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"0 mm\"";
+    /// the reference over time, in place of a constant speed
+    optional motion: Entry<'t> =
+        MOTION, "{ kind = \"cycloidal\", from = \"0 deg\", to = \"90 deg\", duration = \"0.5 s\" }";
+}
 
 impl ModelReader {
     /// Reads the table of controls.
     pub fn read_controls(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.named(entry, "a control") {
             self.remember(&entry);
-            let control = self.reader.table(&entry, &CONTROL_KEYS).and_then(|table| self.control(&entry, &table));
+            let control = ControlTable::read(self, &entry).and_then(|own| self.control(&entry, &own));
             let id = control.map(|control| {
                 self.controls.push(control);
                 ControlId(self.controls.len() - 1)
@@ -26,9 +64,8 @@ impl ModelReader {
         }
     }
 
-    fn control(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Control> {
-        let joint_entry = table.get("joint")?;
-        let joint = self.moving_joint(&joint_entry)?;
+    fn control(&mut self, entry: &Entry<'_>, own: &ControlTable<'_>) -> Option<Control> {
+        let joint = self.moving_joint(&own.joint)?;
         let drive = self.drives.iter().find(|drive| drive.joint == joint);
         let other = drive.map(|drive| format!("drive '{}'", drive.name)).or_else(|| {
             let control = self.controls.iter().find(|control| control.joint == joint)?;
@@ -37,37 +74,36 @@ impl ModelReader {
         if let Some(other) = other {
             let name = self.joints[joint.0].name.clone();
             let problem = ModelProblem::ControlledTwice { entry: entry.path.describe(), joint: name, other };
-            return self.reader.refuse(&problem, joint_entry.span);
+            return self.reader.refuse(&problem, own.joint.span);
         }
-        let measured = match table.get("measured") {
-            Some(entry) => self.moving_joint(&entry)?,
+        let measured = match &own.measured {
+            Some(entry) => self.moving_joint(entry)?,
             None => joint,
         };
         let [along, coordinate] = [joint, measured].map(|joint| self.coordinate_of(joint));
         let effort = if along == Dimension::LENGTH { Dimension::FORCE } else { Dimension::TORQUE };
-        let mut gain = |key: &str, dimension: Dimension| {
-            table.get(key).map(|entry| self.quantity_of(&entry, dimension, Rule::NonNegative))
+        let mut number = |entry: &Option<Entry<'_>>, dimension: Dimension, rule: Rule| match entry {
+            Some(entry) => self.quantity_of(entry, dimension, rule).map(Some),
+            None => Some(None),
         };
         let by_error = effort.over(coordinate);
-        let proportional = gain("proportional", by_error).flatten();
-        let integral = gain("integral", by_error.over(Dimension::TIME));
-        let derivative = gain("derivative", by_error.times(Dimension::TIME));
-        let limit = table.get("limit").map(|entry| self.quantity_of(&entry, effort, Rule::Positive));
-        let feed_forward = self.feed_forward(table, effort, joint, measured);
-        let driven = Driven::new(measured, coordinate);
-        let reference = match table.get("motion") {
-            Some(motion) => self.motion(&motion, &driven),
-            None => self.constant_speed(entry, table, &driven),
-        };
+        let proportional = number(&own.proportional, by_error, Rule::NonNegative);
+        let integral = number(&own.integral, by_error.over(Dimension::TIME), Rule::NonNegative);
+        let derivative = number(&own.derivative, by_error.times(Dimension::TIME), Rule::NonNegative);
+        let limit = number(&own.limit, effort, Rule::Positive);
+        let feed_forward = self.feed_forward(own, effort, joint, measured);
+        let ControlTable { table, speed, start_angle, start_position, motion, .. } = own;
+        let driven = Driven { joint: measured, dimension: coordinate };
+        let reference = self.prescribed(&Prescribed { table, speed, start_angle, start_position, motion }, &driven);
         Some(Control {
             name: entry.name.to_owned(),
             joint,
             measured,
-            proportional: proportional?,
-            integral: present(integral)?,
-            derivative: present(derivative)?,
+            proportional: proportional??,
+            integral: integral?,
+            derivative: derivative?,
             feed_forward: feed_forward?,
-            limit: present(limit)?,
+            limit: limit?,
             reference: reference?,
         })
     }
@@ -90,21 +126,21 @@ impl ModelReader {
 
     fn feed_forward(
         &mut self,
-        table: &Table<'_>,
+        own: &ControlTable<'_>,
         effort: Dimension,
         joint: JointId,
         measured: JointId,
     ) -> Option<FeedForward> {
-        let Some(entry) = table.get("feed_forward") else { return Some(FeedForward::None) };
-        if entry.is_text() && self.reader.text(&entry) == Some(INVERSE_DYNAMICS) {
+        let Some(entry) = &own.feed_forward else { return Some(FeedForward::None) };
+        if entry.is_text() && self.reader.text(entry) == Some(INVERSE_DYNAMICS) {
             if joint != measured {
-                self.refuse_beside(table, "measured", "feed_forward = \"inverse dynamics\"");
+                self.refuse_beside(&own.table, "measured", "feed_forward = \"inverse dynamics\"");
                 return None;
             }
             return Some(FeedForward::InverseDynamics);
         }
         let variables = self.variables(Some(measured));
-        Some(FeedForward::Course(self.changing(&entry, effort, Rule::Finite, &variables)?.into()))
+        Some(FeedForward::Course(self.changing(entry, effort, Rule::Finite, &variables)?.into()))
     }
 
     /// Where nothing is given of the initial state, controlled joints start on their references, and as fast.
@@ -120,13 +156,5 @@ impl ModelReader {
             })
         });
         both.collect()
-    }
-}
-
-/// An absent entry is right (`Some(None)`); an entry that could not be read is not (`None`).
-fn present(found: Option<Option<QuantityId>>) -> Option<Option<QuantityId>> {
-    match found {
-        None => Some(None),
-        Some(id) => id.map(Some),
     }
 }

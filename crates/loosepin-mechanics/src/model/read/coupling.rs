@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::coupling::{CAM, COUPLING_KINDS, Coupling, CouplingReader};
 use crate::model::ids::{ContactId, JointId};
-use crate::model::joint::JointKind;
+use crate::model::joint::{JointKind, span_of};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
@@ -52,16 +52,18 @@ impl ModelReader {
 }
 
 impl CouplingReader for ModelReader {
-    fn two_joints(&mut self, table: &Table<'_>, keys: [&str; 2], dues: [Option<Dimension>; 2]) -> Option<[JointId; 2]> {
-        let mut found = [None; 2];
-        for ((key, due), found) in keys.into_iter().zip(dues).zip(&mut found) {
-            *found = table.get(key).and_then(|entry| self.coupled_joint(&entry, due));
-        }
-        let [Some(first), Some(second)] = found else { return None };
+    fn two_joints(
+        &mut self,
+        table: &Table<'_>,
+        entries: [&Option<Entry<'_>>; 2],
+        dues: [Option<Dimension>; 2],
+    ) -> Option<[JointId; 2]> {
+        let [first, second] = [0, 1].map(|side| self.coupled_joint(entries[side].as_ref()?, dues[side]));
+        let (first, second) = (first?, second?);
         if first == second {
             let name = self.joints[first.0].name.clone();
-            let span = table.get(keys[1]).map_or(table.span, |entry| entry.span);
-            return self.reader.refuse(&ModelProblem::SameJoint { entry: table.path.describe(), joint: name }, span);
+            let problem = ModelProblem::SameJoint { entry: table.path.describe(), joint: name };
+            return self.reader.refuse(&problem, span_of(entries[1], table));
         }
         Some([first, second])
     }

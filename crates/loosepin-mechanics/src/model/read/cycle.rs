@@ -1,35 +1,42 @@
 //! Reading the cycle.
 
 use super::reader::ModelReader;
-use crate::model::cycle::{Cycle, CycleSpan};
+use crate::model::cycle::{Cycle, CycleNumbers, CycleSpan};
 use crate::model::drive::Drive;
 use crate::model::ids::JointId;
-use crate::model::keys::CYCLE_KEYS;
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
-use loosepin_text::document::Entry;
+use crate::model::quantity::QuantityId;
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Rule};
 
 /// Turns run before recording, where the file does not say.
 const TRANSIENT_TURNS: f64 = 2.0;
-/// Turns recorded, where the file does not say.
-const RECORDED_TURNS: f64 = 1.0;
-/// Rows recorded in a turn, where the file does not say.
-const SAMPLES_PER_TURN: usize = 500;
+
+record! {
+    /// what is run and recorded; every number can be overridden
+    pub(super) struct CycleTable for PartReader, exactly one of [drive, duration];
+    /// the drive whose turns (constant speed) or periods (any other motion) are counted
+    optional drive: Entry<'t> = Kind::Reference("drive"), "\"crank\"";
+    /// the time that counts as a turn, in place of a drive; transient_turns is then 0 if left out
+    optional duration: QuantityId = quantity(Dimension::TIME, Rule::Positive), "\"0.2 s\"";
+    include numbers: CycleNumbers<'t>;
+}
 
 impl ModelReader {
     /// Reads what is run and recorded.
     pub fn read_cycle(&mut self, entry: &Entry<'_>) -> Option<Cycle> {
-        let table = self.reader.table(entry, &CYCLE_KEYS)?;
+        let CycleTable { drive, duration, numbers, .. } = CycleTable::read(self, entry)?;
         self.remember(entry);
         // A span of time has no turns to settle over.
-        let transient_turns = if table.has("duration") { 0.0 } else { TRANSIENT_TURNS };
-        let transient_turns = self.reader.number(&table, "transient_turns").unwrap_or(transient_turns);
-        let recorded_turns = self.reader.number(&table, "recorded_turns").unwrap_or(RECORDED_TURNS);
-        let samples_per_turn =
-            self.reader.count(&table, "samples_per_turn").map_or(SAMPLES_PER_TURN, |count| count as usize);
-        let span = match table.get("duration") {
-            Some(_) => CycleSpan::Duration(self.quantity(&table, "duration")?),
-            None => self.counted_drive(&table.get("drive")?)?,
+        let default_turns = if duration.is_some() { 0.0 } else { TRANSIENT_TURNS };
+        let span = match duration {
+            Some(duration) => CycleSpan::Duration(duration),
+            None => self.counted_drive(&drive?)?,
         };
+        let transient_turns = numbers.transient_turns.unwrap_or(Some(default_turns))?;
+        let (recorded_turns, samples_per_turn) = (numbers.recorded_turns?, numbers.samples_per_turn?);
         Some(Cycle { span, transient_turns, recorded_turns, samples_per_turn })
     }
 

@@ -5,31 +5,51 @@ use crate::model::drive::{Drive, DriveLaw, DriveReader, MOTION_KINDS, Steady};
 use crate::model::function::{Changing, TIME};
 use crate::model::ids::{DriveId, JointId};
 use crate::model::joint::NotDriven;
-use crate::model::keys::drive::DRIVE_KEYS;
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Entry, Table};
+use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 
-/// A driven or controlled joint, as what moves it sees it.
-pub(super) struct Driven {
-    joint: JointId,
-    /// Of the coordinate.
-    dimension: Dimension,
-    kind: &'static str,
-    start_key: &'static str,
-    other_key: &'static str,
+record! {
+    /// a joint that is moved: at constant speed, or by a motion
+    pub(super) struct DriveTable for PartReader,
+        exactly one of [speed, motion], exactly one of [start_angle, start_position, motion];
+    /// an ideal revolute or a prismatic joint
+    required joint: Entry<'t> = Kind::Reference("joint"), "\"main\"";
+    /// constant speed of the journal's body against the bearing's, or of the slider along the guide
+    optional speed: Entry<'t> = SPEED, "\"5000 rpm\"";
+    /// angle of the journal's body from the bearing's at time zero, beside speed
+    optional start_angle: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
+    /// position of the slider along the guide at time zero, beside speed
+    optional start_position: Entry<'t> = quantity(Dimension::LENGTH, Rule::Finite), "\"0 mm\"";
+    /// angle or position over time, in place of a constant speed
+    optional motion: Entry<'t> =
+        MOTION, "{ kind = \"harmonic\", mean = \"90 deg\", amplitude = \"30 deg\", frequency = \"2 Hz\" }";
 }
 
-impl Driven {
-    /// A revolute joint by an angle, a prismatic one by a length.
-    pub fn new(joint: JointId, dimension: Dimension) -> Self {
-        if dimension == Dimension::LENGTH {
-            let (start_key, other_key) = ("start_position", "start_angle");
-            return Self { joint, dimension, kind: "prismatic", start_key, other_key };
-        }
-        Self { joint, dimension, kind: "revolute", start_key: "start_angle", other_key: "start_position" }
-    }
+/// What stands behind `speed`.
+pub(super) const SPEED: Kind =
+    Kind::AnyOf(&[quantity(Dimension::ANGULAR_VELOCITY, Rule::Finite), quantity(Dimension::VELOCITY, Rule::Finite)]);
+
+/// What stands behind `motion`.
+pub(super) const MOTION: Kind = Kind::Tagged { tag: "kind", variants: MOTION_KINDS };
+
+/// A driven or controlled joint, as what moves it sees it: revolute by an angle, or prismatic by a length.
+pub(super) struct Driven {
+    pub(super) joint: JointId,
+    /// Of the coordinate.
+    pub(super) dimension: Dimension,
+}
+
+/// What a table says of the motion of a joint.
+pub(super) struct Prescribed<'e, 't> {
+    pub(super) table: &'e Table<'t>,
+    pub(super) speed: &'e Option<Entry<'t>>,
+    pub(super) start_angle: &'e Option<Entry<'t>>,
+    pub(super) start_position: &'e Option<Entry<'t>>,
+    pub(super) motion: &'e Option<Entry<'t>>,
 }
 
 impl ModelReader {
@@ -37,7 +57,7 @@ impl ModelReader {
     pub fn read_drives(&mut self, entry: &Entry<'_>) {
         for entry in self.reader.named(entry, "a drive") {
             self.remember(&entry);
-            let drive = self.reader.table(&entry, &DRIVE_KEYS).and_then(|table| self.drive(&entry, &table));
+            let drive = DriveTable::read(self, &entry).and_then(|own| self.drive(&entry, &own));
             let id = drive.map(|drive| {
                 self.drives.push(drive);
                 DriveId(self.drives.len() - 1)
@@ -46,18 +66,15 @@ impl ModelReader {
         }
     }
 
-    fn drive(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Drive> {
-        let driven = self.driven_joint(entry, table)?;
-        let law = match table.get("motion") {
-            Some(motion) => self.motion(&motion, &driven),
-            None => self.constant_speed(entry, table, &driven),
-        };
-        Some(Drive { name: entry.name.to_owned(), joint: driven.joint, law: law? })
+    fn drive(&mut self, entry: &Entry<'_>, own: &DriveTable<'_>) -> Option<Drive> {
+        let driven = self.driven_joint(entry, &own.joint)?;
+        let DriveTable { table, speed, start_angle, start_position, motion, .. } = own;
+        let law = self.prescribed(&Prescribed { table, speed, start_angle, start_position, motion }, &driven)?;
+        Some(Drive { name: entry.name.to_owned(), joint: driven.joint, law })
     }
 
-    fn driven_joint(&mut self, entry: &Entry<'_>, table: &Table<'_>) -> Option<Driven> {
-        let joint_entry = table.get("joint")?;
-        let joint = self.joint(&joint_entry)?;
+    fn driven_joint(&mut self, entry: &Entry<'_>, joint_entry: &Entry<'_>) -> Option<Driven> {
+        let joint = self.joint(joint_entry)?;
         let joint_name = self.joints[joint.0].name.clone();
         let words = entry.path.describe();
         if let Some(other) = self.drives.iter().find(|drive| drive.joint == joint) {
@@ -68,7 +85,7 @@ impl ModelReader {
         let kind = &self.joints[joint.0].kind;
         let refused = kind.why_not_driven(&|clearance_m| self.is_nominally_zero(clearance_m));
         let NotDriven { why, hint } = match (refused, kind.coordinate()) {
-            (None, Some(coordinate)) => return Some(Driven::new(joint, coordinate)),
+            (None, Some(dimension)) => return Some(Driven { joint, dimension }),
             (refused, _) => refused.unwrap_or(NotDriven::never("has no coordinate")),
         };
         let problem = ModelProblem::NotDrivable { entry: words, joint: joint_name, why, hint };
@@ -80,26 +97,26 @@ impl ModelReader {
         self.quantities[clearance_m].is_settable() && self.quantities.nominal_value(clearance_m) == 0.0
     }
 
-    pub(super) fn constant_speed(&mut self, entry: &Entry<'_>, table: &Table<'_>, driven: &Driven) -> Option<DriveLaw> {
-        let rate = driven.dimension.over(Dimension::TIME);
-        let speed = table.get("speed").and_then(|entry| self.quantity_of(&entry, rate, Rule::Finite));
-        if let Some(found) = table.get(driven.other_key) {
-            let problem = ModelProblem::WrongStart {
-                entry: entry.path.describe(),
-                found: driven.other_key,
-                due: driven.start_key,
-                kind: driven.kind,
-                joint: self.joints[driven.joint.0].name.clone(),
-            };
-            self.reader.complain(&problem, found.key_span);
+    /// The motion of a joint: behind `motion`, or at constant speed from a start.
+    pub(super) fn prescribed(&mut self, own: &Prescribed<'_, '_>, driven: &Driven) -> Option<DriveLaw> {
+        if let Some(motion) = own.motion {
+            let (word, table) = self.table_of_kind(motion, MOTION_KINDS)?;
+            return DriveLaw::read(word, &table, driven.dimension, self);
         }
-        let start = self.quantity(table, driven.start_key);
+        let rate = driven.dimension.over(Dimension::TIME);
+        let speed = own.speed.as_ref().and_then(|entry| self.quantity_of(entry, rate, Rule::Finite));
+        let (angle, position) = ((own.start_angle, "start_angle"), (own.start_position, "start_position"));
+        let ((start, due), (other, found), kind) = match driven.dimension == Dimension::LENGTH {
+            true => (position, angle, "prismatic"),
+            false => (angle, position, "revolute"),
+        };
+        if let Some(other) = other {
+            let joint = self.joints[driven.joint.0].name.clone();
+            let problem = ModelProblem::WrongStart { entry: own.table.path.describe(), found, due, kind, joint };
+            self.reader.complain(&problem, other.key_span);
+        }
+        let start = start.as_ref().and_then(|entry| self.quantity_at(entry));
         Some(DriveLaw::steady_motion(Steady { speed: speed?, start: start? }))
-    }
-
-    pub(super) fn motion(&mut self, entry: &Entry<'_>, driven: &Driven) -> Option<DriveLaw> {
-        let (word, table) = self.table_of_kind(entry, MOTION_KINDS)?;
-        DriveLaw::read(word, &table, driven.dimension, self)
     }
 }
 

@@ -3,35 +3,66 @@
 use super::reader::ModelReader;
 use crate::model::ids::{Axis, BodyId, JointId};
 use crate::model::initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
-use crate::model::keys::{INITIAL_BODY_KEYS, INITIAL_JOINT_KEYS, INITIAL_KEYS};
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::document::{Entry, Kind, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
 
-/// Keys of positions and of their rates, with what both measure.
-const COORDINATES: [(&str, bool, Dimension); 4] = [
-    ("angle", false, Dimension::ANGLE),
-    ("angular_velocity", true, Dimension::ANGULAR_VELOCITY),
-    ("position", false, Dimension::LENGTH),
-    ("velocity", true, Dimension::VELOCITY),
-];
+record! {
+    /// where a body is at time zero and how it moves, seen from the ground
+    struct InitialBody for PartReader;
+    /// angle of its x axis
+    optional angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";
+    /// rate of that
+    optional angular_velocity: Entry<'t> = quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"";
+    /// origin of its frame
+    optional position: Entry<'t> = Kind::Vector, "[\"10 mm\", \"0 mm\"]";
+    /// velocity of that origin
+    optional velocity: Entry<'t> = Kind::Vector, "[\"1 m/s\", \"0 m/s\"]";
+}
 
-/// Keys of the place of a journal in its bearing.
-const OFFSET_KEYS: [&str; 3] = ["offset", "offset_velocity", "start"];
+record! {
+    /// where a joint is at time zero and how it moves
+    struct InitialJoint for PartReader;
+    /// angle of the journal's body from the bearing's
+    optional angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
+    /// rate of that
+    optional angular_velocity: Entry<'t> = quantity(D::ANGULAR_VELOCITY, Rule::Finite), "\"2 rad/s\"";
+    /// position of the slider along the guide
+    optional position: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"5 mm\"";
+    /// rate of that
+    optional velocity: Entry<'t> = quantity(D::VELOCITY, Rule::Finite), "\"1 m/s\"";
+    /// of a joint with play: centre of the journal from that of the bearing, along the axes of the ground; none if left out
+    optional offset: Entry<'t> = Kind::Vector, "[\"0 mm\", \"-0.5 mm\"]";
+    /// rate of the offset; none if left out
+    optional offset_velocity: Entry<'t> = Kind::Vector, "[\"0 m/s\", \"0.1 m/s\"]";
+    /// in place of an offset: the journal rests on the side on which the forces at the start press it
+    optional start: Entry<'t> = Kind::Choice(&["resting"]), "\"resting\"";
+}
+
+record! {
+    /// the state at time zero: of a mechanism that its drives do not move alone, and of journals in their bearings
+    pub(super) struct InitialTable for PartReader;
+    /// bodies, each under [initial.body.NAME]
+    optional body: Entry<'t> = Kind::Tables { keys: &InitialBody::KEYS, except: &[] }, "";
+    /// joints, each under [initial.joint.NAME]
+    optional joint: Entry<'t> = Kind::Tables { keys: &InitialJoint::KEYS, except: &[] }, "";
+}
 
 impl ModelReader {
     /// Reads the initial state, and where journals are in their bearings.
     pub fn read_initial(&mut self, entry: &Entry<'_>) -> (Vec<InitialValue>, Vec<InitialOffset>) {
-        let Some(table) = self.reader.table(entry, &INITIAL_KEYS) else { return Default::default() };
+        let Some(table) = InitialTable::read(self, entry) else { return Default::default() };
         self.remember(entry);
         let (mut values, mut offsets) = (Vec::new(), Vec::new());
-        if let Some(bodies) = table.get("body") {
+        if let Some(bodies) = table.body {
             for entry in self.reader.any_keys(&bodies) {
                 self.initial_body(&entry, &mut values);
             }
         }
-        if let Some(joints) = table.get("joint") {
+        if let Some(joints) = table.joint {
             for entry in self.reader.any_keys(&joints) {
                 self.initial_joint(&entry, &mut values, &mut offsets);
             }
@@ -41,18 +72,20 @@ impl ModelReader {
 
     fn initial_body(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>) {
         self.remember(entry);
-        let table = self.reader.table(entry, &INITIAL_BODY_KEYS);
-        let (Some(table), Some(body)) = (table, self.body(&entry.at_key(), entry.name)) else { return };
+        let own = InitialBody::read(self, entry);
+        let (Some(own), Some(body)) = (own, self.body(&entry.at_key(), entry.name)) else { return };
         if body == BodyId(0) {
             self.reader.complain(&ModelProblem::InitialOfGround, entry.key_span);
             return;
         }
-        for (key, is_rate, dimension) in COORDINATES {
-            let Some(entry) = table.get(key) else { continue };
-            if matches!(key, "angle" | "angular_velocity") {
-                self.initial_value(&entry, InitialOf::BodyAngle(body), is_rate, dimension, values);
-                continue;
-            }
+        let of = InitialOf::BodyAngle(body);
+        for (entry, is_rate, dimension) in
+            [(own.angle, false, D::ANGLE), (own.angular_velocity, true, D::ANGULAR_VELOCITY)]
+        {
+            entry.into_iter().for_each(|entry| self.initial_value(&entry, of, is_rate, dimension, values));
+        }
+        for (entry, is_rate, dimension) in [(own.position, false, D::LENGTH), (own.velocity, true, D::VELOCITY)] {
+            let Some(entry) = entry else { continue };
             let Some(pair) = self.reader.pair(&entry) else { continue };
             for (mut element, (axis, name)) in pair.into_iter().zip([(Axis::X, "x"), (Axis::Y, "y")]) {
                 element.path = entry.path.join(name);
@@ -63,36 +96,44 @@ impl ModelReader {
 
     fn initial_joint(&mut self, entry: &Entry<'_>, values: &mut Vec<InitialValue>, offsets: &mut Vec<InitialOffset>) {
         self.remember(entry);
-        let table = self.reader.table(entry, &INITIAL_JOINT_KEYS);
+        let own = InitialJoint::read(self, entry);
         let joint = self.named(&entry.at_key(), "joint", entry.name, |file| &file.joint_names);
-        let (Some(table), Some(joint)) = (table, joint) else { return };
-        offsets.extend(self.initial_offset(&table, joint));
+        let (Some(own), Some(joint)) = (own, joint) else { return };
+        offsets.extend(self.initial_offset(&own, joint));
         let Some(coordinate) = self.joints[joint.0].kind.coordinate() else {
             self.reader.complain(&self.does_not_move("initial".to_owned(), joint), entry.key_span);
             return;
         };
         let of = InitialOf::joint(joint, coordinate);
-        for (key, is_rate, dimension) in COORDINATES {
-            let fits = matches!(key, "angle" | "angular_velocity") == matches!(of, InitialOf::JointAngle(_));
-            match table.get(key) {
-                Some(entry) if fits => self.initial_value(&entry, of, is_rate, dimension, values),
-                Some(entry) => self.refuse_coordinate(&table, &entry, key),
-                None => {}
+        let turns = matches!(of, InitialOf::JointAngle(_));
+        for (entry, fits, is_rate, dimension) in [
+            (own.angle, turns, false, D::ANGLE),
+            (own.angular_velocity, turns, true, D::ANGULAR_VELOCITY),
+            (own.position, !turns, false, D::LENGTH),
+            (own.velocity, !turns, true, D::VELOCITY),
+        ] {
+            let Some(entry) = entry else { continue };
+            if fits {
+                self.initial_value(&entry, of, is_rate, dimension, values);
+            } else {
+                let key = entry.name.to_owned();
+                let problem = ModelProblem::WrongCoordinate { entry: own.table.path.describe(), key };
+                self.reader.complain(&problem, entry.key_span);
             }
         }
     }
 
     /// Where the journal of `joint` is in its bearing; nothing where that is not said.
-    fn initial_offset(&mut self, table: &Table<'_>, joint: JointId) -> Option<InitialOffset> {
-        let key = OFFSET_KEYS.into_iter().find(|key| table.has(key))?;
-        let (entry, name) = (table.path.describe(), self.joints[joint.0].name.clone());
-        let span = table.get(key).map_or(table.span, |entry| entry.key_span);
+    fn initial_offset(&mut self, own: &InitialJoint<'_>, joint: JointId) -> Option<InitialOffset> {
+        let written = [&own.offset, &own.offset_velocity, &own.start].into_iter().flatten().next()?;
         if self.joints[joint.0].kind.pin_clearance().is_none() {
-            return self.reader.refuse(&ModelProblem::OffsetWithoutPlay { entry, key, joint: name }, span);
+            let (entry, key) = (own.table.path.describe(), written.name.to_owned());
+            let problem = ModelProblem::OffsetWithoutPlay { entry, key, joint: self.joints[joint.0].name.clone() };
+            return self.reader.refuse(&problem, written.key_span);
         }
-        let mut vector = |key: &str, dimension: Dimension| {
-            let written = table.get(key)?;
-            let pair = self.reader.pair(&written)?;
+        let mut vector = |written: &Option<Entry<'_>>, dimension: Dimension| {
+            let written = written.as_ref()?;
+            let pair = self.reader.pair(written)?;
             let parts = pair.into_iter().zip(["x", "y"]).map(|(mut element, axis)| {
                 element.path = written.path.join(axis);
                 self.quantity_of(&element, dimension, Rule::Finite)
@@ -100,22 +141,18 @@ impl ModelReader {
             let parts = parts.collect::<Option<Vec<QuantityId>>>()?;
             <[QuantityId; 2]>::try_from(parts).ok()
         };
-        let offset_m = vector("offset", Dimension::LENGTH);
-        let velocity_m_s = vector("offset_velocity", Dimension::VELOCITY);
-        let place = if table.has("start") {
-            for key in ["offset", "offset_velocity"] {
-                self.refuse_beside(table, key, "start");
+        let offset_m = vector(&own.offset, D::LENGTH);
+        let velocity_m_s = vector(&own.offset_velocity, D::VELOCITY);
+        let place = match &own.start {
+            Some(start) => {
+                for key in ["offset", "offset_velocity"] {
+                    self.refuse_beside(&own.table, key, "start");
+                }
+                self.reader.choice(start, &[("resting", OffsetPlace::Resting)])?
             }
-            self.reader.choice_or(table, "start", &[("resting", OffsetPlace::Resting)], OffsetPlace::Resting)?
-        } else {
-            OffsetPlace::Given { offset_m, velocity_m_s }
+            None => OffsetPlace::Given { offset_m, velocity_m_s },
         };
-        Some(InitialOffset { path: table.path.dotted(), joint, place })
-    }
-
-    fn refuse_coordinate(&mut self, table: &Table<'_>, entry: &Entry<'_>, key: &'static str) {
-        let problem = ModelProblem::WrongCoordinate { entry: table.path.describe(), key };
-        self.reader.complain(&problem, entry.key_span);
+        Some(InitialOffset { path: own.table.path.dotted(), joint, place })
     }
 
     fn initial_value(

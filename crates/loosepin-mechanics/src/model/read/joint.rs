@@ -4,7 +4,6 @@ use super::reader::ModelReader;
 use crate::model::friction::Friction;
 use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, PlayKeys};
-use crate::model::keys::friction::JOINT_FRICTION_KEYS;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use crate::model::topology::{Joint, JointFriction};
@@ -51,7 +50,7 @@ impl ModelReader {
     /// Friction of an ideal joint with its size under `key`; the outer option is absent after a complaint.
     fn joint_friction(&mut self, table: &Table<'_>, key: &'static str) -> Option<Option<JointFriction>> {
         let size_m = self.quantity(table, key);
-        let friction = table.get("friction").map(|entry| Friction::read(&entry, &JOINT_FRICTION_KEYS, self));
+        let friction = table.get("friction").map(|entry| Friction::of_joint(&entry, self));
         for (key, needs) in [("friction", key), (key, "friction")] {
             if table.has(key) && !table.has(needs) {
                 self.complain_of_missing(table, key, vec![needs]);
@@ -62,19 +61,6 @@ impl ModelReader {
             None => Some(None),
             Some(friction) => Some(Some(JointFriction { friction: friction?, size_m: size_m? })),
         }
-    }
-
-    /// The contact that a joint or coupling names.
-    pub(super) fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
-        let entry = table.get("contact")?;
-        let name = self.reader.text(&entry)?.to_owned();
-        self.used_contacts.push(name.clone());
-        self.named(&entry, "contact", &name, |file| &file.contact_names)
-    }
-
-    /// The contact of a joint or coupling with play: the one that it names, or one that stands for none; `None` after a complaint.
-    pub(super) fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId> {
-        if table.has("contact") { named } else { Some(self.no_contact()) }
     }
 }
 
@@ -106,12 +92,14 @@ impl JointReader for ModelReader {
         Self::demand_order(self, smaller, larger, span)
     }
 
-    fn contact_of(&mut self, table: &Table<'_>) -> Option<ContactId> {
-        Self::contact_of(self, table)
+    fn contact(&mut self, entry: &Entry<'_>) -> Option<ContactId> {
+        let name = self.reader.text(entry)?.to_owned();
+        self.used_contacts.push(name.clone());
+        self.named(entry, "contact", &name, |file| &file.contact_names)
     }
 
-    fn contact_of_play(&mut self, table: &Table<'_>, named: Option<ContactId>) -> Option<ContactId> {
-        Self::contact_of_play(self, table, named)
+    fn no_contact(&mut self) -> ContactId {
+        Self::no_contact(self)
     }
 
     fn contact_facts(&self, contact: ContactId) -> ContactFacts {

@@ -2,13 +2,14 @@
 
 use super::function::Changing;
 use super::reader::ModelReader;
+use crate::model::entry_reader::EntryReader;
 use crate::model::function::{TIME, Variable};
 use crate::model::ids::{BodyId, JointId};
-use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, SizeKeys};
+use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::load_table::{LoadTable, Piston};
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
-use crate::model::table_curve::TableCurve;
-use loosepin_text::document::{Entry, Keys, Table};
+use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 
 impl ModelReader {
@@ -23,16 +24,15 @@ impl ModelReader {
 
     fn load(&mut self, entry: &Entry<'_>) -> Option<Load> {
         let (word, table) = self.table_of_kind(entry, LOAD_KINDS)?;
-        let kind = LoadKind::read(word, &table, self);
-        let size = LoadKind::size_of_kind(word);
-        let joint = match size.and_then(|_| table.get("joint")) {
-            None => Some(None),
-            Some(joint) => self.moving_joint(&joint).map(Some),
-        };
+        let (kind, written) = LoadKind::read(word, table, self);
+        let size = written.zip(LoadKind::size_of_kind(word));
         // Without the joint it is not known what the expression may read.
-        let joint = joint?;
+        let joint = match size.as_ref().and_then(|(own, _)| own.joint.as_ref()) {
+            None => None,
+            Some(joint) => Some(self.moving_joint(joint)?),
+        };
         let course = match &size {
-            Some(size) => self.size(entry, &table, size, joint).map(Some),
+            Some((own, keys)) => self.size(entry.name, own, keys, joint).map(Some),
             None => Some(None),
         };
         let kind = kind?;
@@ -40,42 +40,39 @@ impl ModelReader {
             return self.reader.refuse(&ModelProblem::LoadOnGround { entry: entry.path.describe() }, entry.key_span);
         }
         let course = course?;
-        if let Some((course, size)) = course.as_ref().zip(size) {
-            self.refuse_unread_joint(&table, course, &size)?;
+        if let Some((course, (own, keys))) = course.as_ref().zip(size) {
+            self.refuse_unread_joint(&own, course, &keys)?;
         }
         Some(Load { name: entry.name.to_owned(), kind, course, joint })
     }
 
     /// The size of a load, constant, over time or the motion of a joint, or by points.
-    fn size(
-        &mut self,
-        entry: &Entry<'_>,
-        table: &Table<'_>,
-        size: &SizeKeys,
-        joint: Option<JointId>,
-    ) -> Option<Course> {
+    fn size(&mut self, load: &str, own: &SizeTable<'_>, keys: &SizeKeys, joint: Option<JointId>) -> Option<Course> {
         let variables = self.variables(joint);
-        if let Some(given) = key_of_points(table) {
-            return self.load_table((entry.name, table), given, size, &variables).map(Course::Table);
+        if let Some(given) = key_of_points(own) {
+            return self.load_table((load, own), given, keys, &variables).map(Course::Table);
         }
-        let of_pressures: &[&'static str] = if size.takes_pressures { &["area", "back_pressure"] } else { &[] };
+        let of_pressures: &[&'static str] = if own.pressures.is_some() { &["area", "back_pressure"] } else { &[] };
         for only in ["of", "period", "curve"].iter().chain(of_pressures) {
-            self.refuse_beside(table, only, size.key);
+            self.refuse_beside(&own.table, only, keys.key);
         }
-        let entry = table.get(size.key)?;
-        self.course(&entry, size.dimension, size.harmonic, &variables)
+        let entry = own.size.as_ref()?;
+        if entry.is_table() {
+            return (keys.harmonic)(self, entry);
+        }
+        self.changing(entry, keys.dimension, Rule::Finite, &variables).map(Course::from)
     }
 
     /// Complains of a joint that the size of a load does not read.
-    fn refuse_unread_joint(&mut self, table: &Table<'_>, course: &Course, size: &SizeKeys) -> Option<()> {
+    fn refuse_unread_joint(&mut self, own: &SizeTable<'_>, course: &Course, keys: &SizeKeys) -> Option<()> {
         let is_of_time = matches!(course, Course::Table(LoadTable { variable: 0, .. }));
         if (is_of_time || matches!(course, Course::Constant(_) | Course::Harmonic { .. }))
-            && let Some(found) = table.get("joint")
+            && let Some(found) = &own.joint
         {
-            let entry = table.path.describe();
-            let problem = match key_of_points(table) {
+            let entry = own.table.path.describe();
+            let problem = match key_of_points(own) {
                 Some(_) => ModelProblem::KeyWithoutEffect { entry, key: "joint", beside: "of = \"time\"" },
-                None => ModelProblem::JointNotRead { entry, key: size.key },
+                None => ModelProblem::JointNotRead { entry, key: keys.key },
             };
             return self.reader.refuse(&problem, found.key_span);
         }
@@ -85,55 +82,55 @@ impl ModelReader {
     /// The points of a load behind the key `given`: of its size, or of pressures.
     fn load_table(
         &mut self,
-        (load, table): (&str, &Table<'_>),
+        (load, own): (&str, &SizeTable<'_>),
         given: &'static str,
-        size: &SizeKeys,
+        keys: &SizeKeys,
         variables: &[Variable],
     ) -> Option<LoadTable> {
-        let curve = self.reader.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
-        let piston = if size.takes_pressures { self.piston(table) } else { Some(None) };
-        let Some(argument) = table.get("of") else {
-            self.complain_of_missing(table, given, vec!["of"]);
+        let PointsOfLoad { csv, of, period, curve, .. } = &own.rest;
+        let piston = own.pressures.as_ref().map_or(Some(None), |pressures| self.piston(&own.table, pressures));
+        let Some(argument) = of else {
+            self.complain_of_missing(&own.table, given, vec!["of"]);
             return None;
         };
-        let word = self.reader.choice(&argument, &ARGUMENTS.map(|word| (word, word)))?;
+        let word = self.reader.choice(argument, &ARGUMENTS.map(|word| (word, word)))?;
         let Some(variable) = variables.iter().position(|(name, _)| *name == word) else {
             let names: Vec<&'static str> = variables.iter().map(|(name, _)| *name).collect();
             let problem = ModelProblem::NotOfJoint { entry: argument.path.describe(), word, names };
             return self.reader.refuse(&problem, argument.span);
         };
         let piston = piston?;
-        let column = if piston.is_some() { ("pressure", Dimension::PRESSURE) } else { (size.key, size.dimension) };
+        let column = if piston.is_some() { ("pressure", Dimension::PRESSURE) } else { (keys.key, keys.dimension) };
         let columns = [variables[variable], column];
-        let points = self.table_points(table, columns);
-        let period = match table.get("period") {
+        let points = self.table_points([&own.points, csv], columns);
+        let period_span = period.as_ref().map_or(own.table.span, |entry| entry.span);
+        let period = match period {
             Some(_) if word == "speed" => {
-                self.refuse_beside(table, "period", "of = \"speed\"");
+                self.refuse_beside(&own.table, "period", "of = \"speed\"");
                 return None;
             }
-            Some(entry) => Some(self.quantity_of(&entry, columns[0].1, Rule::Positive)?),
+            Some(entry) => Some(self.quantity_of(entry, columns[0].1, Rule::Positive)?),
             None => None,
         };
         let dimensions = columns.map(|(_, dimension)| dimension);
         let load = load.to_owned();
-        let read = LoadTable { load, variable, points: points?, curve: curve?, period, piston, dimensions };
+        let read = LoadTable { load, variable, points: points?, curve: (*curve)?, period, piston, dimensions };
         if let Err(problem) = read.course(&self.quantities.nominal()) {
-            let span = table.get("period").map_or(table.span, |entry| entry.span);
-            return self.reader.refuse(&problem, span);
+            return self.reader.refuse(&problem, period_span);
         }
         Some(read)
     }
 
-    /// The piston of a force whose table is of pressures; none where it is of forces.
-    fn piston(&mut self, table: &Table<'_>) -> Option<Option<Piston>> {
-        if !table.has("area") {
-            if table.has("back_pressure") {
+    /// The piston of a force whose table is of pressures, by its area and back pressure; none where it is of forces.
+    fn piston(&mut self, table: &Table<'_>, [area, back]: &[Option<Entry<'_>>; 2]) -> Option<Option<Piston>> {
+        let Some(area) = area else {
+            if back.is_some() {
                 self.complain_of_missing(table, "back_pressure", vec!["area"]);
                 return None;
             }
             return Some(None);
-        }
-        let area_m2 = self.quantity(table, "area");
+        };
+        let area_m2 = self.quantity_at(area);
         let back_pressure_pa = self.quantity_or(table, "back_pressure", 0.0);
         Some(Some(Piston { area_m2: area_m2?, back_pressure_pa: back_pressure_pa? }))
     }
@@ -150,29 +147,12 @@ impl ModelReader {
         }
         variables
     }
-
-    fn course(
-        &mut self,
-        entry: &Entry<'_>,
-        dimension: Dimension,
-        harmonic: &'static Keys,
-        variables: &[Variable],
-    ) -> Option<Course> {
-        if !entry.is_table() {
-            return self.changing(entry, dimension, Rule::Finite, variables).map(Course::from);
-        }
-        let table = self.reader.table(entry, harmonic)?;
-        let mean = self.quantity_or(&table, "mean", 0.0);
-        let amplitude = self.quantity(&table, "amplitude");
-        let frequency = self.quantity(&table, "frequency");
-        let phase_rad = self.quantity_or(&table, "phase", 0.0);
-        Some(Course::Harmonic { mean: mean?, amplitude: amplitude?, frequency: frequency?, phase_rad: phase_rad? })
-    }
 }
 
 /// The key under which a load has points in place of a size.
-fn key_of_points(table: &Table<'_>) -> Option<&'static str> {
-    ["points", "csv"].into_iter().find(|key| table.has(key))
+fn key_of_points(own: &SizeTable<'_>) -> Option<&'static str> {
+    let csv = own.rest.csv.as_ref().map(|_| "csv");
+    own.points.as_ref().map(|_| "points").or(csv)
 }
 
 impl From<Changing> for Course {

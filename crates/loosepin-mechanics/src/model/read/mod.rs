@@ -1,7 +1,9 @@
 //! From the text of a model file to a model, with all its complaints at once.
 
 mod beam;
+mod beam_joints;
 mod beam_mass;
+mod beam_section;
 mod body;
 mod contact;
 mod control;
@@ -26,22 +28,85 @@ mod unitless;
 mod warm;
 mod wear;
 
+use crate::model::contact::ContactTable;
+use crate::model::coupling::{CAM, COUPLING_KINDS};
 use crate::model::ids::BodyId;
-use crate::model::keys::{ASSEMBLY_KEYS, MODEL_KEYS};
+use crate::model::joint::JOINT_KINDS;
+use crate::model::load::LOAD_KINDS;
+use crate::model::output::OUTPUT_KEYS;
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::UNREAD;
 use crate::model::sizes::SIZES;
 use crate::model::topology::{Guess, Model};
+use crate::model::wear::LifeTable;
+use body::{BodyTable, GroundTable};
+use control::ControlTable;
+use cycle::CycleTable;
+use drive::DriveTable;
+use initial::InitialTable;
 use loosepin_text::diagnostics::{Complaint, Complaints, Source};
-use loosepin_text::document::{Entry, Table, describe_path, json_schema, parse_toml, read_source, source_from_bytes};
+use loosepin_text::document::{Entry, Kind, Table, quantity};
+use loosepin_text::document::{describe_path, json_schema, parse_toml, read_source, source_from_bytes};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
 use reader::ModelReader;
+use spring::SPRING_KINDS;
 use std::path::Path;
 use std::sync::Arc;
 
+record! {
+    /// how loops close that can close in two ways
+    struct AssemblyTable for PartReader;
+    /// about the angle of bodies at time zero
+    required guess: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ rocker = \"94 deg\" }";
+}
+
+record! {
+    /// a planar mechanism with its nominal values
+    struct ModelTable for PartReader;
+    /// name of the mechanism
+    required name: Option<String> = Kind::Text, "\"worn pin\"";
+    /// acceleration along -y; "0 m/s^2" for none; needed for runs
+    optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
+    /// how much warmer than their drawings parts with thermal_expansion are
+    optional temperature_rise: Entry<'t> = quantity(Dimension::TEMPERATURE, Rule::Finite), "\"40 K\"";
+    /// named values for use in expressions
+    optional parameter: Entry<'t> = Kind::Values(&Kind::AnyQuantity), "";
+    /// the bodies, each under [body.NAME]
+    required body: Option<Entry<'t>> =
+        Kind::Tables { keys: &BodyTable::KEYS, except: &[("ground", &GroundTable::KEYS)] }, "";
+    /// contacts, shared by joints
+    optional contact: Entry<'t> = Kind::Tables { keys: &ContactTable::KEYS, except: &[] }, "";
+    /// the joints
+    optional joint: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "";
+    /// gears, belts, racks and other ratios of two joints, each under [coupling.NAME]
+    optional coupling: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: COUPLING_KINDS }, "";
+    /// cams with a profile by points, each under [cam.NAME]
+    optional cam: Entry<'t> = Kind::Tables { keys: CAM.1, except: &[] }, "";
+    /// springs with their dampers, each under [spring.NAME]
+    optional spring: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: SPRING_KINDS }, "";
+    /// forces and torques from outside, each under [load.NAME]
+    optional load: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: LOAD_KINDS }, "";
+    /// the drives, each under [drive.NAME]
+    optional drive: Entry<'t> = Kind::Tables { keys: &DriveTable::KEYS, except: &[] }, "";
+    /// joints whose actuators follow a reference, each under [control.NAME]
+    optional control: Entry<'t> = Kind::Tables { keys: &ControlTable::KEYS, except: &[] }, "";
+    /// the initial state of what the drives do not move alone
+    optional initial: Entry<'t> = Kind::Table(&InitialTable::KEYS), "";
+    /// how loops close that can close in two ways
+    optional assembly: Entry<'t> = Kind::Table(&AssemblyTable::KEYS), "";
+    /// for how long the wear of joints is stated, under [wear]
+    optional wear: Entry<'t> = Kind::Table(&LifeTable::KEYS), "";
+    /// the turns to run and to record, under [cycle]
+    required cycle: Option<Entry<'t>> = Kind::Table(&CycleTable::KEYS), "";
+    /// the outputs, in their order
+    optional output: Entry<'t> = Kind::Tables { keys: &OUTPUT_KEYS, except: &[] }, "";
+}
+
 /// The JSON Schema of a model file, for editors.
 pub fn model_schema() -> serde_json::Value {
-    json_schema("loosepin model", &MODEL_KEYS)
+    json_schema("loosepin model", &ModelTable::KEYS)
 }
 
 impl Model {
@@ -77,9 +142,9 @@ impl Model {
     pub fn from_source(source: Arc<Source>) -> Result<Model, Complaints> {
         let toml = parse_toml(&source)?;
         let mut file = ModelReader::new(&source);
-        let root = file.reader.root(toml.get_ref(), &MODEL_KEYS);
+        let root = file.reader.root(toml.get_ref(), &ModelTable::KEYS);
         file.has_unknown_tables = root.has_unknown();
-        file.read(&root)
+        file.read(root)
     }
 }
 
@@ -91,45 +156,46 @@ fn with_warnings(mut model: Model) -> Model {
 }
 
 impl ModelReader {
-    fn read(mut self, root: &Table<'_>) -> Result<Model, Complaints> {
-        if self.refuses_sizes(root) {
+    fn read(mut self, root: Table<'_>) -> Result<Model, Complaints> {
+        if self.refuses_sizes(&root) {
             return Err(self.reader.complaints);
         }
-        let name = root.get("name").and_then(|entry| self.reader.text(&entry)).unwrap_or_default().to_owned();
-        if let Some(entry) = root.get("parameter") {
-            self.read_parameters(&entry);
+        let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.reader.complaints) };
+        let name = own.name.unwrap_or_default();
+        if let Some(entry) = &own.parameter {
+            self.read_parameters(entry);
         }
-        if !root.has("gravity") {
-            self.miss_for_runs(root, "gravity");
+        if own.gravity.is_none() {
+            self.miss_for_runs(&own.table, "gravity");
         }
-        let gravity_m_s2 = self.quantity_or(root, "gravity", 0.0).unwrap_or(UNREAD);
-        self.has_temperature_rise = root.has("temperature_rise");
-        self.temperature_rise_k = self.quantity(root, "temperature_rise");
-        for (key, read) in [
-            ("body", ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
-            ("contact", ModelReader::read_contacts),
-            ("joint", ModelReader::read_joints),
-            ("coupling", ModelReader::read_couplings),
-            ("cam", ModelReader::read_cams),
-            ("spring", ModelReader::read_springs),
-            ("load", ModelReader::read_loads),
-            ("drive", ModelReader::read_drives),
-            ("control", ModelReader::read_controls),
+        let gravity_m_s2 = self.quantity_or(&own.table, "gravity", 0.0).unwrap_or(UNREAD);
+        self.has_temperature_rise = own.temperature_rise.is_some();
+        self.temperature_rise_k = own.temperature_rise.and_then(|entry| self.quantity_at(&entry));
+        for (entry, read) in [
+            (&own.body, ModelReader::read_bodies as fn(&mut ModelReader, &Entry<'_>)),
+            (&own.contact, ModelReader::read_contacts),
+            (&own.joint, ModelReader::read_joints),
+            (&own.coupling, ModelReader::read_couplings),
+            (&own.cam, ModelReader::read_cams),
+            (&own.spring, ModelReader::read_springs),
+            (&own.load, ModelReader::read_loads),
+            (&own.drive, ModelReader::read_drives),
+            (&own.control, ModelReader::read_controls),
         ] {
-            if let Some(entry) = root.get(key) {
-                read(&mut self, &entry);
+            if let Some(entry) = entry {
+                read(&mut self, entry);
             }
         }
-        let guesses = root.get("assembly").map(|entry| self.read_guesses(&entry)).unwrap_or_default();
+        let guesses = own.assembly.map(|entry| self.read_guesses(&entry)).unwrap_or_default();
         let (mut initial, initial_offsets) =
-            root.get("initial").map(|entry| self.read_initial(&entry)).unwrap_or_default();
-        if root.get("initial").is_none() || (initial.is_empty() && !initial_offsets.is_empty()) {
+            own.initial.as_ref().map(|entry| self.read_initial(entry)).unwrap_or_default();
+        if own.initial.is_none() || (initial.is_empty() && !initial_offsets.is_empty()) {
             initial = self.initial_of_controls();
         }
         self.refuse_beside_beams();
-        let cycle = root.get("cycle").and_then(|entry| self.read_cycle(&entry));
-        let outputs = root.get("output").map(|entry| self.read_outputs(&entry)).unwrap_or_default();
-        let wear = self.read_life(root, &outputs);
+        let cycle = own.cycle.and_then(|entry| self.read_cycle(&entry));
+        let outputs = own.output.map(|entry| self.read_outputs(&entry)).unwrap_or_default();
+        let wear = self.read_life(&own.wear, &outputs);
         self.take_laws_of_long_pins(wear.as_ref());
         self.refuse_measures_of_fixed_wear(&outputs, wear.as_ref());
         self.warn_of_unused();
@@ -199,9 +265,7 @@ impl ModelReader {
     }
 
     fn read_guesses(&mut self, entry: &Entry<'_>) -> Vec<Guess> {
-        let Some(guess) = self.reader.table(entry, &ASSEMBLY_KEYS).and_then(|assembly| assembly.get("guess")) else {
-            return Vec::new();
-        };
+        let Some(AssemblyTable { guess, .. }) = AssemblyTable::read(self, entry) else { return Vec::new() };
         let mut guesses = Vec::new();
         for entry in self.reader.any_keys(&guess) {
             let angle_rad = self.quantity_of(&entry, Dimension::ANGLE, Rule::Finite);

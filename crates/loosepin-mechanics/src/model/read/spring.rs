@@ -1,12 +1,84 @@
 //! Reading springs.
 
 use super::reader::ModelReader;
-use crate::model::keys::spring::SPRING_KINDS;
+use crate::model::entry_reader::{Column, EntryReader};
+use crate::model::ids::PointId;
+use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
 use crate::model::spring::{Elasticity, Spring, SpringKind};
-use crate::model::table_curve::TableCurve;
-use loosepin_text::document::{Entry, Table};
-use loosepin_text::units::Dimension;
+use crate::model::table_curve::{CSV, POINTS, TableCurve};
+use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Dimension as D, Rule};
+
+record! {
+    /// a file of points in place of those in the table, and the curve through either
+    struct FileAndCurve for PartReader;
+    optional csv: Entry<'t> as CSV;
+    /// beside points or csv: monotone: between two points nowhere beyond them; spline: smoother, with no jump of the stiffness' slope
+    optional curve: Option<TableCurve> = choice::<TableCurve>(), "\"spline\"", or "monotone";
+}
+
+record! {
+    /// a spring with its damper between points of two bodies; it pulls where it is longer than its free length
+    pub(super) struct LinearSpring for PartReader, kind "linear" of spring,
+        exactly one of [stiffness, points, csv], exactly one of [free_length, points, csv];
+    /// point of the first body
+    required first: Option<PointId> = Kind::Point, "\"ground.hook\"";
+    /// point of the second body
+    required second: Option<PointId> = Kind::Point, "\"rocker.eye\"";
+    /// force by extension
+    optional stiffness: Entry<'t> = quantity(D::SPRING_STIFFNESS, Rule::NonNegative), "\"2 N/mm\"";
+    /// length at which it is not extended
+    optional free_length: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"40 mm\"";
+    /// force by speed of extension, along the spring; none if left out
+    optional damping: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"5 N s/m\"";
+    /// pull at the free length, below zero for a push; none if left out
+    #[allow(dead_code)]
+    optional preload: Entry<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"";
+    /// pairs of a length and the pull there, in place of stiffness and free length; lengths increasing, straight beyond both ends
+    optional points: Entry<'t> = POINTS, "[[\"30 mm\", \"-4 N\"], [\"40 mm\", \"0 N\"], [\"55 mm\", \"12 N\"]]";
+    include rest: FileAndCurve<'t>;
+}
+
+record! {
+    /// a spring with its damper that turns two bodies back to their free angle
+    pub(super) struct TorsionalSpring for PartReader, kind "torsional" of spring,
+        exactly one of [stiffness, points, csv], exactly one of [free_angle, points, csv];
+    /// the revolute joint around which it lies: from its bearing's body to its journal's
+    optional joint: Entry<'t> = Kind::Reference("joint"), "\"pivot\"";
+    /// the first body, in place of a joint
+    optional first: Entry<'t> = Kind::Reference("body"), "\"ground\"";
+    /// the second body, in place of a joint
+    optional second: Entry<'t> = Kind::Reference("body"), "\"rocker\"";
+    /// torque by angle
+    optional stiffness: Entry<'t> = quantity(D::TORSIONAL_STIFFNESS, Rule::NonNegative), "\"2 N m/rad\"";
+    /// angle of the second body from the first at which it is not wound up
+    optional free_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
+    /// torque by angular velocity; none if left out
+    optional damping: Entry<'t> = quantity(D::TORSIONAL_DAMPING, Rule::NonNegative), "\"0.01 N m s/rad\"";
+    /// torque at the free angle that turns the second body backwards; none if left out
+    #[allow(dead_code)]
+    optional preload: Entry<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"";
+    /// pairs of an angle and the torque there, in place of stiffness and free angle; angles increasing, straight beyond both ends
+    optional points: Entry<'t> =
+        POINTS, "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]";
+    include rest: FileAndCurve<'t>;
+}
+
+/// The kinds of spring with their keys.
+pub(super) static SPRING_KINDS: &[(&str, &Keys)] =
+    &[(LinearSpring::WORD, &LinearSpring::KEYS), (TorsionalSpring::WORD, &TorsionalSpring::KEYS)];
+
+/// What the table of a spring says of its pull, without its damper.
+struct Pull<'e, 't> {
+    table: &'e Table<'t>,
+    /// Stiffness, and free length or angle.
+    linear: [&'e Option<Entry<'t>>; 2],
+    points: &'e Option<Entry<'t>>,
+    rest: &'e FileAndCurve<'t>,
+    columns: [Column; 2],
+}
 
 impl ModelReader {
     /// Reads the table of springs.
@@ -19,11 +91,24 @@ impl ModelReader {
     }
 
     fn spring(&mut self, entry: &Entry<'_>) -> Option<Spring> {
-        let (kind, table) = self.table_of_kind(entry, SPRING_KINDS)?;
-        let is_linear = kind == "linear";
-        let kind = if is_linear { self.linear_spring(&table) } else { self.torsional_spring(&table) };
-        let elasticity = self.elasticity(&table, is_linear);
-        let damping = self.quantity(&table, "damping");
+        let (word, table) = self.table_of_kind(entry, SPRING_KINDS)?;
+        let (kind, elasticity, damping) = if word == LinearSpring::WORD {
+            let own = LinearSpring::of(self, table)?;
+            let columns = [("length", Dimension::LENGTH), ("force", Dimension::FORCE)];
+            let LinearSpring { table, stiffness, free_length, points, rest, .. } = &own;
+            let linear = [stiffness, free_length];
+            let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
+            let kind = own.first.zip(own.second).map(|(first, second)| SpringKind::Linear { first, second });
+            (kind, elasticity, own.damping)
+        } else {
+            let own = TorsionalSpring::of(self, table)?;
+            let columns = [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)];
+            let TorsionalSpring { table, stiffness, free_angle, points, rest, .. } = &own;
+            let linear = [stiffness, free_angle];
+            let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
+            (self.torsional_spring(&own), elasticity, own.damping)
+        };
+        let damping = damping.and_then(|entry| self.quantity_at(&entry));
         let kind = kind?;
         let [first, second] = kind.bodies();
         if first == second {
@@ -33,49 +118,35 @@ impl ModelReader {
         Some(Spring { name: entry.name.to_owned(), kind, elasticity: elasticity?, damping })
     }
 
-    fn elasticity(&mut self, table: &Table<'_>, is_linear: bool) -> Option<Elasticity> {
-        let free_key = if is_linear { "free_length" } else { "free_angle" };
-        let Some(key) = ["points", "csv"].into_iter().find(|key| table.has(key)) else {
-            self.refuse_beside(table, "curve", "stiffness");
-            let stiffness = self.quantity(table, "stiffness");
-            let free = self.quantity(table, free_key);
-            let preload = self.quantity_or(table, "preload", 0.0);
-            return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
-        };
-        self.refuse_beside(table, "preload", key);
-        let curve = self.reader.choice_or(table, "curve", &TableCurve::WORDS, TableCurve::Monotone);
-        let columns = if is_linear {
-            [("length", Dimension::LENGTH), ("force", Dimension::FORCE)]
-        } else {
-            [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)]
-        };
-        let points = self.table_points(table, columns)?;
-        Some(Elasticity::Table { points, curve: curve? })
-    }
-
-    fn linear_spring(&mut self, table: &Table<'_>) -> Option<SpringKind> {
-        let [first, second] = ["first", "second"].map(|key| table.get(key).and_then(|entry| self.point(&entry)));
-        Some(SpringKind::Linear { first: first?, second: second? })
-    }
-
-    fn torsional_spring(&mut self, table: &Table<'_>) -> Option<SpringKind> {
-        let entry = table.path.describe();
-        let Some(joint_entry) = table.get("joint") else {
-            let missing: Vec<&'static str> = ["first", "second"].into_iter().filter(|key| !table.has(key)).collect();
-            if !missing.is_empty() {
-                return self.reader.refuse(&ModelProblem::NoBodies { entry }, table.span);
+    fn elasticity(&mut self, own: Pull<'_, '_>) -> Option<Elasticity> {
+        let given = match (own.points, &own.rest.csv) {
+            (Some(_), _) => "points",
+            (None, Some(_)) => "csv",
+            (None, None) => {
+                self.refuse_beside(own.table, "curve", "stiffness");
+                let [stiffness, free] = own.linear.map(|entry| self.quantity_at(entry.as_ref()?));
+                let preload = self.quantity_or(own.table, "preload", 0.0);
+                return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
             }
-            let [first, second] = ["first", "second"].map(|key| {
-                let entry = table.get(key)?;
-                let name = self.reader.text(&entry)?.to_owned();
-                self.body(&entry, &name)
-            });
+        };
+        self.refuse_beside(own.table, "preload", given);
+        let points = self.table_points([own.points, &own.rest.csv], own.columns)?;
+        Some(Elasticity::Table { points, curve: own.rest.curve? })
+    }
+
+    fn torsional_spring(&mut self, own: &TorsionalSpring<'_>) -> Option<SpringKind> {
+        let entry = own.table.path.describe();
+        let Some(joint_entry) = &own.joint else {
+            let (Some(first), Some(second)) = (&own.first, &own.second) else {
+                return self.reader.refuse(&ModelProblem::NoBodies { entry }, own.table.span);
+            };
+            let [first, second] = [first, second].map(|entry| PartReader::body(self, entry));
             return Some(SpringKind::Torsional { first: first?, second: second? });
         };
         for key in ["first", "second"] {
-            self.refuse_beside(table, key, "joint");
+            self.refuse_beside(&own.table, key, "joint");
         }
-        let joint = self.joint(&joint_entry)?;
+        let joint = self.joint(joint_entry)?;
         let kind = &self.joints[joint.0].kind;
         if kind.turns() {
             let [first, second] = kind.bodies();

@@ -5,7 +5,7 @@ use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::{Origin, Quantity, QuantityId, UNREAD};
 use loosepin_text::diagnostics::{Complaint, Place, Source};
-use loosepin_text::document::{Entry, Table, read_beside};
+use loosepin_text::document::{Entry, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};
 
 /// A cubic spline needs two intervals to have a bend.
@@ -25,20 +25,15 @@ impl EntryReader for ModelReader {
         Some((id, self.quantities.nominal_value(id)))
     }
 
-    fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
-        Self::table_points(self, table, columns)
+    fn table_points(&mut self, given: [&Option<Entry<'_>>; 2], columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
+        match given {
+            [_, Some(csv)] => self.points_of_file(csv, columns),
+            [points, None] => self.points_of_list(points.as_ref()?, columns),
+        }
     }
 }
 
 impl ModelReader {
-    /// The points of a table that has either `points` or `csv`, arguments increasing; at least three.
-    pub fn table_points(&mut self, table: &Table<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
-        match table.get("csv") {
-            Some(entry) => self.points_of_file(&entry, columns),
-            None => self.points_of_list(&table.get("points")?, columns),
-        }
-    }
-
     fn points_of_list(&mut self, list: &Entry<'_>, columns: [Column; 2]) -> Option<Vec<[QuantityId; 2]>> {
         let elements = self.reader.list(list)?;
         if elements.len() < LEAST_POINTS {

@@ -3,33 +3,46 @@
 
 use super::reader::ModelReader;
 use crate::model::ids::BodyId;
+use crate::model::part_reader::PartReader;
 use crate::model::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
-use loosepin_text::document::Table;
+use loosepin_text::document::{Entry, quantity};
+use loosepin_text::record;
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Times a clearance above zero it is above 1.
 const LARGE_1_M: f64 = 1e300;
 
+record! {
+    /// how the lengths of a part grow
+    pub(super) struct Warmth for PartReader;
+    /// growth of all lengths of the part by its warmth; needs temperature_rise, here or at the top
+    optional thermal_expansion: Entry<'t> = quantity(Dimension::THERMAL_EXPANSION, Rule::Finite), "\"11.7e-6 1/K\"";
+    /// how much warmer than its drawing the part is; the one at the top if left out
+    optional temperature_rise: Entry<'t> = quantity(Dimension::TEMPERATURE, Rule::Finite), "\"60 K\"";
+}
+
 impl ModelReader {
     /// The elongation ε = α ΔT of a body that states α; ΔT is its own `temperature_rise`, or that of the model.
-    pub(super) fn elongation(&mut self, table: &Table<'_>) -> Option<QuantityId> {
+    pub(super) fn elongation(&mut self, own: &Warmth<'_>) -> Option<QuantityId> {
         const EXPANSION: &str = "thermal_expansion";
         const RISE: &str = "temperature_rise";
-        let [expansion, own_rise] = [EXPANSION, RISE].map(|key| self.quantity(table, key));
-        let needs = match (table.has(EXPANSION), table.has(RISE) || self.has_temperature_rise) {
+        let has_own_rise = own.temperature_rise.is_some();
+        let [expansion, own_rise] = [&own.thermal_expansion, &own.temperature_rise]
+            .map(|entry| entry.as_ref().and_then(|entry| self.quantity_at(entry)));
+        let needs = match (own.thermal_expansion.is_some(), has_own_rise || self.has_temperature_rise) {
             (true, false) => Some([EXPANSION, RISE]),
-            (false, _) if table.has(RISE) => Some([RISE, EXPANSION]),
+            (false, _) if has_own_rise => Some([RISE, EXPANSION]),
             _ => None,
         };
         if let Some([key, needed]) = needs {
-            self.complain_of_missing(table, key, vec![needed]);
+            self.complain_of_missing(&own.table, key, vec![needed]);
             return None;
         }
         let (expansion, rise_k) = (expansion?, own_rise.or(self.temperature_rise_k)?);
         let ops = vec![Op::Load(expansion.0), Op::Load(rise_k.0), Op::Multiply];
-        self.uses_temperature_rise |= !table.has(RISE);
-        let path = table.path.join("elongation").dotted();
+        self.uses_temperature_rise |= !has_own_rise;
+        let path = own.table.path.join("elongation").dotted();
         let elongation = self.derived(path, Dimension::NUMBER, Rule::Finite, ops, &[expansion, rise_k]);
         self.quantities.add_elongation(elongation);
         Some(elongation)

@@ -3,14 +3,14 @@
 use super::reader::ModelReader;
 use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
-use crate::model::keys::wear::{JointWearTable, LifeTable, SurfaceWear};
 use crate::model::problem::ModelProblem;
 use crate::model::quantity::QuantityId;
 use crate::model::wear::{
-    FoundationChoice, JointWear, Jumps, LifeLimit, WearGeometry, WearLife, WearMeasure, WearPressure,
+    FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry, WearLife,
+    WearMeasure, WearPressure,
 };
 use crate::model::{Contact, Joint, Output, Recorded};
-use loosepin_text::document::{Table, describe_path};
+use loosepin_text::document::{Entry, EntryPath, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};
 
 /// Keys of a joint that go with the worn shape alone, and that of the unworn one.
@@ -87,12 +87,12 @@ impl ModelReader {
     }
 
     /// For how long wear is stated. Nothing where no joint wears.
-    pub(super) fn read_life(&mut self, root: &Table<'_>, outputs: &[Output]) -> Option<WearLife> {
+    pub(super) fn read_life(&mut self, entry: &Option<Entry<'_>>, outputs: &[Output]) -> Option<WearLife> {
         let wears = self.joints.iter().any(|joint| joint.wear.is_some());
-        let (cycles, geometry, limit) = match root.get("wear") {
+        let (cycles, geometry, limit) = match entry {
             Some(entry) => {
-                let life = LifeTable::read(self, &entry)?;
-                self.remember(&entry);
+                let life = LifeTable::read(self, entry)?;
+                self.remember(entry);
                 self.uses_life = wears;
                 let geometry =
                     if life.geometry.0 { self.worn_geometry(&life) } else { self.fixed_geometry(&life.table) };
@@ -101,7 +101,7 @@ impl ModelReader {
             }
             None if wears => {
                 self.fixed_joints()?;
-                let path = root.path.join("wear").join("cycles");
+                let path = EntryPath::default().join("wear").join("cycles");
                 let cycles = self.default_quantity(&path, Dimension::NUMBER, Rule::Positive, 1.0);
                 (cycles, WearGeometry::Fixed, None)
             }
