@@ -1,10 +1,10 @@
 //! Why a study has no result.
 
 use super::file::MOST_RUNS;
-use super::memory_at_hand::MemoryKind;
-use super::part::OpenRound;
-use super::response::PrepareError;
-use super::runs_table::RunsTable;
+use crate::response::response::PrepareError;
+use crate::runs::memory_at_hand::MemoryKind;
+use crate::runs::part::OpenRound;
+use crate::runs::table::RunsTable;
 use loosepin_bounds::{PlanError, PromiseError, SurrogatePlanError, TableError};
 use loosepin_result::study::FailureGroup;
 use loosepin_simulate::RunFailure;

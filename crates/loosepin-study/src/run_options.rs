@@ -1,8 +1,8 @@
 //! With what a study is run.
 
-use super::elsewhere::RunMaker;
-use super::part::Part;
-use super::progress::Progress;
+use crate::drafts::progress::Progress;
+use crate::runs::elsewhere::RunMaker;
+use crate::runs::part::Part;
 use loosepin_store::RunStore;
 use std::sync::atomic::AtomicBool;
 

@@ -1,18 +1,18 @@
 //! Running a study: its bounds, its questions one after the other, then its result.
 
 use super::assemble::{assemble, pictures, witness_commands};
-use super::draft::Drafting;
 use super::error::StudyError;
 use super::file::Study;
-use super::goals::goals;
-use super::part::Part;
-use super::plans::{Plans, refuse_time};
-use super::progress::{Drafts, Stage};
 use super::question::{DirectSteps, Found, Question, StudyRun, SurrogateSteps, take_steps};
-use super::response::StudyResponse;
 use super::run_options::RunOptions;
-use super::runs::Runs;
-use super::runs_table::RunsTable;
+use crate::drafts::draft::Drafting;
+use crate::drafts::progress::{Drafts, Stage};
+use crate::planning::goals::goals;
+use crate::planning::plans::{Plans, refuse_time};
+use crate::response::response::StudyResponse;
+use crate::runs::part::Part;
+use crate::runs::runs::Runs;
+use crate::runs::table::RunsTable;
 use loosepin_bounds::{SampleTable, TableError};
 
 /// Runs `study` as far as its rounds are complete, with what is in the store and the runs that `options` make. The result is the same for any

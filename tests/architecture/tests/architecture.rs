@@ -130,7 +130,7 @@ const ONE_PLACE: [(&str, &str); 17] = [
     ("JointKind", "loosepin-mechanics/src/model/joint/"),
     ("OutputKind", "loosepin-mechanics/src/model/output/"),
     ("LoadKind", "loosepin-mechanics/src/model/load/"),
-    ("SpringKind", "loosepin-mechanics/src/model/spring.rs"),
+    ("SpringKind", "loosepin-mechanics/src/model/parts/spring.rs"),
     ("CouplingKind", "loosepin-mechanics/src/model/coupling/"),
     ("CouplingNumbers", "loosepin-mechanics/src/model/coupling/"),
     ("Mesh", "loosepin-mechanics/src/model/coupling/"),

@@ -1,9 +1,9 @@
 //! The input of a mechanism over its cycle.
 
-use super::cycle::CycleSpan;
 use super::drive::{Drive, Steady};
-use super::quantity::{QuantityId, Values};
-use super::topology::Model;
+use crate::model::parts::cycle::CycleSpan;
+use crate::model::parts::topology::Model;
+use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_math::Real;
 
 /// The input of a mechanism over its cycle: an angle that grows evenly with time, start + speed · t.

@@ -1,7 +1,7 @@
 //! The reader of a model, as far as contacts, couplings and motions know it, beside what joints know.
 
 use super::joint::JointReader;
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::Entry;
 use loosepin_text::units::{Dimension, Rule};
 

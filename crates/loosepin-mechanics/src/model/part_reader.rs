@@ -1,7 +1,7 @@
 //! What every kind of part needs to read its table: the reader of the model, as far as all of them know it.
 
 use super::ids::{BodyId, JointId, PointId};
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Reads, Table, Usual, Value};
 use loosepin_text::units::parse_quantity;
 

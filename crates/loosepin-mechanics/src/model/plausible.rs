@@ -1,9 +1,9 @@
 //! Numbers that are allowed and hardly possible: units a thousand times off, bodies that no matter could make. They are warned of.
 
 use super::contact::Contact;
-use super::quantity::{Origin, QuantityId, Values};
-use super::topology::{Body, Model};
 use crate::contact::delivered_restitution;
+use crate::model::parts::topology::{Body, Model};
+use crate::model::values::quantity::{Origin, QuantityId, Values};
 use loosepin_text::diagnostics::{Code, Complaint, problems};
 use loosepin_text::document::describe_path;
 use loosepin_text::units::{Dimension, format_number, format_value, parse_quantity};

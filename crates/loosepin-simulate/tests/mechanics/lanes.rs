@@ -398,15 +398,14 @@ fn contacts() -> Vec<String> {
         format!("law = \"{}\"\n{numbers}", law.name())
     });
     let friction = FRICTION_LAWS.iter().map(|law| {
-        let numbers =
-            law.numbers.iter().filter(|number| number.usual.is_none()).map(|number| match number.name() {
-                "coefficient" => "coefficient = 0.07",
-                "static_coefficient" => "static_coefficient = 0.11",
-                "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",
-                "decay" => "decay = \"21 s/m\"",
-                "bristle_stiffness" => "bristle_stiffness = \"1e5 m^-1\"",
-                key => panic!("no value for {key}"),
-            });
+        let numbers = law.numbers.iter().filter(|number| number.usual.is_none()).map(|number| match number.name() {
+            "coefficient" => "coefficient = 0.07",
+            "static_coefficient" => "static_coefficient = 0.11",
+            "stribeck_speed" => "stribeck_speed = \"30 mm/s\"",
+            "decay" => "decay = \"21 s/m\"",
+            "bristle_stiffness" => "bristle_stiffness = \"1e5 m^-1\"",
+            key => panic!("no value for {key}"),
+        });
         let numbers: Vec<&str> = numbers.collect();
         let friction = format!("friction = {{ law = \"{}\", {} }}", law.name, numbers.join(", "));
         format!("law = \"johnson\"\n{STEEL}\n{friction}")

@@ -2,7 +2,7 @@
 
 use super::material::Material;
 use crate::file::{Ask, Where};
-use crate::goals::{Ended, targets};
+use crate::planning::goals::{Ended, targets};
 use loosepin_bounds::{Assessment, Standing, Statistic};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
 

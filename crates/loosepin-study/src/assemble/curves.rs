@@ -3,10 +3,10 @@
 use super::drawing::Pictures;
 use super::material::Material;
 use super::value_bands::value_bands;
-use crate::columns::{BAND, Spot};
 use crate::file::{Ask, Deviation, Where};
-use crate::outputs::Seen;
 use crate::question::CurveBand;
+use crate::response::columns::{BAND, Spot};
+use crate::response::outputs::Seen;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
 use loosepin_simulate::Reading;

@@ -3,7 +3,7 @@
 use super::material::Material;
 use crate::distribution_words::distribution_words;
 use crate::file::{CorrelationMeasure, RandomInput, Study, UncertainParameter};
-use crate::outputs::Seen;
+use crate::response::outputs::Seen;
 use loosepin_mechanics::model::{JointId, PlayId, QuantityId, QuantityTable};
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,

@@ -2,8 +2,8 @@
 
 use super::Material;
 use crate::file::Study;
-use crate::problem::problem;
-use crate::response::StudyResponse;
+use crate::planning::problem::problem;
+use crate::response::response::StudyResponse;
 use loosepin_bounds::{BoundPair, Bounds, DoubleLoop, SampleTable, execute};
 use std::path::Path;
 

@@ -1,11 +1,11 @@
 //! What a result is made from, and the bounds in it as people are shown them.
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
-use crate::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
-use crate::outputs::Seen;
 use crate::question::Rare;
-use crate::response::StudyResponse;
+use crate::response::columns::{ColumnPlan, Spot, StudyColumn};
+use crate::response::outputs::Seen;
+use crate::response::response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
 use loosepin_text::units::SiUnit;

@@ -24,9 +24,9 @@ pub(super) use summary::SETTLED;
 pub(super) use treatments::learned_treatments;
 pub(super) use witness_commands::witness_commands;
 
-use super::failures::failures;
-use super::inputs::repeat;
 use super::question::Found;
+use crate::runs::failures::failures;
+use crate::written::inputs::repeat;
 use drawing::Pictures;
 use loosepin_result::study::{FORMAT, StudyResult};
 use loosepin_text::units::DisplayUnits;

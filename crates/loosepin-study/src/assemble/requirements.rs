@@ -74,8 +74,8 @@ mod tests {
     use super::{known_share, requirements};
     use crate::assemble::Material;
     use crate::file::Study;
-    use crate::problem::problem;
-    use crate::response::StudyResponse;
+    use crate::planning::problem::problem;
+    use crate::response::response::StudyResponse;
     use loosepin_bounds::{
         BoundPair, Bounds, DoubleLoop, Problem, Reading, Request, SampleTable, Sampling, Statistic, execute,
     };

@@ -1,7 +1,7 @@
 //! Counts, energy and impacts over all runs.
 
 use super::material::Material;
-use crate::extras::{JointExtras, RunExtras};
+use crate::response::extras::{JointExtras, RunExtras};
 use loosepin_bounds::Purpose;
 use loosepin_mechanics::mechanism::Sample;
 use loosepin_result::study::{EnergyResiduals, HistogramBin, JointImpacts, PurposeRuns, RunCounts, StudiedLaw};

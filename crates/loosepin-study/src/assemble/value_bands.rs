@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::material::Material;
-use crate::columns::BAND;
 use crate::file::{Ask, EpistemicInput};
+use crate::response::columns::BAND;
 use loosepin_bounds::{Purpose, between_order_statistics};
 use loosepin_result::study::{CurveRange, ValueBand};
 use loosepin_uncertainty::EpistemicVariable;

@@ -1,7 +1,7 @@
 //! How the mechanisms of the most important witnesses are run.
 
 use crate::file::Study;
-use crate::simulate_command::witness_command;
+use crate::written::simulate_command::witness_command;
 use loosepin_result::repeat::InputRole;
 use loosepin_result::study::{ResponsePoint, StudyResult, Treatment, Witness, WitnessCommand};
 

@@ -4,10 +4,10 @@ use core::f64::consts::TAU;
 
 use super::description::{EpistemicInput, EpistemicSubject, RandomInput};
 use super::evidence::{ElementTable, FuzzyTable};
-use super::fit::{DIAMETER, FIT};
 use super::problem::StudyProblem;
-use super::random::{RANDOM_KEYS, RandomTable};
 use super::reader::StudyReader;
+use crate::file::random_inputs::fit::{DIAMETER, FIT};
+use crate::file::random_inputs::random::{RANDOM_KEYS, RandomTable};
 use loosepin_mechanics::model::{ContactId, NormalDescription, QuantityId};
 use loosepin_text::document::{DocumentProblem, Entry, Kind, Reads};
 use loosepin_text::record;

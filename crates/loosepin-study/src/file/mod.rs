@@ -1,79 +1,59 @@
 //! From the text of a study file to a study, with all its complaints at once.
 
-mod accuracy;
-mod allow;
-mod ask;
-mod asked_before;
 mod check;
-mod correlation;
 mod description;
-mod distribution;
 mod evidence;
-mod family;
-mod fit;
 mod input;
-mod location;
-mod measured;
-mod measurement;
-mod motion;
-mod output;
-mod parameter;
+mod measurements;
 mod plausible;
 mod problem;
-mod promise;
-mod question_settings;
-mod random;
-mod random_problem;
+mod questions;
+mod random_inputs;
 mod reader;
-mod requirement;
-mod requirement_runs;
 mod resolution;
 mod sampling;
 mod sizes;
-mod specimen;
-mod specimen_problem;
 mod study;
 mod study_table;
 mod surrogate;
-mod tails;
-mod target;
-mod tolerance;
 mod words;
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use accuracy::AccuracyProblem;
-pub use ask::{Ask, Asked};
 pub use description::{
     Allowance, AllowedFit, AllowedInput, Budget, Correlation, CorrelationMeasure, Deviation, EpistemicInput,
     EpistemicSubject, RandomInput, RareMethod, Reduction, Sampling, SpecimenRows, StatedCorrelation, StudySurrogate,
     UncertainParameter,
 };
-pub use family::takes_mean_of_model;
-pub use location::{Where, named_angle_rad};
-pub use measured::MeasuredProblem;
-pub use measurement::{Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature};
-pub use motion::MotionProblem;
+pub use measurements::measured::MeasuredProblem;
+pub use measurements::measurement::{
+    Measured, MeasuredMotion, MotionError, MotionSubject, Push, ReadingScatter, SampledFeature,
+};
+pub use measurements::motion::MotionProblem;
+pub use measurements::specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
+pub use measurements::specimen_problem::SpecimenProblem;
 pub use problem::StudyProblem;
-pub use question_settings::QuestionSettings;
-pub use random_problem::RandomProblem;
+pub use questions::accuracy::AccuracyProblem;
+pub use questions::ask::{Ask, Asked};
+pub use questions::location::{Where, named_angle_rad};
+pub use questions::question_settings::QuestionSettings;
+pub use questions::requirement::{Limit, Requirement};
+pub use questions::target::AccuracyTarget;
+pub use random_inputs::family::takes_mean_of_model;
+pub use random_inputs::random_problem::RandomProblem;
+pub use random_inputs::tolerance::{number_and_unit, signed_parts, states_nominal};
 pub(super) use reader::adopt;
 use reader::{Parameters, StudyReader};
-pub use requirement::{Limit, Requirement};
 pub use sizes::{MOST_POSES, MOST_RUNS};
-pub use specimen::LEAST_ROWS as LEAST_SPECIMEN_ROWS;
-pub use specimen_problem::SpecimenProblem;
 pub use study::Study;
 use study_table::{STUDY_KEYS, StudyTable};
-pub use target::AccuracyTarget;
-pub use tolerance::{number_and_unit, signed_parts, states_nominal};
 use words::READINGS;
 pub(super) use words::statistic_name;
 
-use crate::outputs::study_outputs;
 use crate::question::read_questions;
+use crate::response::outputs::study_outputs;
 use loosepin_bounds::{PERCENTILES, PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_simulate::accuracy::ScatterCorrelation;

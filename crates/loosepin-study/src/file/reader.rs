@@ -2,7 +2,7 @@
 
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
-use crate::outputs::StudyOutput;
+use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::Deviation;

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::ask::Ask;
 use super::description::{Allowance, Correlation, EpistemicInput, RandomInput, Sampling, SpecimenRows, StudySurrogate};
-use super::measurement::{Measured, MeasuredMotion};
-use super::question_settings::QuestionSettings;
-use super::requirement::Requirement;
-use super::target::AccuracyTarget;
-use crate::outputs::StudyOutput;
+use crate::file::measurements::measurement::{Measured, MeasuredMotion};
+use crate::file::questions::ask::Ask;
+use crate::file::questions::question_settings::QuestionSettings;
+use crate::file::questions::requirement::Requirement;
+use crate::file::questions::target::AccuracyTarget;
+use crate::response::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::{Cycle, Model};
 use loosepin_result::study::{Budget, Together};

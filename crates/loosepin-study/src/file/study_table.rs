@@ -1,18 +1,18 @@
 //! A study file as a whole: the keys that questions share, then the tables of single questions.
 
-use super::allow::{AllowTable, TogetherWord};
-use super::ask::AskTable;
-use super::correlation::CorrelationTable;
 use super::input::EpistemicTable;
-use super::measured::ReadingTable;
-use super::motion::MotionTable;
-use super::promise::PromiseTable;
-use super::random::RANDOM_KEYS;
-use super::requirement::RequireTable;
 use super::sampling::{SamplingTable, StudyCycleTable};
-use super::specimen::SpecimenTable;
 use super::surrogate::SURROGATE;
 use super::words::{READINGS, words};
+use crate::file::measurements::measured::ReadingTable;
+use crate::file::measurements::motion::MotionTable;
+use crate::file::measurements::specimen::SpecimenTable;
+use crate::file::questions::allow::{AllowTable, TogetherWord};
+use crate::file::questions::ask::AskTable;
+use crate::file::questions::promise::PromiseTable;
+use crate::file::questions::requirement::RequireTable;
+use crate::file::random_inputs::correlation::CorrelationTable;
+use crate::file::random_inputs::random::RANDOM_KEYS;
 use crate::question::question_keys;
 use loosepin_text::document::{Entry, Keys, Kind, Reads, choice, count};
 use loosepin_text::record;

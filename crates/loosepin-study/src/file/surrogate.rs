@@ -1,10 +1,10 @@
 //! The surrogate of a study: which kind, and from how many runs.
 
-use super::ask::Ask;
 use super::description::{EpistemicInput, StudySurrogate};
 use super::problem::StudyProblem;
 use super::reader::StudyReader;
 use super::sampling::MOST_INNER;
+use crate::file::questions::ask::Ask;
 use loosepin_surrogate::{Choice, Kind as Only};
 use loosepin_text::document::{Entry, Kind, Reads, Value, choice, count};
 use loosepin_text::{choices, record};

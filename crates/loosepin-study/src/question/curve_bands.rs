@@ -1,7 +1,7 @@
 //! Bands in which a share of mechanisms stays for the whole cycle.
 
 use crate::assemble::Material;
-use crate::columns::pointwise_ends;
+use crate::response::columns::pointwise_ends;
 use loosepin_bounds::{DoubleLoop, PlanError, SimultaneousBand};
 
 /// A band for the columns of a curve.

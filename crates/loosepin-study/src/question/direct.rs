@@ -3,7 +3,7 @@
 use super::steps::{Next, Steps};
 use crate::error::StudyError;
 use crate::file::Budget;
-use crate::goals::Ended;
+use crate::planning::goals::Ended;
 use loosepin_bounds::{Bounds, DoubleLoop, Refinement, SampleTable};
 
 /// The direct double loop.

@@ -6,9 +6,9 @@ use super::surrogate::{LearnedBounds, SavedSurrogates};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::Sampling;
-use crate::goals::Ended;
-use crate::runs::Runs;
-use crate::runs_table::RunsTable;
+use crate::planning::goals::Ended;
+use crate::runs::runs::Runs;
+use crate::runs::table::RunsTable;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::StudyResult;
 

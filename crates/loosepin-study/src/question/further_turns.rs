@@ -6,11 +6,11 @@
 use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
-use crate::columns::{Spot, StudyColumn};
 use crate::error::StudyError;
 use crate::file::{Ask, Limit, MOST_RUNS, QuestionSettings, Study, Where};
-use crate::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
-use crate::runs::Runs;
+use crate::response::columns::{Spot, StudyColumn};
+use crate::response::response::{MOST_RECORDED_TURNS, PrepareError, StudyResponse, check_turns};
+use crate::runs::runs::Runs;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_result::study::{AnswerPart, FurtherOutput, FurtherTurns, QuestionAnswer, Reduction};
 use loosepin_text::document::{Entry, Kind, Reader, Reads, count, optional};

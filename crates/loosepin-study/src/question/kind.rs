@@ -4,9 +4,9 @@ use super::found::{Found, StudyRun};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::{QuestionSettings, Study};
-use crate::foreseen::Foreseen;
-use crate::response::StudyResponse;
-use crate::runs::Runs;
+use crate::planning::foreseen::Foreseen;
+use crate::response::response::StudyResponse;
+use crate::runs::runs::Runs;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
 use loosepin_text::document::{Entry, Key, Reader};
 

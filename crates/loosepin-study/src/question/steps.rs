@@ -1,9 +1,9 @@
 //! The runs of a question step by step, and the one loop that makes them.
 
-use crate::budget::Limits;
+use crate::drafts::progress::Stage;
 use crate::error::StudyError;
-use crate::progress::Stage;
-use crate::runs::Runs;
+use crate::planning::budget::Limits;
+use crate::runs::runs::Runs;
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
 /// Says which runs are wanted next, given all runs so far, and in the end what the answer is.

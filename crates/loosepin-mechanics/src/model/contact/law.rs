@@ -13,7 +13,7 @@ use crate::contact::{
 };
 use crate::model::entry_reader::EntryReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{QuantityId, UNREAD, Values};
+use crate::model::values::quantity::{QuantityId, UNREAD, Values};
 use loosepin_text::document::{Choice, Entry, Kind, choice, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};

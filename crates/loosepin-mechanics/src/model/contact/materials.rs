@@ -3,7 +3,7 @@
 use crate::contact::compliance_1_pa;
 use crate::model::entry_reader::EntryReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{QuantityId, Values};
+use crate::model::values::quantity::{QuantityId, Values};
 use loosepin_text::document::{Entry, Table, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};

@@ -4,8 +4,8 @@ use super::play::CouplingPlay;
 use super::reading::CouplingReader;
 use super::teeth::Teeth;
 use crate::model::ids::JointId;
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Keys, Table};
 

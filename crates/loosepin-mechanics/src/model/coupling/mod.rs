@@ -31,8 +31,8 @@ pub use teeth::{Mesh, Teeth};
 pub use wheels::Wheels;
 
 use super::ids::JointId;
-use super::part_names::Names;
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table};
 use std::fmt::Write;

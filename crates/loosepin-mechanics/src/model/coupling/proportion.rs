@@ -3,8 +3,8 @@
 use super::kind::Curve;
 use super::reading::CouplingReader;
 use crate::model::ids::JointId;
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, quantity};
 use loosepin_text::units::{Dimension as D, Rule};

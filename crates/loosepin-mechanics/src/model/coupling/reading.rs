@@ -3,7 +3,7 @@
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::JointKind;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 

@@ -3,9 +3,9 @@
 use super::proportion::{Proportion, offset, sign, signed, words};
 use super::reading::CouplingReader;
 use crate::model::ids::{BodyId, JointId};
-use crate::model::part_names::Names;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;

@@ -2,8 +2,8 @@
 
 use super::kind::{KindOfDrive, MotionLaw, Steady, TimeDual};
 use super::table_motion::AtTime;
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 
 /// start + speed t. It is written with keys of the drive itself.

@@ -2,8 +2,8 @@
 
 use super::reading::DriveReader;
 use super::table_motion::{AtTime, TableMotion};
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Dual, Real};
 use loosepin_text::document::{Keys, Kind, Table, quantity};
 use loosepin_text::units::{Dimension, Rule};

@@ -24,8 +24,8 @@ pub use table_motion::{AtTime, TableMotion, TablePiece};
 pub use time_table::TimeTable;
 
 use super::ids::JointId;
-use super::part_names::Names;
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;

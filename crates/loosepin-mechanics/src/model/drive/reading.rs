@@ -1,7 +1,7 @@
 //! What a motion needs to read its table, beside what couplings need as well.
 
 use crate::model::entry_reader::EntryReader;
-use crate::model::function::Changing;
+use crate::model::values::function::Changing;
 use loosepin_text::document::Entry;
 use loosepin_text::units::Dimension;
 

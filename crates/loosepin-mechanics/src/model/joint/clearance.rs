@@ -1,7 +1,7 @@
 //! What play consists of: a pin in a hole, a block in a guide, a pin in a straight or a circular slot.
 
 use crate::model::ids::ContactId;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 
 /// The play of a revolute joint.
 #[derive(Debug, Clone)]

@@ -3,8 +3,8 @@
 use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
 use crate::model::ids::{ContactId, PointId};
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;
 

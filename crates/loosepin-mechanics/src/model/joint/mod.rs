@@ -22,8 +22,8 @@ pub use rigid::Rigid;
 pub use slot::Slot;
 
 use super::ids::{BodyId, PointId};
-use super::part_names::Names;
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Table};
 use loosepin_text::units::Dimension;
 

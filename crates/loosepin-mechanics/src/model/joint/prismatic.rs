@@ -3,10 +3,10 @@
 use super::clearance::GuideClearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, span_of};
-use crate::model::friction::JointFrictionTable;
 use crate::model::ids::{BodyId, ContactId, PointId};
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::parts::friction::JointFrictionTable;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, Keys, Kind, Table, Value, quantity};
 use loosepin_text::record;

@@ -2,7 +2,7 @@
 
 use crate::model::ids::{BodyId, ContactId};
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Table, Value};
 use loosepin_text::units::{Dimension, Op, Rule};

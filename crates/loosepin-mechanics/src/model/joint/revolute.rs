@@ -3,12 +3,12 @@
 use super::clearance::Clearance;
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven, PlayParts};
 use super::reading::{JointReader, PlayKeys, span_of};
-use crate::model::friction::JointFrictionTable;
 use crate::model::ids::{BodyId, ContactId, PointId};
-use crate::model::part_names::Names;
+use crate::model::parts::friction::JointFrictionTable;
+use crate::model::parts::wear::JOINT_WEAR;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
-use crate::model::wear::JOINT_WEAR;
+use crate::model::values::quantity::{DIAMETRAL, QuantityId, RADIAL};
+use crate::model::words::part_names::Names;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Keys, Kind, Table, quantity};
 use loosepin_text::record;

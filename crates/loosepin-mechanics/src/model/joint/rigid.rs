@@ -3,8 +3,8 @@
 use super::kind::{AtBeam, Hanging, IdealRows, Keeps, KindOfJoint, NotDriven};
 use super::reading::JointReader;
 use crate::model::ids::PointId;
-use crate::model::part_names::Names;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Kind, Table, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};

@@ -1,8 +1,8 @@
 //! How the size of a load, or what a control feeds forward, changes.
 
-use crate::model::function::Function;
-use crate::model::load_table::LoadTable;
-use crate::model::quantity::QuantityId;
+use crate::model::parts::load_table::LoadTable;
+use crate::model::values::function::Function;
+use crate::model::values::quantity::QuantityId;
 
 /// How something changes with time.
 #[derive(Debug, Clone)]

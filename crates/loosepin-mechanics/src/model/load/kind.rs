@@ -2,9 +2,9 @@
 
 use super::size::{SizeKeys, SizeTable};
 use crate::model::ids::{BodyId, PointId};
-use crate::model::part_names::Names;
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, Vec2};
 use loosepin_text::document::{Keys, Table};
 

@@ -16,9 +16,9 @@ pub use size::{SizeKeys, SizeTable};
 pub use torque::TorqueLoad;
 
 use super::ids::JointId;
-use super::part_names::Names;
 use super::part_reader::PartReader;
-use super::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::Real;
 use loosepin_text::document::{Keys, Table};
 

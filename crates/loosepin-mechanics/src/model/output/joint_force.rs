@@ -4,7 +4,7 @@ use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use super::state::OutputState;
 use crate::model::ids::JointId;
-use crate::model::part_names::PartNames;
+use crate::model::words::part_names::PartNames;
 use loosepin_math::Real;
 use loosepin_text::document::{Kind, Table, optional};
 use loosepin_text::units::Dimension;

@@ -27,7 +27,7 @@ pub use stress::Stress;
 pub use wear::Wear;
 
 use super::ids::{BodyId, JointId, PointId};
-use super::part_names::PartNames;
+use crate::model::words::part_names::PartNames;
 use loosepin_math::Real;
 use loosepin_text::document::{Key, Keys, Table, count_of, joined};
 use loosepin_text::units::{Dimension, ReadableUnit};

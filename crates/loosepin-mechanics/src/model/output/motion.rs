@@ -5,7 +5,7 @@ use super::position::{Derivative, Position, relative_body, relative_point, relat
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use super::state::OutputState;
 use crate::model::ids::{Axis, BodyId, PointId};
-use crate::model::part_names::PartNames;
+use crate::model::words::part_names::PartNames;
 use loosepin_math::Real;
 use loosepin_text::document::{Key, Kind, Table, optional};
 use loosepin_text::units::Dimension;

@@ -2,8 +2,8 @@
 
 use super::reader::OutputReader;
 use crate::model::ids::{Axis, BodyId, PointId};
-use crate::model::part_names::PartNames;
 use crate::model::problem::ModelProblem;
+use crate::model::words::part_names::PartNames;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 

@@ -3,9 +3,9 @@
 use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
 use super::reader::{BeamFacts, OutputReader};
 use super::state::OutputState;
-use crate::model::beam_problem::BeamProblem;
 use crate::model::ids::BodyId;
-use crate::model::part_names::PartNames;
+use crate::model::parts::beam_problem::BeamProblem;
+use crate::model::words::part_names::PartNames;
 use loosepin_math::Real;
 use loosepin_text::document::{Kind, Table, optional};
 use loosepin_text::units::Dimension;

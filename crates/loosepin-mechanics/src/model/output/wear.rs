@@ -3,8 +3,8 @@
 use super::kind::{KindOfOutput, Measure, NoReading, Recorded};
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use crate::model::ids::JointId;
+use crate::model::parts::wear::WearMeasure;
 use crate::model::problem::ModelProblem;
-use crate::model::wear::WearMeasure;
 use loosepin_text::document::{Kind, Table, optional};
 use loosepin_text::units::Dimension;
 

@@ -1,12 +1,12 @@
 //! Bodies and their points.
 
-use super::beam::BeamTable;
 use super::reader::ModelReader;
 use super::warm::Warmth;
 use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::{QuantityId, UNREAD};
-use crate::model::topology::{Body, Point};
+use crate::model::parts::topology::{Body, Point};
+use crate::model::read::beams::beam::BeamTable;
+use crate::model::values::quantity::{QuantityId, UNREAD};
 use loosepin_text::document::{DocumentProblem, Entry, Kind, Table, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};

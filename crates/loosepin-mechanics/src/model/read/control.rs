@@ -2,12 +2,12 @@
 
 use super::drive::{Driven, MOTION, Prescribed, SPEED};
 use super::reader::ModelReader;
-use crate::model::control::{Control, FeedForward};
 use crate::model::ids::{ControlId, JointId};
-use crate::model::initial::{InitialNumber, InitialOf, InitialValue};
 use crate::model::part_reader::PartReader;
+use crate::model::parts::control::{Control, FeedForward};
+use crate::model::parts::initial::{InitialNumber, InitialOf, InitialValue};
+use crate::model::parts::topology::Joint;
 use crate::model::problem::ModelProblem;
-use crate::model::topology::Joint;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};

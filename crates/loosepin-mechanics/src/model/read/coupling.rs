@@ -5,7 +5,7 @@ use crate::model::coupling::{CAM, COUPLING_KINDS, Coupling, CouplingReader};
 use crate::model::ids::{ContactId, JointId};
 use crate::model::joint::{JointKind, span_of};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::Dimension;
 

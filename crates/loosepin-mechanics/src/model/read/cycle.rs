@@ -1,12 +1,12 @@
 //! Reading the cycle.
 
 use super::reader::ModelReader;
-use crate::model::cycle::{Cycle, CycleNumbers, CycleSpan};
 use crate::model::drive::Drive;
 use crate::model::ids::JointId;
 use crate::model::part_reader::PartReader;
+use crate::model::parts::cycle::{Cycle, CycleNumbers, CycleSpan};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};

@@ -2,7 +2,7 @@
 
 use super::reader::ModelReader;
 use crate::model::ids::ContactId;
-use crate::model::wear::{WearGeometry, WearLife};
+use crate::model::parts::wear::{WearGeometry, WearLife};
 
 impl ModelReader {
     /// Gives contacts whose law the file leaves out the law of a long pin, where all that they are of are pins in bearings with a length

@@ -2,12 +2,12 @@
 
 use super::reader::ModelReader;
 use crate::model::drive::{Drive, DriveLaw, DriveReader, MOTION_KINDS, Steady};
-use crate::model::function::{Changing, TIME};
 use crate::model::ids::{DriveId, JointId};
 use crate::model::joint::NotDriven;
 use crate::model::part_reader::PartReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::values::function::{Changing, TIME};
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, Table, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};

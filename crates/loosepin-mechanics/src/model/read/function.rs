@@ -1,9 +1,9 @@
 //! Reading expressions over variables.
 
 use super::reader::ModelReader;
-pub(super) use crate::model::function::Changing;
-use crate::model::function::{Beyond, Function, FunctionNames, Variable};
 use crate::model::problem::ModelProblem;
+pub(super) use crate::model::values::function::Changing;
+use crate::model::values::function::{Beyond, Function, FunctionNames, Variable};
 use loosepin_text::document::{Entry, Written};
 use loosepin_text::units::{Dimension, ExpressionProblem, Names, parse_expression};
 

@@ -2,10 +2,10 @@
 
 use super::reader::ModelReader;
 use crate::model::ids::{Axis, BodyId, JointId};
-use crate::model::initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 use crate::model::part_reader::PartReader;
+use crate::model::parts::initial::{InitialNumber, InitialOf, InitialOffset, InitialValue, OffsetPlace};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};

@@ -1,13 +1,13 @@
 //! Joints.
 
 use super::reader::ModelReader;
-use crate::model::friction::Friction;
 use crate::model::ids::{BodyId, ContactId, JointId};
 use crate::model::joint::{ContactFacts, JOINT_KINDS, JointKind, JointReader, PlayKeys};
+use crate::model::parts::friction::Friction;
+use crate::model::parts::topology::{Joint, JointFriction};
+use crate::model::parts::wear::JointWear;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{DIAMETRAL, QuantityId, RADIAL};
-use crate::model::topology::{Joint, JointFriction};
-use crate::model::wear::JointWear;
+use crate::model::values::quantity::{DIAMETRAL, QuantityId, RADIAL};
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, EntryPath, Table};
 use loosepin_text::units::{Dimension, Op, Rule};

@@ -3,12 +3,12 @@
 use super::function::Changing;
 use super::reader::ModelReader;
 use crate::model::entry_reader::EntryReader;
-use crate::model::function::{TIME, Variable};
 use crate::model::ids::{BodyId, JointId};
 use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable};
-use crate::model::load_table::{LoadTable, Piston};
 use crate::model::part_reader::PartReader;
+use crate::model::parts::load_table::{LoadTable, Piston};
 use crate::model::problem::ModelProblem;
+use crate::model::values::function::{TIME, Variable};
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, Rule};
 

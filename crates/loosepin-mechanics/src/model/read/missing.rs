@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::contact::Contact;
 use crate::model::ids::ContactId;
-use crate::model::quantity::{Origin, Quantity};
+use crate::model::values::quantity::{Origin, Quantity};
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{DocumentProblem, Table};
 use loosepin_text::units::{Dimension, Rule};

@@ -1,9 +1,6 @@
 //! From the text of a model file to a model, with all its complaints at once.
 
-mod beam;
-mod beam_joints;
-mod beam_mass;
-mod beam_section;
+mod beams;
 mod body;
 mod contact;
 mod control;
@@ -35,11 +32,11 @@ use crate::model::joint::JOINT_KINDS;
 use crate::model::load::LOAD_KINDS;
 use crate::model::output::OUTPUT_KEYS;
 use crate::model::part_reader::PartReader;
+use crate::model::parts::topology::{Guess, Model};
+use crate::model::parts::wear::LifeTable;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::UNREAD;
-use crate::model::sizes::SIZES;
-use crate::model::topology::{Guess, Model};
-use crate::model::wear::LifeTable;
+use crate::model::values::quantity::UNREAD;
+use crate::model::values::sizes::SIZES;
 use body::{BodyTable, GroundTable};
 use control::ControlTable;
 use cycle::CycleTable;

@@ -1,11 +1,11 @@
 //! Outputs.
 
 use super::reader::ModelReader;
-use crate::model::beam::Beam;
 use crate::model::ids::{Actuator, BodyId, JointId, PointId};
 use crate::model::output::{ActuatorFacts, BeamFacts, OUTPUT_KEYS, Output, OutputKind, OutputReader};
+use crate::model::parts::beam::Beam;
+use crate::model::parts::topology::holds_section;
 use crate::model::problem::ModelProblem;
-use crate::model::topology::holds_section;
 use loosepin_text::document::{Entry, Table};
 use loosepin_text::units::{Dimension, ReadableUnit};
 

@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::ids::{BodyId, JointId, PointId};
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Reader, Reads, Table};
 
 impl Reads for ModelReader {

@@ -4,7 +4,7 @@ use super::reader::ModelReader;
 use crate::model::ids::ContactId;
 use crate::model::joint::PlayKeys;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, QuantityId};
+use crate::model::values::quantity::{Origin, QuantityId};
 use loosepin_text::document::Table;
 use loosepin_text::units::{Dimension, Expression, Rule, run};
 

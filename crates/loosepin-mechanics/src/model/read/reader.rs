@@ -2,15 +2,15 @@
 
 use super::parameters::Parameters;
 use crate::model::contact::Contact;
-use crate::model::control::Control;
 use crate::model::coupling::Coupling;
 use crate::model::drive::Drive;
 use crate::model::ids::{BodyId, ContactId, ControlId, DriveId, JointId, PointId};
 use crate::model::load::Load;
+use crate::model::parts::control::Control;
+use crate::model::parts::spring::Spring;
+use crate::model::parts::topology::{Body, Joint};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, Quantity, QuantityId, QuantityTable, UNREAD};
-use crate::model::spring::Spring;
-use crate::model::topology::{Body, Joint};
+use crate::model::values::quantity::{Origin, Quantity, QuantityId, QuantityTable, UNREAD};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, Quantity, QuantityId, UNREAD};
+use crate::model::values::quantity::{Origin, Quantity, QuantityId, UNREAD};
 use loosepin_text::diagnostics::{Complaint, Place, Source};
 use loosepin_text::document::{Entry, read_beside};
 use loosepin_text::units::{Dimension, Rule, parse_quantity};

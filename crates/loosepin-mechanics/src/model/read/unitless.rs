@@ -3,7 +3,7 @@
 use super::parameters::Parameters;
 use super::reader::ModelReader;
 use crate::model::problem::ModelProblem;
-use crate::model::quantity::{Origin, QuantityId};
+use crate::model::values::quantity::{Origin, QuantityId};
 use loosepin_text::diagnostics::Complaint;
 use loosepin_text::document::{Entry, Written};
 use loosepin_text::units::{Dimension, Names, parse_expression, referenced_names};

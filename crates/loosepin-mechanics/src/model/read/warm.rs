@@ -4,7 +4,7 @@
 use super::reader::ModelReader;
 use crate::model::ids::BodyId;
 use crate::model::part_reader::PartReader;
-use crate::model::quantity::QuantityId;
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::diagnostics::Span;
 use loosepin_text::document::{Entry, quantity};
 use loosepin_text::record;

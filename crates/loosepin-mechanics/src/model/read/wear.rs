@@ -3,12 +3,12 @@
 use super::reader::ModelReader;
 use crate::contact::FrictionLaw;
 use crate::model::joint::Clearance;
-use crate::model::problem::ModelProblem;
-use crate::model::quantity::QuantityId;
-use crate::model::wear::{
+use crate::model::parts::wear::{
     FoundationChoice, JointWear, JointWearTable, Jumps, LifeLimit, LifeTable, SurfaceWear, WearGeometry, WearLife,
     WearMeasure, WearPressure,
 };
+use crate::model::problem::ModelProblem;
+use crate::model::values::quantity::QuantityId;
 use crate::model::{Contact, Joint, Output, Recorded};
 use loosepin_text::document::{Entry, EntryPath, Table, describe_path};
 use loosepin_text::units::{Dimension, Op, Rule};

@@ -2,9 +2,9 @@
 
 use super::plan::{ContributorPlan, groups};
 use crate::assemble::Material;
-use crate::columns::Spot;
 use crate::file::{Ask, Deviation, EpistemicInput, Study, Where};
-use crate::outputs::Seen;
+use crate::response::columns::Spot;
+use crate::response::outputs::Seen;
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_result::study::{

@@ -6,9 +6,9 @@ use super::loosened::with_loosened;
 use crate::assemble::{Material, requirements};
 use crate::error::StudyError;
 use crate::file::{Allowance, AllowedFit, AllowedInput, Study};
-use crate::problem::problem;
-use crate::response::StudyResponse;
-use crate::runs::Runs;
+use crate::planning::problem::problem;
+use crate::response::response::StudyResponse;
+use crate::runs::runs::Runs;
 use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,

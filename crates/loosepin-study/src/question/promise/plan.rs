@@ -1,10 +1,10 @@
 //! What a study promises, before anything has run.
 
-use crate::columns::ColumnPlan;
 use crate::error::StudyError;
 use crate::file::Study;
-use crate::problem::problem;
-use crate::response::StudyResponse;
+use crate::planning::problem::problem;
+use crate::response::columns::ColumnPlan;
+use crate::response::response::StudyResponse;
 use loosepin_bounds::{PromisePlan, PromiseRequest, Request};
 use loosepin_result::study::Side;
 

@@ -1,10 +1,10 @@
 //! The plan of the surrogates of a study.
 
-use crate::columns::ColumnPlan;
 use crate::error::StudyError;
 use crate::file::{Study, StudySurrogate, Where};
-use crate::problem::problem;
-use crate::response::StudyResponse;
+use crate::planning::problem::problem;
+use crate::response::columns::ColumnPlan;
+use crate::response::response::StudyResponse;
 use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
 
 /// The plan of the surrogates of `study`; `None` if it asks for none.

@@ -2,7 +2,7 @@
 
 use super::saved::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::assemble::{Material, asked_bounds, learned_treatments};
-use crate::columns::Spot;
+use crate::response::columns::Spot;
 use loosepin_bounds::{GroupBounds, SurrogateBounds, SurrogateInput, SurrogatePlan};
 use loosepin_result::study::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,

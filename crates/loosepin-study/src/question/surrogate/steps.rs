@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::file::Budget;
-use crate::goals::Ended;
+use crate::planning::goals::Ended;
 use crate::question::steps::{Next, Steps};
 use loosepin_bounds::{Confirmation, Goal, Learned, SampleTable, SurrogateBounds, SurrogatePlan, SurrogateRounds};
 

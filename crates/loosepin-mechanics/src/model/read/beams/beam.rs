@@ -1,0 +1,233 @@
+//! Flexible links.
+
+use crate::model::part_reader::PartReader;
+use crate::model::parts::beam::{Beam, Formulation};
+use crate::model::parts::beam_problem::BeamProblem;
+use crate::model::parts::topology::Body;
+use crate::model::read::beams::beam_mass::{Line, LumpTable};
+use crate::model::read::beams::section::{Section, SectionTable};
+use crate::model::read::reader::ModelReader;
+use crate::model::values::quantity::{QuantityId, UNREAD};
+use loosepin_flexible::{Frame, Rule as IntegrationRule};
+use loosepin_text::document::{Entry, Kind, choice, count, quantity};
+use loosepin_text::units::{Dimension, Dimension as D, Op, Rule};
+use loosepin_text::{choices, record};
+
+/// Elements at most: their mass matrix is kept whole.
+const MOST_ELEMENTS: u64 = 64;
+/// Shapes of one kind, at most: 35 kHz of a rod of 0.3 m need four.
+const MOST_SHAPES: u64 = 8;
+
+choices!(
+    /// What the frame of a beam goes through.
+    pub(in crate::model) struct FrameChoice(Frame): "secant" => Frame::Secant, "tangent" => Frame::Tangent
+);
+choices!(
+    /// How an element is integrated.
+    pub(in crate::model) struct Integration(IntegrationRule):
+        "full" => IntegrationRule::Full, "reduced" => IntegrationRule::Reduced
+);
+choices!(
+    /// Whether a beam is in absolute nodal coordinates.
+    pub(in crate::model) struct IsNodal(bool): "floating-frame" => false, "absolute-nodal" => true
+);
+choices!(
+    /// Whether points inside of a beam have static shapes.
+    pub(in crate::model) struct HasStaticShapes(bool): "at-points" => true, "none" => false
+);
+choices!(
+    /// Whether a beam that bends becomes shorter.
+    pub(in crate::model) struct Shortens(bool): "second-order" => true, "none" => false
+);
+choices!(
+    /// Whether a beam starts bent as the forces hold it.
+    pub(in crate::model) struct StartsSettled(bool): "undeformed" => false, "settled" => true
+);
+
+record! {
+    /// a straight uniform beam between two points of the body, in place of mass, inertia and centre of mass
+    pub(in crate::model) struct BeamTable for PartReader;
+    /// point of the body at which the beam begins
+    required from: Option<Entry<'t>> = Kind::Text, "\"big_end\"";
+    /// point of the body at which it ends
+    required to: Option<Entry<'t>> = Kind::Text, "\"small_end\"";
+    /// its section; the height lies in the plane of motion
+    required section: Option<SectionTable<'t>> =
+        Kind::Table(&SectionTable::KEYS), "{ width = \"8 mm\", height = \"8 mm\" }";
+    /// Young's modulus E
+    required youngs_modulus: Option<Entry<'t>> = quantity(D::PRESSURE, Rule::Positive), "\"207 GPa\"";
+    /// density
+    required density: Option<Entry<'t>> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
+    /// floating frame: masses at points of the body beside its own, each under [body.NAME.beam.lumps.NAME]
+    optional lumps: Entry<'t> = Kind::Tables { keys: &LumpTable::KEYS, except: &[] }, "";
+    /// floating-frame: few shapes in a frame that moves with the body, for sections that turn by less than 0.1 rad from it;
+    /// absolute-nodal: elements whose nodes hold position and slope, for beams that bend far
+    optional formulation: IsNodal = choice::<IsNodal>(), "\"floating-frame\"", or "floating-frame";
+    /// floating frame: damping ratio of every shape; none if left out
+    optional damping_ratio: Entry<'t> = quantity(D::NUMBER, Rule::NonNegative), "0.005";
+    /// absolute nodal coordinates: number of elements
+    optional elements: usize = count(1, MOST_ELEMENTS), "16", or 8;
+    /// absolute nodal coordinates: points of integration in each element for stretch and bending; full: 5 and 3; reduced: 3 and 2, so that
+    /// few elements are less stiff
+    optional integration: Integration = choice::<Integration>(), "\"full\"", or "full";
+    /// absolute nodal coordinates: retardation time of the material, damping ratio ωτ/2 at ω; no damping if left out
+    optional retardation_time: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"1 us\"";
+    /// floating frame: secant: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a
+    /// rigid joint holds
+    optional frame: FrameChoice = choice::<FrameChoice>(), "\"secant\"", or "secant";
+    /// floating frame: number of shapes in which it bends
+    optional lateral_shapes: usize = count(0, MOST_SHAPES), "2", or 2;
+    /// floating frame: number of shapes in which it stretches, 0 for none
+    optional axial_shapes: usize = count(0, MOST_SHAPES), "2", or 2;
+    /// floating frame: at-points: one more shape of each kind for every point inside on which a joint, a spring, a load or a lump acts;
+    /// none: the shapes of the beam without such points
+    optional static_shapes: HasStaticShapes = choice::<HasStaticShapes>(), "\"at-points\"", or "at-points";
+    /// floating frame: frequency above which a shape is condensed: it keeps its static flexibility, and its inertia is raised until it has
+    /// this frequency, so that it needs no shorter steps; no shape is, if left out
+    optional condense_above: Entry<'t> = quantity(D::FREQUENCY, Rule::Positive), "\"50 kHz\"";
+    /// floating frame: second-order: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the
+    /// linear form
+    optional foreshortening: Shortens = choice::<Shortens>(), "\"second-order\"", or "second-order";
+    /// undeformed: straight and at rest in its frame, so that it rings; settled: bent and stretched as inertia, weight and loads hold it at
+    /// the start
+    optional start: StartsSettled = choice::<StartsSettled>(), "\"undeformed\"", or "undeformed";
+}
+
+/// Keys that one formulation has and the other has not.
+const OF_FLOATING_FRAME: [&str; 8] = [
+    "lumps",
+    "damping_ratio",
+    "frame",
+    "lateral_shapes",
+    "axial_shapes",
+    "static_shapes",
+    "condense_above",
+    "foreshortening",
+];
+const OF_ABSOLUTE_NODAL: [&str; 3] = ["elements", "integration", "retardation_time"];
+
+impl ModelReader {
+    /// Reads the beam of a body, which then gets its mass, its inertia and its centre of mass. The body stays rigid after a complaint.
+    pub(in crate::model) fn beam(&mut self, entry: &Entry<'_>, body: &mut Body) {
+        self.remember(entry);
+        body.beam = BeamTable::read(self, entry).and_then(|own| self.beam_of(entry, &own, body));
+    }
+
+    fn beam_of(&mut self, entry: &Entry<'_>, own: &BeamTable<'_>, body: &mut Body) -> Option<Beam> {
+        let table = &own.table;
+        let [from, to] = [&own.from, &own.to].map(|entry| self.end(entry.as_ref()?, body));
+        let section = own.section.as_ref().and_then(|section| self.section(section, &table.path));
+        let lumps = own.lumps.as_ref().map(|entry| self.lumps(entry, body)).unwrap_or_default();
+        let numbers =
+            [&own.youngs_modulus, &own.density, &own.damping_ratio, &own.condense_above, &own.retardation_time];
+        let [modulus_pa, density_kg_m3, damping_ratio, condense_above_hz, retardation_s] =
+            numbers.map(|entry| self.quantity_at(entry.as_ref()?));
+        let formulation = self.formulation(own);
+        let (from, to, Section { area_m2, second_moment_m4, height_m }) = (from?, to?, section?);
+        let (modulus_pa, density_kg_m3, formulation) = (modulus_pa?, density_kg_m3?, formulation?);
+        let (lateral_shapes, axial_shapes) = (own.lateral_shapes, own.axial_shapes);
+        let span_of_to = own.to.as_ref().map_or(entry.span, |entry| entry.span);
+        let words = table.path.describe();
+        if from == to {
+            return self.reader.refuse(&BeamProblem::SamePoint { entry: words }, span_of_to);
+        }
+        if lateral_shapes + axial_shapes == 0 {
+            return self.reader.refuse(&BeamProblem::NoShapes { entry: words }, entry.key_span);
+        }
+
+        let path = |key: &str| table.path.join(key).dotted();
+        let [start, end] = [from, to].map(|end| body.points[end].position_m);
+        let of_lumps = lumps.iter().flat_map(|lump| body.points[lump.point].position_m);
+        if [start, end].into_iter().flatten().chain(of_lumps).any(|id| id == UNREAD) {
+            return None;
+        }
+        let across = |axis: usize| [Op::Load(end[axis].0), Op::Load(start[axis].0), Op::Subtract];
+        let square = |axis: usize| [across(axis).to_vec(), across(axis).to_vec(), vec![Op::Multiply]].concat();
+        let ops = [square(0), square(1), vec![Op::Add, Op::SquareRoot]].concat();
+        let length_m = self.derived(path("length"), Dimension::LENGTH, Rule::Positive, ops, &[start, end].concat());
+        if let Err(problem) = self.quantities[length_m].check(self.quantities.nominal_value(length_m)) {
+            return self.reader.refuse(&problem, span_of_to);
+        }
+        let load = |id: QuantityId| Op::Load(id.0);
+        let over_length =
+            |what: QuantityId| vec![load(modulus_pa), load(what), Op::Multiply, load(length_m), Op::Divide];
+        let axial_stiffness_n_m = self.derived(
+            path("axial_stiffness"),
+            Dimension::SPRING_STIFFNESS,
+            Rule::Positive,
+            over_length(area_m2),
+            &[modulus_pa, area_m2, length_m],
+        );
+        let bending_stiffness_n_m = self.derived(
+            path("bending_stiffness"),
+            Dimension::TORQUE,
+            Rule::Positive,
+            over_length(second_moment_m4),
+            &[modulus_pa, second_moment_m4, length_m],
+        );
+        let ops = vec![load(density_kg_m3), load(area_m2), Op::Multiply, load(length_m), Op::Multiply];
+        let reads = [density_kg_m3, area_m2, length_m];
+        let own_mass = if lumps.is_empty() { format!("body.{}.mass", body.name) } else { path("mass") };
+        let mass_kg = self.derived(own_mass, Dimension::MASS, Rule::Positive, ops, &reads);
+        // Sizes that are allowed one by one may have products that no number holds.
+        for id in [area_m2, second_moment_m4, axial_stiffness_n_m, bending_stiffness_n_m, mass_kg] {
+            if let Err(problem) = self.quantities[id].check(self.quantities.nominal_value(id)) {
+                let span = self.quantities[id].span.unwrap_or(entry.span);
+                return self.reader.refuse(&problem, span);
+            }
+        }
+        self.set_rigid_numbers(body, &Line { mass_kg, length_m, ends: [start, end] }, &lumps);
+        Some(Beam {
+            ends: [from, to],
+            mass_kg,
+            lumps,
+            length_m,
+            area_m2,
+            second_moment_m4,
+            height_m,
+            axial_stiffness_n_m,
+            bending_stiffness_n_m,
+            damping_ratio,
+            frame: own.frame.0,
+            axial_shapes,
+            lateral_shapes,
+            has_static_shapes: own.static_shapes.0,
+            condense_above_hz,
+            foreshortening: own.foreshortening.0,
+            formulation,
+            retardation_s,
+            starts_settled: own.start.0,
+        })
+    }
+
+    /// The formulation of a beam; nothing after a complaint about a key that it has not.
+    fn formulation(&mut self, own: &BeamTable<'_>) -> Option<Formulation> {
+        let (others, word) = match own.formulation {
+            IsNodal(true) => (&OF_FLOATING_FRAME[..], "floating-frame"),
+            IsNodal(false) => (&OF_ABSOLUTE_NODAL[..], "absolute-nodal"),
+        };
+        let mut fits = true;
+        for (key, found) in others.iter().filter_map(|key| Some((*key, own.table.get(key)?))) {
+            let problem = BeamProblem::OfOtherFormulation { entry: own.table.path.describe(), key, formulation: word };
+            self.reader.complain(&problem, found.key_span);
+            fits = false;
+        }
+        let nodal = Formulation::AbsoluteNodal { elements: own.elements, rule: own.integration.0 };
+        fits.then_some(if own.formulation.0 { nodal } else { Formulation::FloatingFrame })
+    }
+
+    /// Index of the point that an entry names.
+    pub(in crate::model) fn end(&mut self, entry: &Entry<'_>, body: &Body) -> Option<usize> {
+        let name = self.reader.text(entry)?;
+        if let Some(index) = body.points.iter().position(|point| point.name == name) {
+            return Some(index);
+        }
+        let problem = BeamProblem::NoSuchPoint {
+            entry: entry.path.describe(),
+            body: body.name.clone(),
+            point: name.to_owned(),
+            known: body.points.iter().map(|point| format!("'{}'", point.name)).collect(),
+        };
+        self.reader.refuse(&problem, entry.span)
+    }
+}

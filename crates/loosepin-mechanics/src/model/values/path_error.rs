@@ -1,0 +1,36 @@
+//! Why a path names no quantity that can be set.
+
+use crate::model::values::quantity::{DIAMETRAL, RADIAL};
+use loosepin_text::diagnostics::{Code, problems};
+use loosepin_text::units::quoted;
+
+problems! {
+    /// Why a path names no quantity that can be set.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum PathError {
+        /// `why` tells which part of it is not known, `hint` what was probably meant.
+        Unknown { path: String, why: Option<String>, hint: String } => Code::UnknownPath,
+            says("the model has no quantity '{path}'{}", why.as_ref().map_or(String::new(), |why| format!(": {why}"))),
+            hint_of(Some(hint.clone()));
+        /// The joint states its clearance under the other of the two keys.
+        OtherClearance { path: String, stated: String } => Code::UnknownPath,
+            says("'{path}' cannot be set: the model states '{stated}'"),
+            hint("set '{stated}', with {} the value", if stated.ends_with(RADIAL) { "half" } else { "twice" });
+        NoPlay { path: String, joint: String } => Code::UnknownPath,
+            says("'{path}': joint '{joint}' has no play"),
+            hint("give it a clearance in the model file, with what a joint with play needs");
+        Expression { path: String, depends_on: Vec<String> } => Code::NotSettable,
+            says("'{path}' is given by an expression and cannot be set"),
+            hint("it depends on {}", quoted(depends_on));
+        /// The quantity fixes the unit of others, or the kind of a joint.
+        Fixed { path: String } => Code::NotSettable,
+            says("'{path}' cannot be set"),
+            hint("{}", if path.ends_with(RADIAL) || path.ends_with(DIAMETRAL) {
+                "a joint with play needs bearing_radius and contact in the model file"
+            } else if path.ends_with(".clearance") {
+                "a joint with play needs its half_length, half_height or end_radius, and contact in the model file"
+            } else {
+                "it fixes the unit of the stiffness; change both in the model file"
+            });
+    }
+}

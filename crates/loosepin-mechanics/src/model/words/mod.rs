@@ -1,0 +1,4 @@
+//! Names of parts in words.
+
+pub(in crate::model) mod names_of_model;
+pub(in crate::model) mod part_names;

@@ -1,0 +1,376 @@
+//! Readings of a backlash test.
+
+use crate::file::measurements::measurement::{Measured, MeasuredMotion, Push, ReadingScatter};
+use crate::file::problem::StudyProblem;
+use crate::file::reader::StudyReader;
+use loosepin_mechanics::model::{Axis, BodyId, Cycle, CycleSpan, PointId, Position};
+use loosepin_text::diagnostics::{Code, nearest_name, problems};
+use loosepin_text::document::{Entry, Kind, Reads, Value, count, listed, quantity};
+use loosepin_text::record;
+use loosepin_text::units::{Dimension, Rule};
+
+/// Readings of a study, at most: each is two rows of every linear programme.
+const MOST_READINGS: usize = 200;
+/// Largest error of a locked angle, deg: only its ends and its middle are looked at.
+const MOST_POSE_ERROR_DEG: f64 = 5.0;
+/// Repeats from which their scatter is estimated, at least: Student's factor for 99.9 % is 32 with three, and 637 with two.
+const LEAST_ESTIMATED: usize = 3;
+
+record! {
+    /// a reading of a backlash test: an output is pushed to and fro with the drives locked, and the dead travel between the two settled
+    /// positions is read
+    pub(crate) lenient struct ReadingTable for Reads, exactly one of [force, moment];
+    /// a position or an angle of the model: what is read
+    required output: Entry<'t> = Kind::Reference("output"), "\"slider\"";
+    /// of a path, and only there: the coordinate that is read
+    optional component: Entry<'t> = Kind::Choice(&["x", "y"]), "\"x\"";
+    /// angle at which the drive that the cycle counts is locked
+    required pose: Entry<'t> = Kind::Values(&quantity(Dimension::ANGLE, Rule::Finite)), "{ crank = \"60 deg\" }";
+    /// largest error of that angle, of either sign; 0 if left out
+    optional pose_error: Entry<'t> = quantity(Dimension::ANGLE, Rule::NonNegative), "\"0.5 deg\"";
+    /// force of the push, the same to and fro
+    optional force: Entry<'t> = quantity(Dimension::FORCE, Rule::Positive), "\"20 N\"";
+    /// in place of a force: the moment that turns the body whose angle is read
+    optional moment: Entry<'t> = quantity(Dimension::TORQUE, Rule::Positive), "\"0.5 N m\"";
+    /// the point that is pushed; the one whose coordinate is read if left out
+    optional at: Entry<'t> = Kind::Point, "\"slider.pin\"";
+    /// direction of the push to, from the ground's x axis; along the coordinate that is read if left out
+    optional direction: Entry<'t> = quantity(Dimension::ANGLE, Rule::Finite), "\"0 deg\"";
+    /// travel between the two settled positions, under load: one value, or all repeats
+    required dead_travel: Entry<'t> =
+        Kind::AnyOf(&[Kind::AnyQuantity, Kind::List(&Kind::AnyQuantity)]),
+        "[\"0.412 mm\", \"0.409 mm\", \"0.413 mm\"]";
+    /// beside one value: the number of readings whose mean it is; 1 if left out
+    optional repeats: Entry<'t> = count(1, 1_000_000), "5";
+    /// largest error that all readings of the instrument have in common, of either sign: repeats do not make it smaller; 0 if left out
+    optional error: Entry<'t> = Kind::AnyQuantity, "\"± 0.005 mm\"";
+    /// standard deviation of one reading: repeats make it smaller; from three or more repeats themselves if left out
+    optional scatter: Entry<'t> = Kind::AnyQuantity, "\"0.002 mm\"";
+    /// what has the error; one for each output if left out
+    optional instrument: String = Kind::Text, "\"dial gauge\"";
+    /// the mechanism that was measured: its lengths and plays are its own
+    optional specimen: String = Kind::Text, "\"A\"";
+    /// largest coefficient of friction in the joints, anything from 0 to it; that of the contacts in the model if left out
+    optional friction: f64 = Kind::Number { rule: Rule::NonNegative }, "0.15";
+    /// for messages; its place in the file if left out
+    optional name: String = Kind::Text, "\"tip, sideways\"";
+}
+
+problems! {
+    /// What can be wrong with a reading. `entry` is a path in words.
+    #[derive(Debug, Clone, PartialEq)]
+    pub enum MeasuredProblem {
+        NoPosition { entry: String, output: String } => Code::AskNotPossible,
+            says("{entry}: output '{output}' is no position and no angle; a dead travel is one of these"),
+            hint("give the model an output position_of or angle_of, and name it here");
+        MomentOnPoint { entry: String } => Code::AskNotPossible,
+            says("{entry}: a moment turns a body, and the output is a coordinate of a point"),
+            hint("write force = \"20 N\", or read the angle of the body that is turned");
+        NoPlaceOfForce { entry: String } => Code::AskNotPossible,
+            says("{entry}: the output is an angle, so that 'at' and 'direction' must say where and which way the force pushes"),
+            hint("write at = \"rocker.tip\" and direction = \"90 deg\", or moment in place of force");
+        RelativeOutput { entry: String } => Code::AskNotPossible,
+            says("{entry}: the output is seen from another body, so that 'at' and 'direction' must say where and which way \
+                  the push acts"),
+            hint("write at = \"rocker.tip\" and direction = \"90 deg\"");
+        BesideMoment { entry: String } => Code::AskNotPossible,
+            says("{entry} stands beside a moment, which has neither place nor direction"),
+            hint("leave it out, or write force in place of moment");
+        DirectionMissing { entry: String } => Code::AskNotPossible,
+            says("{entry}: 'at' names another place than the output, so that 'direction' must say which way the force pushes"),
+            hint("write direction = \"90 deg\", from the ground's x axis");
+        NotAPoint { entry: String, found: String } => Code::UnknownReference,
+            says("{entry} is '{found}'; must be a point, body and name with a dot between them"),
+            hint("for example at = \"slider.pin\"");
+        UnknownPoint { entry: String, found: String, nearest: Option<String>, known: Vec<String> } => Code::UnknownReference,
+            says("{entry}: the model has no point '{found}'"),
+            hint_of(Some(match nearest {
+                Some(nearest) => format!("did you mean '{nearest}'?"),
+                None => format!("there is {}", listed(known, "and")),
+            }));
+        PointOfGround { entry: String } => Code::AskNotPossible,
+            says("{entry}: a point of the ground cannot be pushed"),
+            hint("name a point of a body that moves");
+        WithoutError { entry: String } => Code::AskNotPossible,
+            says("{entry} has no error: without one a reading fixes a play exactly"),
+            hint("write error = \"± 0.005 mm\" beside it (calibration), scatter = \"0.002 mm\" (standard deviation), or give \
+                  three repeats or more");
+        RepeatsOfList { entry: String, found: usize } => Code::AskNotPossible,
+            says("{entry} stands beside a list of {found} readings, which are the repeats"),
+            hint("leave it out");
+        NoPose { entry: String } => Code::AskNotPossible,
+            says("{entry} names no angle; must name one"),
+            hint("write pose = {{ crank = \"60 deg\" }}, with the drive that the cycle counts");
+        AnotherError { entry: String, instrument: String } => Code::AskNotPossible,
+            says("{entry} is another common error than that of an earlier reading of the instrument '{instrument}'; an instrument \
+                  has one"),
+            hint("write the same error, or instrument = \"another gauge\" beside it: two different errors of one gauge would cancel out");
+        PoseErrorTooLarge { entry: String, found_deg: f64 } => Code::AskNotPossible,
+            says("{entry} is {found_deg} deg; must be at most {MOST_POSE_ERROR_DEG} deg: between its ends nothing is looked at"),
+            hint("measure the angle of the locked drive, or take the nearest pose and a smaller error");
+        NoDriveAngle { entry: String } => Code::AskNotPossible,
+            says("{entry}: the cycle of the model counts time, so that no angle of a drive says where it is locked"),
+            hint("write drive = \"crank\" in place of duration under [cycle] of the model");
+        TooManyReadings { found: usize } => Code::TooMany,
+            says("[[measured]] has {found} readings; must be at most {MOST_READINGS}"),
+            hint("write repeats of a reading as one list");
+    }
+}
+
+impl StudyReader {
+    /// Reads readings of backlash tests, and features of motions.
+    pub fn read_measured(
+        &mut self,
+        written: Option<&Entry<'_>>,
+        cycle: &Cycle,
+    ) -> (Vec<Measured>, Vec<MeasuredMotion>) {
+        let entries = self.double_brackets(written);
+        if let Some(surplus) = entries.get(MOST_READINGS) {
+            let problem = MeasuredProblem::TooManyReadings { found: entries.len() };
+            self.reader.complain(&problem, surplus.span);
+            return (Vec::new(), Vec::new());
+        }
+        let (mut read, mut motion): (Vec<Measured>, Vec<MeasuredMotion>) = (Vec::new(), Vec::new());
+        for (index, entry) in entries.iter().enumerate() {
+            if entry.holds("kind") {
+                let feature = self.motion_feature(entry, cycle, &motion);
+                motion.extend(feature);
+                continue;
+            }
+            let reading = ReadingTable::read(self, entry).and_then(|table| {
+                let reading = self.reading_of_test(&table, index)?;
+                self.refuse_another_error(&table, &reading, &read);
+                Some(reading)
+            });
+            read.extend(reading);
+        }
+        (read, motion)
+    }
+
+    /// That all readings of a specimen by one instrument have its error: of two errors that differ the common part would be known to be zero.
+    fn refuse_another_error(&mut self, table: &ReadingTable<'_>, reading: &Measured, before: &[Measured]) {
+        let is_of_same =
+            |known: &&Measured| (&known.instrument, &known.specimen) == (&reading.instrument, &reading.specimen);
+        let known = before.iter().find(is_of_same);
+        if known.is_some_and(|known| known.error_si != reading.error_si) {
+            let (words, span) = match &table.error {
+                Some(entry) => (entry.path.describe(), entry.span),
+                None => (table.table.path.describe(), table.table.span),
+            };
+            let problem = MeasuredProblem::AnotherError { entry: words, instrument: reading.instrument.clone() };
+            self.reader.complain(&problem, span);
+        }
+    }
+
+    fn reading_of_test(&mut self, table: &ReadingTable<'_>, index: usize) -> Option<Measured> {
+        let ReadingTable { table: whole, name, specimen, instrument, friction, .. } = table;
+        let output = self.output(whole, &table.output, &table.component);
+        let pose_rad = table.pose.as_ref().and_then(|entry| self.locked_angle(entry));
+        let pose_error_rad = table.pose_error.as_ref().map_or(Some(0.0), |entry| self.pose_error(entry));
+        // Without the output neither units nor the usual place of the push are known.
+        let output = self.outputs[output?].clone();
+        let Some(travel) = output.seen.position() else {
+            let problem = MeasuredProblem::NoPosition { entry: whole.path.describe(), output: output.name };
+            return self.refused(&problem, table.output.as_ref().map_or(whole.span, |entry| entry.span));
+        };
+        let push = self.push(table, travel);
+        let values = self.dead_travels(table, output.dimension);
+        let stated = self.errors(table, output.dimension);
+        let (values_si, [error_si, scatter_si]) = (values?, stated?);
+        let (repeats, scatter) = self.repeats(table, &values_si, scatter_si)?;
+        let entry = table.dead_travel.as_ref()?;
+        // Repeats that are all equal tell of the resolution of the instrument, not of its error.
+        let is_without = matches!(scatter, None | Some(ReadingScatter::Estimated(0.0)));
+        if error_si.is_none() && is_without {
+            return self.refused(&MeasuredProblem::WithoutError { entry: entry.path.describe() }, entry.span);
+        }
+        Some(Measured {
+            name: name.clone().unwrap_or_else(|| format!("reading {}", index + 1)),
+            specimen: specimen.clone(),
+            instrument: instrument.clone().unwrap_or_else(|| format!("that of {}", output.name)),
+            output: output.name,
+            travel,
+            unit: output.unit,
+            pose_rad: pose_rad?,
+            pose_error_rad: pose_error_rad?,
+            push: push?,
+            friction: *friction,
+            dead_travel_si: values_si.iter().sum::<f64>() / values_si.len() as f64,
+            repeats,
+            error_si: error_si.unwrap_or(0.0),
+            scatter: scatter.unwrap_or(ReadingScatter::Known(0.0)),
+            place: self.reader.place(entry.span),
+            pose_place: self.reader.place(table.pose.as_ref().map_or(whole.span, |pose| pose.span)),
+        })
+    }
+
+    /// Largest error of the locked angle, rad.
+    fn pose_error(&mut self, entry: &Entry<'_>) -> Option<f64> {
+        let error_rad = self.reader.measured(entry, Dimension::ANGLE, Rule::NonNegative)?;
+        if error_rad > MOST_POSE_ERROR_DEG.to_radians() {
+            let problem =
+                MeasuredProblem::PoseErrorTooLarge { entry: entry.path.describe(), found_deg: error_rad.to_degrees() };
+            return self.refused(&problem, entry.span);
+        }
+        Some(error_rad)
+    }
+
+    /// The angle at which the drive is locked, rad.
+    fn locked_angle(&mut self, entry: &Entry<'_>) -> Option<f64> {
+        if !entry.is_table() {
+            return self.reader.wrong_type(entry, "a table such as { crank = \"60 deg\" }");
+        }
+        if !matches!(self.model.cycle.span, CycleSpan::Turns(_)) {
+            return self.refused(&MeasuredProblem::NoDriveAngle { entry: entry.path.describe() }, entry.span);
+        }
+        let due = self.model.cycle_input(&self.model.quantities.nominal()).name;
+        let mut angle_rad = None;
+        for angle in self.reader.any_keys(entry) {
+            if angle.name != due {
+                let name = angle.name.to_owned();
+                let problem = StudyProblem::WrongDrive { entry: angle.path.describe(), name, due: due.clone() };
+                return self.refused(&problem, angle.key_span);
+            }
+            angle_rad = Some(self.reader.measured(&angle, Dimension::ANGLE, Rule::Finite)?);
+        }
+        if angle_rad.is_none() {
+            self.reader.complain(&MeasuredProblem::NoPose { entry: entry.path.describe() }, entry.span);
+        }
+        angle_rad
+    }
+
+    fn push(&mut self, table: &ReadingTable<'_>, travel: Position) -> Option<Push> {
+        let ReadingTable { table: whole, force, moment, at, direction, .. } = table;
+        let [force_n, moment_n_m, direction_rad] =
+            [force, moment, direction].map(|entry| entry.as_ref().and_then(|entry| f64::read(self, entry)));
+        let point = at.as_ref().map(|entry| self.pushed_point(entry));
+        if let Some(moment) = moment {
+            for beside in [at, direction].into_iter().flatten() {
+                self.reader.complain(&MeasuredProblem::BesideMoment { entry: beside.path.describe() }, beside.key_span);
+            }
+            let Position::Angle(body) = travel else {
+                let problem = MeasuredProblem::MomentOnPoint { entry: moment.path.describe() };
+                return self.refused(&problem, moment.span);
+            };
+            if body.to.is_some() {
+                let problem = MeasuredProblem::RelativeOutput { entry: whole.path.describe() };
+                return self.refused(&problem, moment.span);
+            }
+            return Some(Push::Moment { body: body.of, moment_n_m: moment_n_m? });
+        }
+        let entry = force.as_ref()?;
+        let force_n = force_n?;
+        if direction.is_some() && direction_rad.is_none() {
+            return None;
+        }
+        let words = || whole.path.describe();
+        let own = match travel {
+            Position::Point(point, axis) if point.to.is_none() => {
+                let along_rad = if axis == Axis::X { 0.0 } else { std::f64::consts::FRAC_PI_2 };
+                Some((point.of, along_rad))
+            }
+            _ => None,
+        };
+        let problem = match (point, direction_rad, own, travel) {
+            (Some(point), Some(direction_rad), ..) => {
+                return Some(Push::Force { point: point?, direction_rad, force_n });
+            }
+            (Some(Some(point)), None, Some((own, direction_rad)), _) if point == own => {
+                return Some(Push::Force { point, direction_rad, force_n });
+            }
+            (Some(None), ..) => return None,
+            (Some(_), None, Some(_), _) => MeasuredProblem::DirectionMissing { entry: words() },
+            (None, given, Some((point, along_rad)), _) => {
+                return Some(Push::Force { point, direction_rad: given.unwrap_or(along_rad), force_n });
+            }
+            (_, _, None, Position::Angle(body)) if body.to.is_none() => {
+                MeasuredProblem::NoPlaceOfForce { entry: words() }
+            }
+            (_, _, None, _) => MeasuredProblem::RelativeOutput { entry: words() },
+        };
+        self.refused(&problem, entry.span)
+    }
+
+    /// The point that an entry names as `body.point`.
+    fn pushed_point(&mut self, entry: &Entry<'_>) -> Option<PointId> {
+        let text = self.reader.text(entry)?.to_owned();
+        if !text.contains('.') {
+            return self.refused(&MeasuredProblem::NotAPoint { entry: entry.path.describe(), found: text }, entry.span);
+        }
+        let bodies = self.model.bodies.iter().enumerate();
+        let all: Vec<(String, PointId)> = bodies
+            .flat_map(|(body, known)| {
+                let points = known.points.iter().enumerate();
+                points.map(move |(point, named)| {
+                    (format!("{}.{}", known.name, named.name), PointId { body: BodyId(body), point })
+                })
+            })
+            .collect();
+        let Some((_, point)) = all.iter().find(|(name, _)| *name == text) else {
+            let nearest = nearest_name(&text, all.iter().map(|(name, _)| name.as_str())).map(str::to_owned);
+            let known = all.iter().map(|(name, _)| format!("'{name}'")).collect();
+            let problem = MeasuredProblem::UnknownPoint { entry: entry.path.describe(), found: text, nearest, known };
+            return self.refused(&problem, entry.span);
+        };
+        if point.body == BodyId(0) {
+            return self.refused(&MeasuredProblem::PointOfGround { entry: entry.path.describe() }, entry.span);
+        }
+        Some(*point)
+    }
+
+    /// The readings, SI: one, or all repeats.
+    fn dead_travels(&mut self, table: &ReadingTable<'_>, dimension: Dimension) -> Option<Vec<f64>> {
+        let entry = table.dead_travel.as_ref()?;
+        if !entry.is_list() {
+            return self.reader.measured(entry, dimension, Rule::NonNegative).map(|value_si| vec![value_si]);
+        }
+        let entries = self.reader.list(entry)?;
+        if entries.is_empty() {
+            return self.refused(&StudyProblem::Empty { entry: entry.path.describe() }, entry.span);
+        }
+        let read: Vec<Option<f64>> =
+            entries.iter().map(|entry| self.reader.measured(entry, dimension, Rule::NonNegative)).collect();
+        read.into_iter().collect()
+    }
+
+    /// The common error and the standard deviation of one reading, SI, each where it is written.
+    fn errors(&mut self, table: &ReadingTable<'_>, dimension: Dimension) -> Option<[Option<f64>; 2]> {
+        let read = [&table.error, &table.scatter].map(|entry| {
+            let Some(entry) = entry else { return Some(None) };
+            self.reader.measured_beyond(entry, &["±", "+/-", "+-"], dimension, Rule::NonNegative).map(Some)
+        });
+        let [error_si, scatter_si] = read;
+        Some([error_si?, scatter_si?])
+    }
+
+    /// The number of readings behind the mean, and their scatter where it is known.
+    fn repeats(
+        &mut self,
+        table: &ReadingTable<'_>,
+        values_si: &[f64],
+        scatter_si: Option<f64>,
+    ) -> Option<(usize, Option<ReadingScatter>)> {
+        let stated = table.repeats.as_ref().and_then(|entry| self.reader.count_of(entry));
+        if let (Some(entry), true) = (&table.repeats, table.dead_travel.as_ref().is_some_and(|entry| entry.is_list())) {
+            let problem = MeasuredProblem::RepeatsOfList { entry: entry.path.describe(), found: values_si.len() };
+            return self.refused(&problem, entry.span);
+        }
+        if table.repeats.is_some() && stated.is_none() {
+            return None;
+        }
+        let repeats = stated.map_or(values_si.len(), |count| count as usize);
+        if let Some(scatter_si) = scatter_si {
+            return Some((repeats, Some(ReadingScatter::Known(scatter_si))));
+        }
+        if values_si.len() < LEAST_ESTIMATED {
+            return Some((repeats, None));
+        }
+        // The mean of equal numbers is off by round-off, which is no scatter.
+        if values_si.iter().all(|value_si| *value_si == values_si[0]) {
+            return Some((repeats, Some(ReadingScatter::Estimated(0.0))));
+        }
+        let mean_si = values_si.iter().sum::<f64>() / values_si.len() as f64;
+        let squares: f64 = values_si.iter().map(|value_si| (value_si - mean_si) * (value_si - mean_si)).sum();
+        Some((repeats, Some(ReadingScatter::Estimated((squares / (values_si.len() - 1) as f64).sqrt()))))
+    }
+}

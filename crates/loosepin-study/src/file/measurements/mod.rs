@@ -1,0 +1,7 @@
+//! What was measured: readings of a backlash test, features of a motion, a specimen.
+
+pub(crate) mod measured;
+pub(crate) mod measurement;
+pub(crate) mod motion;
+pub(crate) mod specimen;
+pub(crate) mod specimen_problem;

@@ -1,0 +1,49 @@
+//! Questions that are asked twice: the results would name two numbers alike.
+
+use crate::file::problem::StudyProblem;
+use crate::file::questions::ask::{Asked, furthest};
+use crate::file::questions::location::Where;
+use crate::file::reader::StudyReader;
+use loosepin_result::study::Deviation;
+use loosepin_text::document::Entry;
+
+/// Angle by angle.
+fn places(location: &Where) -> Vec<Where> {
+    match location {
+        Where::Poses { angles_rad } => {
+            // Adding zero leaves one of the two zeros.
+            angles_rad.iter().map(|angle_rad| Where::Poses { angles_rad: vec![angle_rad + 0.0] }).collect()
+        }
+        _ => vec![location.clone()],
+    }
+}
+
+impl StudyReader {
+    /// Complains about what was asked `of` an output and a deviation at the same place before. `statistics` are the entries of the list, and
+    /// what they ask.
+    pub(crate) fn check_new(
+        &mut self,
+        statistics: &[(Entry<'_>, Asked)],
+        of: (usize, Deviation),
+        location: &Where,
+    ) {
+        for (entry, asked) in statistics {
+            // However it is estimated, a probability has one place in the results; of the cycle it is that of a magnitude.
+            let (asked, location) = match (*asked, location) {
+                (Asked::Rare(statistic, _), Where::Cycle) => {
+                    (Asked::Statistic(statistic), Where::Reduced(furthest(statistic)))
+                }
+                (Asked::Rare(statistic, _), location) => (Asked::Statistic(statistic), location.clone()),
+                (asked, location) => (asked, location.clone()),
+            };
+            // Two questions of the same name are the same question.
+            let name = |location: Where| format!("{of:?} {location:?} {asked:?}");
+            let questions: Vec<String> = places(&location).into_iter().map(name).collect();
+            if questions.iter().any(|question| self.questions.contains(question)) {
+                let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
+                self.complain(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);
+            }
+            self.questions.extend(questions);
+        }
+    }
+}

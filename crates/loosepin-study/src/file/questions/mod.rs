@@ -1,0 +1,13 @@
+//! What is asked and required of outputs, and how near the answers are to be.
+
+pub(crate) mod accuracy;
+pub(crate) mod allow;
+pub(crate) mod ask;
+pub(crate) mod asked_before;
+pub(crate) mod location;
+pub(crate) mod output;
+pub(crate) mod promise;
+pub(crate) mod question_settings;
+pub(crate) mod requirement;
+pub(crate) mod requirement_runs;
+pub(crate) mod target;

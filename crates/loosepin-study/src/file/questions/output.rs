@@ -1,0 +1,93 @@
+//! The output that a table is of, and which deviation of it.
+
+use crate::file::problem::StudyProblem;
+use crate::file::reader::StudyReader;
+use crate::file::words::{DEVIATIONS, words};
+use crate::response::outputs::{COMPONENTS, Seen, StudyOutput};
+use loosepin_mechanics::model::{Recorded, WearMeasure};
+use loosepin_result::study::Deviation;
+use loosepin_text::diagnostics::nearest_name;
+use loosepin_text::document::{Entry, Key, Kind, Table, optional, required};
+
+/// The output of a question or a requirement.
+pub(crate) const OUTPUT: Key =
+    required("output", Kind::Reference("output"), "\"slider\"", "an output of the model");
+/// The component of it, where it is a path.
+pub(crate) const COMPONENT: Key = optional(
+    "component",
+    Kind::Choice(&COMPONENTS),
+    "\"normal\"",
+    "of a path, and only there: a coordinate of the point; its error along the path, normal to it (to the left), or whole; \
+     contour: its distance from the path whatever the timing",
+);
+/// Which deviation of it.
+pub(crate) const DEVIATION: Key = required(
+    "of",
+    Kind::Choice(&words(&DEVIATIONS)),
+    "\"total\"",
+    "value: the output itself; its deviation: dimensional, by lengths alone; clearance, by play alone; total, by both",
+);
+
+impl StudyReader {
+    /// The output that is named in a table, with its component, by its place in [`Self::outputs`].
+    pub(crate) fn output(
+        &mut self,
+        table: &Table<'_>,
+        entry: &Option<Entry<'_>>,
+        component: &Option<Entry<'_>>,
+    ) -> Option<usize> {
+        let entry = entry.as_ref()?;
+        let name = self.reader.text(entry)?.to_owned();
+        let outputs = &self.model.outputs;
+        let Some(index) = outputs.iter().position(|output| output.name == name) else {
+            let known = outputs.iter().map(|output| format!("'{}'", output.name)).collect();
+            let nearest = nearest_name(&name, outputs.iter().map(|output| output.name.as_str())).map(str::to_owned);
+            let problem = StudyProblem::UnknownOutput { entry: table.path.describe(), name, nearest, known };
+            return self.refused(&problem, entry.span);
+        };
+        if !matches!(outputs[index].kind.recorded(), Recorded::Path(_)) {
+            if let Some(component) = component {
+                let problem = StudyProblem::ComponentOfNoPath { entry: table.path.describe(), name };
+                return self.refused(&problem, component.key_span);
+            }
+            return self.outputs.iter().position(|output| output.output == index);
+        }
+        let Some(component) = component else {
+            return self.refused(&StudyProblem::PathOutput { entry: table.path.describe(), name }, entry.span);
+        };
+        let component = self.reader.choice(component, &COMPONENTS.map(|name| (name, name)))?;
+        self.outputs.iter().position(|output| output.output == index && output.component == Some(component))
+    }
+
+    /// Which deviation of an output, where that is known.
+    pub(crate) fn deviation(&mut self, entry: Option<&Entry<'_>>, output: Option<usize>) -> Option<Deviation> {
+        let entry = entry?;
+        let deviation = self.reader.choice(entry, &DEVIATIONS)?;
+        if deviation == Deviation::Value
+            && let Some(StudyOutput { seen: Seen::Path(..), component: Some(component), .. }) =
+                output.map(|output| &self.outputs[output])
+        {
+            let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component };
+            return self.refused(&problem, entry.span);
+        }
+        if deviation != Deviation::Value && self.is_wear(output) {
+            let problem = StudyProblem::WearOfDeviation { entry: entry.path.describe() };
+            return self.refused(&problem, entry.span);
+        }
+        let has_play = self.model.plays().next().is_some();
+        if deviation == Deviation::Clearance && !has_play {
+            return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
+        }
+        Some(deviation)
+    }
+
+    /// Whether an output is the life of a joint.
+    pub(crate) fn is_life(&self, output: usize) -> bool {
+        matches!(self.outputs[output].seen, Seen::Wear(_, WearMeasure::Life))
+    }
+
+    /// Whether an output is the wear of a joint.
+    pub(crate) fn is_wear(&self, output: Option<usize>) -> bool {
+        output.is_some_and(|output| matches!(self.outputs[output].seen, Seen::Wear(..)))
+    }
+}

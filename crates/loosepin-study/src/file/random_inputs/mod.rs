@@ -1,0 +1,11 @@
+//! What scatters: distributions as a family, a tolerance, a fit or a sample, their uncertain parameters, correlations.
+
+pub(crate) mod correlation;
+pub(crate) mod distribution;
+pub(crate) mod family;
+pub(crate) mod fit;
+pub(crate) mod parameter;
+pub(crate) mod random;
+pub(crate) mod random_problem;
+pub(crate) mod tails;
+pub(crate) mod tolerance;

@@ -1,0 +1,35 @@
+//! What a study will cost.
+
+use loosepin_bounds::PromisePlan;
+
+/// What a study will come to.
+#[derive(Debug, Clone, Copy)]
+pub struct Foreseen {
+    /// As [`super::plan_runs`].
+    pub most_runs: usize,
+    /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
+    pub run_s: Option<f64>,
+    /// Those of the runs that stand behind a promise, where something is promised.
+    pub promise: Option<ForeseenPromise>,
+}
+
+/// What a promise costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ForeseenPromise {
+    /// Ends that are promised together.
+    pub ends: usize,
+    /// Boxes: combinations of the members of lists and focal elements.
+    pub boxes: usize,
+    /// Values in each box.
+    pub values: usize,
+    /// Runs at each value.
+    pub inner: usize,
+    /// All of them.
+    pub runs: usize,
+}
+
+impl ForeseenPromise {
+    pub(crate) fn new(plan: &PromisePlan) -> Self {
+        Self { ends: plan.ends(), boxes: plan.boxes(), values: plan.values(), inner: plan.inner(), runs: plan.runs() }
+    }
+}

@@ -1,0 +1,8 @@
+//! Before anything runs: the plans of all questions, goals and budget, what a study will cost.
+
+pub(crate) mod budget;
+pub(crate) mod foresee;
+pub(crate) mod foreseen;
+pub(crate) mod goals;
+pub(crate) mod plans;
+pub(crate) mod problem;

@@ -1,0 +1,13 @@
+//! A mechanism as a function from uncertain inputs to numbers: its columns, what is recorded of a run, runs on lanes.
+//! It knows no questions and no bounds.
+
+pub(crate) mod columns;
+pub(crate) mod extras;
+pub(crate) mod further_outputs;
+pub(crate) mod ideal_tables;
+pub(crate) mod input_limits;
+pub(crate) mod lanes;
+pub(crate) mod outputs;
+pub(crate) mod recorder;
+pub(crate) mod response;
+pub(crate) mod sampled_feature;

@@ -1,0 +1,68 @@
+//! Runs on all threads of this process.
+
+use crate::response::response::StudyResponse;
+use loosepin_bounds::{Failure, RunInputs};
+use loosepin_simulate::{Execution, RunFailure};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Columns and extras of a finished run, or why it gave nothing.
+pub(crate) type Row = Result<Vec<f64>, Failure>;
+
+/// A batch of runs, and which of them are to be made.
+pub(crate) struct Work<'w> {
+    pub batch: &'w [RunInputs],
+    pub is_waiting: &'w [bool],
+    pub response: &'w StudyResponse,
+    /// Ends lives of wear, which are many cycles each, in their middle.
+    pub stop: &'w AtomicBool,
+}
+
+/// The rows of a batch, those that are `kept` as they are; nothing for runs that are not to be made, or that a stop has kept from
+/// starting or from ending.
+///
+/// Each thread takes the next run as soon as one of its lanes is free; which thread and which lane a run meets has no influence on
+/// its bits. Runs with other laws have other equations: each thread takes those of one combination after those of another.
+pub(crate) fn evaluate(
+    work: &Work<'_>,
+    kept: Vec<Option<Row>>,
+    is_stopped: &(dyn Fn() -> bool + Sync),
+    finished: &(dyn Fn(usize, &Row) + Sync),
+) -> Vec<Option<Row>> {
+    let Work { batch, is_waiting, response, stop } = *work;
+    let mut queues: Vec<(Vec<usize>, AtomicUsize)> =
+        response.mechanisms.iter().map(|_| (Vec::new(), AtomicUsize::new(0))).collect();
+    for (index, inputs) in batch.iter().enumerate().filter(|(index, _)| is_waiting[*index]) {
+        queues[response.variant(&inputs.epistemic)].0.push(index);
+    }
+    let execution = Execution::best();
+    let parts: Vec<Vec<(usize, Row)>> = (0..rayon::current_num_threads())
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|_| {
+            let mut rows = Vec::new();
+            for (variant, (queue, taken)) in queues.iter().enumerate() {
+                let next = || {
+                    let index = *queue.get(taken.fetch_add(1, Ordering::Relaxed))?;
+                    let inputs = batch.get(index).filter(|_| !is_stopped())?;
+                    Some((index, &inputs.random[..], &inputs.epistemic[..]))
+                };
+                response.run_all_until(variant, execution, stop, next, |index, outcome| {
+                    // It is made when the study goes on: nothing of it is kept.
+                    if matches!(outcome, Err(RunFailure::Stopped { .. })) {
+                        return;
+                    }
+                    let row = outcome.map_err(|failure| Failure(failure.number()));
+                    finished(index, &row);
+                    rows.push((index, row));
+                });
+            }
+            rows
+        })
+        .collect();
+    let mut rows = kept;
+    for (index, row) in parts.into_iter().flatten() {
+        rows[index] = Some(row);
+    }
+    rows
+}

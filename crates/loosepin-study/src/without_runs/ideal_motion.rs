@@ -1,0 +1,110 @@
+//! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
+
+use crate::without_runs::judge::{Judged, judge};
+use crate::written::input_file::InputFile;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::Values;
+use loosepin_result::motion::MotionRecord;
+use loosepin_result::simulation::Drawing;
+use loosepin_simulate::accuracy::{AccuracyError, MotionPlan, Scatter, motion_until, motion_with_worst_cases};
+use loosepin_simulate::controlled_drawing;
+use loosepin_simulate::record::Override;
+use loosepin_text::diagnostics::Complaints;
+use std::sync::atomic::AtomicBool;
+
+impl InputFile {
+    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
+    /// that are uncertain in a study are taken where there is most play, other random inputs by their standard deviation.
+    ///
+    /// # Errors
+    /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
+    pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        self.ideal_motion_until(positions, set, &AtomicBool::new(false))
+    }
+
+    /// As [`Self::ideal_motion`], until `stop` is set.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`]; that it was stopped.
+    pub fn ideal_motion_until(
+        &self,
+        positions: usize,
+        set: &[String],
+        stop: &AtomicBool,
+    ) -> Result<MotionRecord, Complaints> {
+        self.moved(positions, set, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+    }
+
+    /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, and with the requirements of a study
+    /// judged by them.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`].
+    pub fn ideal_motion_with_worst_cases(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Complaints> {
+        let mut record = self.moved(positions, set, &motion_with_worst_cases)?;
+        if let InputFile::Study(study) = self {
+            let Judged { requirements, allowances } = judge(study, positions, set)?;
+            (record.requirements, record.allowances) = (requirements, allowances);
+        }
+        Ok(record)
+    }
+
+    fn moved(
+        &self,
+        positions: usize,
+        set: &[String],
+        motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
+    ) -> Result<MotionRecord, Complaints> {
+        let model = self.model();
+        let settings = self.with_widest_play(set);
+        let set = model.set_values(&settings)?;
+        let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.complaint(model))?;
+        let plan = MotionPlan {
+            span: model.cycle.span,
+            positions,
+            scatter: self.scatter(),
+            correlations: match self {
+                InputFile::Model(_) => Vec::new(),
+                InputFile::Study(study) => study.linear_correlations(),
+            },
+            overrides: Override::of_settings(&settings),
+        };
+        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.complaint(model))?)
+    }
+
+    /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; nothing where drives alone do, or where it
+    /// cannot be followed.
+    pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
+        let model = self.model();
+        let set = model.set_values(&self.with_widest_play(&[])).ok()?;
+        let mechanism = Mechanism::new(&set.model, &set.values).ok()?;
+        if mechanism.is_driven() {
+            return None;
+        }
+        controlled_drawing(&mechanism, &set.values, positions).ok()
+    }
+
+    /// Where play is uncertain in a study, the worst case is that of the most play; what is `set` counts before.
+    fn with_widest_play(&self, set: &[String]) -> Vec<String> {
+        let InputFile::Study(study) = self else { return set.to_vec() };
+        let is_set =
+            |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+        let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
+        widest.chain(set.iter().cloned()).collect()
+    }
+
+    /// Random inputs, where the file is a study.
+    fn scatter(&self) -> Vec<Scatter> {
+        match self {
+            InputFile::Model(_) => Vec::new(),
+            InputFile::Study(study) => study
+                .random
+                .iter()
+                .map(|input| Scatter {
+                    quantity: input.quantity,
+                    standard_deviation_si: input.largest_standard_deviation(&study.epistemic),
+                })
+                .collect(),
+        }
+    }
+}

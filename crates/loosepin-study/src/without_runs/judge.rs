@@ -1,0 +1,326 @@
+//! Requirements, and what may be loosened, judged without dynamics: by play at its worst and all parts within their limits.
+//!
+//! A random input lies between the ends of its distribution, or where it has none within 3 standard deviations of its mean; an unknown input
+//! in its interval. What the proven ends of a deviation keep is kept by every mechanism within these limits, and at least
+//! 1 - Σ (1 - p_i) of all mechanisms are within them, p_i being the probability of one input, however the inputs go together.
+
+use crate::file::{Allowance, AllowedInput, Requirement, Study, Where};
+use crate::response::input_limits::{DEVIATIONS, InputLimits};
+use crate::response::outputs::Seen;
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
+use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
+use loosepin_result::study::{Deviation, PathError};
+use loosepin_simulate::accuracy::{
+    AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends, dimension_direction,
+};
+use loosepin_text::diagnostics::Complaints;
+use loosepin_text::units::SiUnit;
+
+/// Halvings of the range of what may be loosened, as in a study.
+const HALVINGS: usize = 7;
+
+/// What was judged.
+pub(crate) struct Judged {
+    pub requirements: Vec<MotionRequirement>,
+    pub allowances: Vec<MotionAllowance>,
+}
+
+/// Judges what `study` requires over its turn in `positions` steps; inputs that `set` names have that value.
+///
+/// # Errors
+/// As for [`super::InputFile::ideal_motion`].
+pub(crate) fn judge(study: &Study, positions: usize, set: &[String]) -> Result<Judged, Complaints> {
+    if study.requirements.is_empty() {
+        return Ok(Judged { requirements: Vec::new(), allowances: Vec::new() });
+    }
+    let set_values = study.model.set_values(set)?;
+    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+    let mut limits = study.input_limits();
+    limits.retain(|input| !is_set(&input.path));
+    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions };
+    let requirements = judge.requirements(&limits).map_err(|error| error.complaint(&study.model))?;
+    let allowances = judge.allowances(&limits).map_err(|error| error.complaint(&study.model))?;
+    Ok(Judged { requirements, allowances })
+}
+
+/// Where the positions of a requirement stand among the questions.
+enum Asked {
+    One(usize),
+    /// x and y of a point: what lies between them bounds every error of its path.
+    Path([usize; 2]),
+    /// It is no position.
+    No(&'static str),
+}
+
+const NO_POSITION: Asked = Asked::No("it is no position");
+
+struct Judge<'s> {
+    study: &'s Study,
+    model: &'s Model,
+    values: &'s Values,
+    positions: usize,
+}
+
+impl Judge<'_> {
+    /// The verdict on each requirement with inputs within `limits`.
+    fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
+        let (questions, asked) = self.questions();
+        let (values, mut reason) = self.with_most_play(limits);
+        let mechanism = Mechanism::new(self.model, &values).map_err(|_| AccuracyError::NotDriven)?;
+        let mut miss = 0.0;
+        let mut dimensions = Vec::new();
+        for input in limits {
+            let away =
+                f64::max((input.low_si - values[input.quantity]).abs(), (input.high_si - values[input.quantity]).abs());
+            let decides_play = self.model.play_from(input.quantity).next().is_some();
+            let moves = match dimension_direction(&mechanism, &values, input.quantity) {
+                Ok(direction) => !direction.leaves_motion_alone(&mechanism),
+                Err(_) => false,
+            };
+            if moves && decides_play {
+                reason.get_or_insert_with(|| format!("{} decides a play and a length", input.path));
+            }
+            if moves || decides_play {
+                miss += 1.0 - input.share;
+            }
+            if moves {
+                dimensions.push(DimensionLimit { quantity: input.quantity, most_si: away });
+            }
+        }
+        let ends = if questions.is_empty() {
+            AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
+        } else {
+            deviation_ends(&mechanism, &values, (self.study.cycle.span, self.positions), &dimensions, &questions)?
+        };
+        let reason = reason
+            .or_else(|| ends.unproven.clone())
+            .or_else(|| (!ends.is_whole_turn).then(|| "the mechanism does not go through its whole turn".to_owned()));
+        let share = 1.0 - miss;
+        let all = self.study.requirements.iter().zip(&asked);
+        let each = all.flat_map(|(requirement, asked)| {
+            let poses: Vec<Option<f64>> = match &requirement.location {
+                Where::Poses { angles_rad } => angles_rad.iter().map(|angle| Some(*angle)).collect(),
+                Where::Cycle | Where::Reduced(_) => vec![None],
+            };
+            let reason = &reason;
+            let ends = &ends;
+            poses
+                .into_iter()
+                .map(move |pose_rad| self.outcome(requirement, asked, ends, pose_rad, share, reason.clone()))
+        });
+        Ok(each.collect())
+    }
+
+    fn questions(&self) -> (Vec<DeviationQuestion>, Vec<Asked>) {
+        let mut questions: Vec<DeviationQuestion> = Vec::new();
+        let mut place = |reading: Position, of: Deviation| {
+            let question = DeviationQuestion { reading, of };
+            questions.iter().position(|known| *known == question).unwrap_or_else(|| {
+                questions.push(question);
+                questions.len() - 1
+            })
+        };
+        let asked = self.study.requirements.iter().map(|requirement| {
+            let of = requirement.deviation;
+            match self.study.outputs[requirement.output].seen {
+                Seen::Reading(reading) => match reading.position() {
+                    Some(position) => Asked::One(place(position, of)),
+                    None => NO_POSITION,
+                },
+                Seen::Path(coordinates, error) if of != Deviation::Value || error != PathError::Along => {
+                    let of = if of == Deviation::Value { Deviation::Total } else { of };
+                    match coordinates.map(|reading| reading.position()) {
+                        [Some(x), Some(y)] => Asked::Path([place(x, of), place(y, of)]),
+                        _ => NO_POSITION,
+                    }
+                }
+                Seen::Wear(..) => Asked::No("wear needs runs"),
+                Seen::Path(..) => NO_POSITION,
+            }
+        });
+        let asked = asked.collect();
+        (questions, asked)
+    }
+
+    fn outcome(
+        &self,
+        requirement: &Requirement,
+        asked: &Asked,
+        ends: &AllDeviationEnds,
+        pose_rad: Option<f64>,
+        share: f64,
+        mut reason: Option<String>,
+    ) -> MotionRequirement {
+        let output = &self.study.outputs[requirement.output];
+        let [lower_si, upper_si] = requirement.limit.ends();
+        let (mut proven_si, mut found_si, mut found_at_rad) =
+            ([f64::NEG_INFINITY, f64::INFINITY], [f64::NAN; 2], [f64::NAN; 2]);
+        match asked {
+            Asked::One(place) => {
+                let own = &ends.of_questions[*place];
+                proven_si = over(&own.drive_angle_rad, &own.proven_si, pose_rad);
+                found_si = own.found.map(|found| found.deviation_si);
+                found_at_rad = own.found.map(|found| found.drive_angle_rad);
+                for side in 0..2 {
+                    if pose_rad.is_some_and(|pose_rad| !is_same(pose_rad, found_at_rad[side], 1e-9)) {
+                        (found_si[side], found_at_rad[side]) = (f64::NAN, f64::NAN);
+                    }
+                }
+            }
+            Asked::Path(places) => {
+                let [x, y] = places.map(|place| &ends.of_questions[place]);
+                let largest = |ends: &[f64; 2]| f64::max(-ends[0], ends[1]);
+                let far = x.proven_si.iter().zip(&y.proven_si).map(|(x, y)| largest(x).hypot(largest(y)));
+                let rows: Vec<[f64; 2]> = far.map(|far| [-far, far]).collect();
+                proven_si = over(&x.drive_angle_rad, &rows, pose_rad);
+            }
+            Asked::No(words) => reason = Some((*words).to_owned()),
+        }
+        let is_proven = lower_si <= proven_si[0] && proven_si[1] <= upper_si;
+        let is_broken = found_si[0] < lower_si || found_si[1] > upper_si;
+        let verdict = match asked {
+            Asked::No(_) => MotionVerdict::NeedsDynamics,
+            _ if is_broken => MotionVerdict::NotMetInTheWorstCase,
+            _ if is_proven && reason.is_none() && share >= requirement.probability_at_least => MotionVerdict::Met,
+            _ => MotionVerdict::Undecided,
+        };
+        MotionRequirement {
+            output: output.name.clone(),
+            unit: output.unit.clone(),
+            of: requirement.deviation,
+            pose_rad,
+            lower_si,
+            upper_si,
+            probability_at_least: requirement.probability_at_least,
+            share_within_limits: share.max(0.0),
+            proven_si,
+            found_si,
+            found_at_rad,
+            verdict,
+            reason,
+        }
+    }
+
+    /// The numbers of the model with every clearance as large as `limits` allow, and why they cannot be had.
+    fn with_most_play(&self, limits: &[InputLimits]) -> (Values, Option<String>) {
+        let table = &self.model.quantities;
+        let mut set: Vec<(QuantityId, f64)> =
+            table.iter().filter(|(_, quantity)| quantity.is_settable()).map(|(id, _)| (id, self.values[id])).collect();
+        let with = |set: &[(QuantityId, f64)], id: QuantityId, value: f64| {
+            let mut set = set.to_vec();
+            set.push((id, value));
+            table.evaluate(&set).ok()
+        };
+        let mut reason = None;
+        for input in limits {
+            let sum = |value: f64| {
+                let values = with(&set, input.quantity, value)?;
+                Some(self.model.play_from(input.quantity).map(|(_, clearance)| values[clearance]).sum::<f64>())
+            };
+            if self.model.play_from(input.quantity).next().is_none() {
+                continue;
+            }
+            match (sum(input.low_si.max(0.0)), sum(input.high_si)) {
+                (Some(low), Some(high)) => {
+                    set.push((input.quantity, if high >= low { input.high_si } else { input.low_si.max(0.0) }));
+                }
+                _ => reason = Some(format!("{} cannot be set to its limits", input.path)),
+            }
+        }
+        let values = table.evaluate(&set).unwrap_or_else(|_| {
+            reason = Some("the largest clearances cannot be set together".to_owned());
+            self.values.clone()
+        });
+        (values, reason)
+    }
+
+    /// What may be loosened, each input by itself.
+    fn allowances(&self, limits: &[InputLimits]) -> Result<Vec<MotionAllowance>, AccuracyError> {
+        self.study.allowances.iter().map(|allowance| self.allowance(allowance, limits)).collect()
+    }
+
+    fn allowance(&self, allowance: &Allowance, limits: &[InputLimits]) -> Result<MotionAllowance, AccuracyError> {
+        let (path, quantity) = match allowance.input {
+            AllowedInput::FitInterval(input) | AllowedInput::UpperEnd(input) => {
+                (&self.study.epistemic[input].path, self.study.epistemic[input].quantity())
+            }
+            AllowedInput::FitScatter(input) | AllowedInput::StandardDeviation(input) => {
+                (&self.study.random[input].path, Some(self.study.random[input].quantity))
+            }
+        };
+        let unit = quantity.map_or(SiUnit::NONE, |id| SiUnit::of_dimension(self.model.quantities[id].dimension));
+        let mut answer = MotionAllowance {
+            path: path.clone(),
+            unit,
+            up_to_si: allowance.up_to_si,
+            loosest_si: None,
+            fit: None,
+            reason: None,
+        };
+        let Some(place) = limits.iter().position(|input| &input.path == path) else {
+            answer.reason = Some("it is set".to_owned());
+            return Ok(answer);
+        };
+        if !allowance.costs.is_empty() || self.study.together.is_some() {
+            answer.reason = Some("costs, and inputs that are loosened together, need loosepin study".to_owned());
+            return Ok(answer);
+        }
+        let is_met = |low_si: Option<f64>, high_si: f64| -> Result<bool, AccuracyError> {
+            let mut limits = limits.to_vec();
+            let own = &mut limits[place];
+            match allowance.input {
+                AllowedInput::StandardDeviation(input) => {
+                    let mean = self.study.random[input].variable.mean();
+                    (own.low_si, own.high_si) = (mean - DEVIATIONS * high_si, mean + DEVIATIONS * high_si);
+                }
+                _ => (own.low_si, own.high_si) = (low_si.unwrap_or(own.low_si).min(high_si), high_si),
+            }
+            let outcomes = self.requirements(&limits)?;
+            let mut judged =
+                outcomes.iter().filter(|outcome| outcome.verdict != MotionVerdict::NeedsDynamics).peekable();
+            Ok(judged.peek().is_some() && judged.all(|outcome| outcome.verdict == MotionVerdict::Met))
+        };
+        if !allowance.fits.is_empty() {
+            for fit in allowance.fits.iter().rev() {
+                if is_met(Some(fit.clearance_m[0]), fit.clearance_m[1])? {
+                    answer.fit = Some(fit.name.clone());
+                    answer.loosest_si = Some(fit.clearance_m[1]);
+                    break;
+                }
+            }
+            return Ok(answer);
+        }
+        if is_met(None, allowance.up_to_si)? {
+            answer.loosest_si = Some(allowance.up_to_si);
+            return Ok(answer);
+        }
+        let (mut met, mut refused) = (allowance.least_si, allowance.up_to_si);
+        if !is_met(None, met)? {
+            return Ok(answer);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (met + refused);
+            if is_met(None, middle)? { met = middle } else { refused = middle }
+        }
+        answer.loosest_si = Some(met);
+        Ok(answer)
+    }
+}
+
+/// The ends over the cycle, or over what the positions around a pose stand for.
+fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
+    let steps = drive_angle_rad.windows(2).map(|pair| pair[1] - pair[0]);
+    // Half a step on either side, and round-off.
+    let half_rad = 0.5 * steps.fold(0.0, f64::max) * (1.0 + 1e-9);
+    let counts = |angle_rad: f64| pose_rad.is_none_or(|pose_rad| is_same(pose_rad, angle_rad, half_rad));
+    let rows = drive_angle_rad.iter().zip(ends).filter(|(angle_rad, _)| counts(**angle_rad)).map(|(_, ends)| *ends);
+    let nothing = [f64::NEG_INFINITY, f64::INFINITY];
+    rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(nothing)
+}
+
+/// Whether two angles are the same within a turn up to `within_rad`.
+fn is_same(a_rad: f64, b_rad: f64, within_rad: f64) -> bool {
+    let apart = (a_rad - b_rad).rem_euclid(std::f64::consts::TAU);
+    apart.min(std::f64::consts::TAU - apart) <= within_rad
+}

@@ -1,0 +1,5 @@
+//! What is answered without dynamics: the ideal motion, worst cases, requirements judged by them.
+
+pub(crate) mod ideal_motion;
+pub(crate) mod judge;
+pub(crate) mod widest_play;

@@ -1,0 +1,46 @@
+//! The values with which joints have the most play, for what knows no intervals and no distributions.
+
+use crate::file::Study;
+use loosepin_mechanics::model::QuantityId;
+use loosepin_text::units::{ReadableUnit, SiUnit, UNITS, format_value, parse_quantity};
+
+impl Study {
+    /// Settings `path=value` of what is uncertain and decides a clearance: each at the end where that is larger, of its interval or list, or
+    /// of the limits to which its distribution is taken (`input_limits`).
+    ///
+    /// A quantity behind several clearances is taken where their sum is larger, the other quantities as they stand in the model;
+    /// an end that the model cannot take is none. Clearances that do not change with it leave it as it stands.
+    pub fn widest_play(&self) -> Vec<(String, String)> {
+        let widest = |(path, id, ends): (String, QuantityId, [f64; 2])| {
+            let play = ends.map(|end| (self.sum_of_clearances_m(id, end), end));
+            let (_, value_si) = play
+                .into_iter()
+                .filter_map(|(sum_m, end)| Some((sum_m?, end)))
+                .reduce(|low, high| if low.0 > high.0 { low } else { high })?;
+            let setting = format!("{path}={}", self.written_exactly(id, value_si));
+            Some((path, setting))
+        };
+        let all = self.input_limits().into_iter();
+        let known = all.filter(|input| self.model.play_from(input.quantity).next().is_some());
+        known.filter_map(|input| widest((input.path, input.quantity, [input.low_si.max(0.0), input.high_si]))).collect()
+    }
+
+    /// The sum of all clearances that depend on a quantity where it is `value_si`, m; nothing where the model cannot take that.
+    fn sum_of_clearances_m(&self, id: QuantityId, value_si: f64) -> Option<f64> {
+        let values = self.model.quantities.evaluate(&[(id, value_si)]).ok()?;
+        Some(self.model.play_from(id).map(|(_, clearance)| values[clearance]).sum())
+    }
+
+    /// A value as it is read by people, with all digits where those do not give it back.
+    fn written_exactly(&self, id: QuantityId, value_si: f64) -> String {
+        let dimension = self.model.quantities[id].dimension;
+        let readable = format_value(value_si, dimension);
+        if parse_quantity(&readable).is_ok_and(|read| read.value_si == value_si) {
+            return readable;
+        }
+        let units = UNITS.iter().filter_map(|unit| ReadableUnit::of_dimension(unit.symbol, dimension));
+        let texts = units.map(|unit| unit.format(value_si));
+        let exact = texts.into_iter().find(|text| parse_quantity(text).is_ok_and(|read| read.value_si == value_si));
+        exact.unwrap_or_else(|| format!("{value_si:e} {}", SiUnit::of_dimension(dimension).symbol()))
+    }
+}

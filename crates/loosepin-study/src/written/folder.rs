@@ -1,0 +1,153 @@
+//! A study in its folder of results: what is opened there before its runs, and what is left there after them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use crate::error::StudyError;
+use crate::file::Study;
+use crate::question::StudyRun;
+use crate::runs::table::RunsTable;
+use crate::written::tables::{RUNS_FILE, SURROGATES_FILE, Timing, runs_parquet, surrogates_json, write_study};
+use loosepin_files::FolderLock;
+use loosepin_result::study::StudyResult;
+use loosepin_store::results::{Claim, InputsHash, REPORT_FILE, ResultsFolder};
+use loosepin_store::{RunStore, STORE_COMPANIONS, STORE_FILE, StoreError, StoreIdentity, remove_store};
+use loosepin_text::diagnostics::{Complaints, Problem};
+
+/// What became of a study in a folder.
+pub enum Concluded {
+    /// Its results stand in the folder.
+    Finished {
+        /// The results.
+        run: Box<StudyRun>,
+        /// The folder.
+        folder: ResultsFolder,
+    },
+    /// It was interrupted: its store and `runs.parquet` stand in the folder.
+    Interrupted {
+        /// The finished runs.
+        finished: Box<RunsTable>,
+        /// The runs that it may come to.
+        most_runs: usize,
+        /// The folder.
+        folder: PathBuf,
+    },
+}
+
+/// Whose runs the store of a study with these inputs holds.
+pub fn store_identity(inputs: &InputsHash) -> StoreIdentity {
+    StoreIdentity { version: loosepin_text::VERSION.to_owned(), inputs: inputs.to_string() }
+}
+
+/// A study whose folder was asked for.
+pub enum Begun {
+    /// Its results are there already.
+    Finished(ResultsFolder),
+    /// The folder is taken, and the store is open.
+    Open(ResultsFolder, RunStore),
+}
+
+/// Takes the folder that `claim` asks for, and opens the store of finished runs in it by `open`. The store comes before the result is
+/// begun: whoever is refused by it has changed nothing in the folder.
+///
+/// # Errors
+/// The folder holds something else; the store cannot be used, or holds runs and nobody said what is to become of them.
+pub fn begin_in_folder(
+    claim: &Claim,
+    open: impl Fn(&Arc<FolderLock>) -> Result<RunStore, StoreError>,
+) -> Result<Begun, Complaints> {
+    let store_files: Vec<&str> = STORE_COMPANIONS.into_iter().chain([STORE_FILE]).collect();
+    let folder = claim.lock(&store_files).map_err(complain)?;
+    if folder.is_finished() {
+        remove_store(folder.lock()).map_err(complain)?;
+        return Ok(Begun::Finished(folder.begin().map_err(complain)?));
+    }
+    // A store that cannot be looked at is one that is there.
+    let was_there = folder.lock().folder().find(Path::new(STORE_FILE)).map_or(true, |found| found.is_some());
+    let store = open(folder.lock()).map_err(|error| {
+        // What was made and cannot be used goes; what another process has made is his.
+        if !was_there && !matches!(error, StoreError::InUse { .. }) {
+            let _ = remove_store(folder.lock());
+        }
+        complain(error)
+    })?;
+    match folder.begin() {
+        Ok(folder) => Ok(Begun::Open(folder, store)),
+        Err(error) => {
+            if !was_there {
+                let _ = store.remove();
+            }
+            Err(complain(error))
+        }
+    }
+}
+
+/// Writes what came of a study that began at `started` into its folder, or keeps there what there is of it; `page` makes its report.
+///
+/// # Errors
+/// Why it has no result, or cannot be written.
+pub fn conclude(
+    study: &Study,
+    mut folder: ResultsFolder,
+    store: RunStore,
+    outcome: Result<StudyRun, StudyError>,
+    page: &dyn Fn(&StudyResult) -> String,
+    (started, threads): (SystemTime, usize),
+) -> Result<Concluded, Complaints> {
+    match outcome {
+        Ok(run) => {
+            let made = store.settle().map_err(complain)?.saturating_sub(store.runs_at_start());
+            let timing = Timing::since(started, made as usize, threads);
+            write(&mut folder, &run, page, &timing)?;
+            store.remove().map_err(complain)?;
+            Ok(Concluded::Finished { run: run.into(), folder })
+        }
+        Err(StudyError::Interrupted { finished, most_runs }) => {
+            keep(&mut folder, &finished)?;
+            Ok(Concluded::Interrupted { finished, most_runs, folder: folder.path().to_owned() })
+        }
+        Err(StudyError::TooManyFailed(failed)) => {
+            keep(&mut folder, &failed.runs)?;
+            Err(StudyError::TooManyFailed(failed).complaint(study).into())
+        }
+        // The folder says since it was taken that it is not finished; there may be no room to say it again.
+        Err(error @ (StudyError::Store(_) | StudyError::NotMade { .. })) => Err(error.complaint(study).into()),
+        Err(error) => {
+            if store.settle().map_err(complain)? > 0 {
+                // Runs were made: they are not lost for what came after them.
+                folder.leave_unfinished().map_err(complain)?;
+            } else {
+                store.remove().map_err(complain)?;
+                folder.abandon().map_err(complain)?;
+            }
+            Err(error.complaint(study).into())
+        }
+    }
+}
+
+fn write(
+    folder: &mut ResultsFolder,
+    run: &StudyRun,
+    page: &dyn Fn(&StudyResult) -> String,
+    timing: &Timing,
+) -> Result<(), Complaints> {
+    if let Some(surrogates) = &run.surrogates {
+        let text = surrogates_json(surrogates).map_err(complain)?;
+        folder.write(SURROGATES_FILE, text.as_bytes()).map_err(complain)?;
+    }
+    write_study(folder, &run.result, &run.runs, timing).map_err(complain)?;
+    folder.write(REPORT_FILE, page(&run.result).as_bytes()).map_err(complain)?;
+    folder.finish().map_err(complain)
+}
+
+/// Shows the runs that were finished; the store keeps them.
+fn keep(folder: &mut ResultsFolder, finished: &RunsTable) -> Result<(), Complaints> {
+    let parquet = runs_parquet(finished).map_err(complain)?;
+    folder.write(RUNS_FILE, &parquet).map_err(complain)?;
+    folder.leave_unfinished().map_err(complain)
+}
+
+fn complain(problem: impl Problem) -> Complaints {
+    Complaints::one(&problem, None)
+}

@@ -1,0 +1,95 @@
+//! A file whose kind is not known beforehand.
+
+use std::path::Path;
+
+use loosepin_mechanics::model::Model;
+use loosepin_text::diagnostics::{Code, Complaints, Place, problems};
+use loosepin_text::document::{parse_toml, read_source};
+
+use crate::file::Study;
+use crate::file::says_study;
+
+/// What a file turned out to be.
+#[derive(Debug, Clone)]
+pub enum InputFile {
+    /// A mechanism with its nominal values.
+    Model(Box<Model>),
+    /// What is uncertain in a model, and what is asked.
+    Study(Box<Study>),
+}
+
+impl InputFile {
+    /// Reads a file as a study if it has keys of one at its top and no body, and as a model otherwise.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the file, each with its place; a file that says nothing.
+    pub fn from_path(path: &Path) -> Result<InputFile, Complaints> {
+        let is_study = {
+            let source = read_source(path)?;
+            let toml = parse_toml(&source)?;
+            if toml.get_ref().is_empty() {
+                return Err(Complaints::one(&InputFileProblem::Empty, Some(Place::new(&source, 0..0))));
+            }
+            says_study(&source)
+        };
+        if is_study {
+            Study::from_path(path).map(|study| InputFile::Study(Box::new(study)))
+        } else {
+            Model::from_path(path).map(|model| InputFile::Model(Box::new(model)))
+        }
+    }
+
+    /// The model, or that of the study.
+    pub fn model(&self) -> &Model {
+        match self {
+            InputFile::Model(model) => model,
+            InputFile::Study(study) => &study.model,
+        }
+    }
+
+    /// The model.
+    ///
+    /// # Errors
+    /// It is a study.
+    pub fn into_model(self) -> Result<Model, Complaints> {
+        match self {
+            InputFile::Model(model) => Ok(*model),
+            InputFile::Study(study) => {
+                let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
+                Err(Complaints::one(&problem, Some(Place::new(study.source(), 0..0))))
+            }
+        }
+    }
+
+    /// The study.
+    ///
+    /// # Errors
+    /// It is a model.
+    pub fn into_study(self) -> Result<Study, Complaints> {
+        match self {
+            InputFile::Study(study) => Ok(*study),
+            InputFile::Model(model) => {
+                Err(Complaints::one(&InputFileProblem::ModelForStudy, Some(Place::new(model.source(), 0..0))))
+            }
+        }
+    }
+}
+
+problems! {
+    /// A file of the wrong kind.
+    #[derive(Debug, Clone, PartialEq, Eq)]
+    pub enum InputFileProblem {
+        /// A study where a model is due.
+        StudyForModel { model: String } => Code::WrongKindOfFile,
+            says("this is a study; expected a model"),
+            hint("its model is {model}");
+        /// Nothing in it.
+        Empty => Code::WrongKindOfFile,
+            says("the file says nothing: neither a model nor a study"),
+            hint("`loosepin new slider-crank` writes both, to start from");
+        /// A model where a study is due.
+        ModelForStudy => Code::WrongKindOfFile,
+            says("this is a model; expected a study"),
+            hint("a study names its model by the key `model`; for a single run use `loosepin simulate`");
+    }
+}

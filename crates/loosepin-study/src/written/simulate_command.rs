@@ -1,0 +1,65 @@
+//! Commands of `loosepin simulate` that run one mechanism of a study: every number in SI with as many digits as read back to the same bits.
+
+use crate::file::{EpistemicInput, EpistemicSubject, Study};
+use loosepin_bounds::RunInputs;
+use loosepin_result::repeat::shell_word;
+use loosepin_result::study::{Witness, WitnessValue};
+use loosepin_text::units::SiUnit;
+
+/// The command that makes a run again.
+pub(crate) fn run_command(study: &Study, inputs: &RunInputs) -> String {
+    let random = study.random.iter().zip(&inputs.random);
+    let mut settings: Vec<String> =
+        random.map(|(input, &value)| number_setting(&input.path, &input.unit(&study.model), value)).collect();
+    for (input, &value) in study.epistemic.iter().zip(&inputs.epistemic) {
+        // A parameter of a distribution has done its work: the value drawn from it is set above.
+        if matches!(input.subject, EpistemicSubject::Parameter { .. }) {
+            continue;
+        }
+        settings.push(match input.law(value) {
+            Some(law) => format!("{}={}", input.path, law.name()),
+            None => number_setting(&input.path, &input.unit(&study.model), value),
+        });
+    }
+    command(study, &study.model_path.display().to_string(), &settings)
+}
+
+/// The command that runs the mechanism of a witness, with random inputs as in the model at `model_path`. Nothing where the witness
+/// has a parameter of a distribution, which no mechanism has.
+pub(crate) fn witness_command(study: &Study, model_path: &str, witness: &Witness) -> Option<String> {
+    Some(command(study, model_path, &witness_settings(study, witness)?))
+}
+
+/// The settings `path=value` of that command.
+pub(crate) fn witness_settings(study: &Study, witness: &Witness) -> Option<Vec<String>> {
+    let setting = |(path, value): (&String, &WitnessValue)| {
+        let is_of_model = |input: &&EpistemicInput| !matches!(input.subject, EpistemicSubject::Parameter { .. });
+        let input = study.epistemic.iter().find(|input| input.path == *path).filter(is_of_model)?;
+        Some(match value {
+            WitnessValue::Number(value_si) => number_setting(path, &input.unit(&study.model), *value_si),
+            WitnessValue::Choice(word) => format!("{path}={word}"),
+        })
+    };
+    witness.iter().map(setting).collect()
+}
+
+fn number_setting(path: &str, unit: &SiUnit, value: f64) -> String {
+    // A unit alone below the line is written as a power: a number followed by `1/m` is no value.
+    let symbol = match unit.symbol() {
+        "1" => String::new(),
+        symbol => symbol.strip_prefix("1/").map_or(format!(" {symbol}"), |below| format!(" {below}^-1")),
+    };
+    format!("{path}={value:?}{symbol}")
+}
+
+/// With the cycle and the tolerance of the study.
+fn command(study: &Study, model_path: &str, settings: &[String]) -> String {
+    let set: String = settings.iter().map(|setting| format!(" --set \"{setting}\"")).collect();
+    format!(
+        "loosepin simulate {}{set} --transient {} --turns {} --tolerance \"{:?} m\"",
+        shell_word(model_path),
+        study.cycle.transient_turns,
+        study.cycle.recorded_turns,
+        study.sampling.tolerance_m
+    )
+}

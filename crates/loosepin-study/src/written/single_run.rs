@@ -1,0 +1,140 @@
+//! One mechanism run by itself, in its folder of results: as `loosepin simulate` does it, whoever asks.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::file::Study;
+use crate::written::inputs::add_model;
+use crate::written::simulate_command::witness_settings;
+use crate::written::tables::{FilesError, SUMMARY_FILE};
+use loosepin_mechanics::mechanism::Mechanism;
+use loosepin_mechanics::model::{Cycle, Model, SetValues};
+use loosepin_result::json::Stored;
+use loosepin_result::simulation::{Override, SimulationRecord};
+use loosepin_result::study::Witness;
+use loosepin_simulate::accuracy::check_quasi_static;
+use loosepin_simulate::measured::{MeasuredTable, lay_over};
+use loosepin_simulate::{
+    Integrator, Plan, Settings, history_csv, impacts_csv, simulate_until, spectrum_csv, wear_csv, wear_life_csv,
+    wear_profiles_csv,
+};
+use loosepin_store::results::{
+    HISTORY_FILE, IMPACTS_FILE, InputsHash, InputsHasher, REPORT_FILE, ResultKind, ResultsFolder, SPECTRUM_FILE,
+    WEAR_FILE, WEAR_LIFE_FILE, WEAR_PROFILES_FILE,
+};
+use loosepin_text::diagnostics::{Complaint, Complaints, Problem};
+
+/// The settings `path=value` and the plan of the run at a witness of `study`: those of the command that the study prints, random inputs as
+/// in the model. Nothing where the witness has a parameter of a distribution, which no mechanism has.
+pub fn witness_run(study: &Study, witness: &Witness) -> Option<(Vec<String>, Plan)> {
+    let settings = witness_settings(study, witness)?;
+    let cycle = Cycle {
+        transient_turns: study.cycle.transient_turns,
+        recorded_turns: study.cycle.recorded_turns,
+        ..study.model.cycle.clone()
+    };
+    let settings_of_run = Settings { tolerance_m: study.sampling.tolerance_m, ..Settings::for_simulation() };
+    let overrides = Override::of_settings(&settings);
+    Some((
+        settings,
+        Plan {
+            cycle,
+            settings: settings_of_run,
+            with_states: false,
+            lyapunov_turns: None,
+            second_run: true,
+            overrides,
+        },
+    ))
+}
+
+/// The hash of everything that a single run of `model` is computed from.
+pub fn run_inputs(model: &Model, settings: &[String], plan: &Plan, measured: &[MeasuredTable]) -> InputsHash {
+    let mut hasher = InputsHasher::new(ResultKind::Simulation);
+    add_model(&mut hasher, model);
+    for set in settings {
+        hasher.add("set", set);
+    }
+    for table in measured {
+        hasher.add("measured", table.text());
+    }
+    if let Some(turns) = plan.lyapunov_turns {
+        hasher.add("lyapunov_turns", turns.to_string());
+    }
+    if !plan.second_run {
+        hasher.add("second_run", "false");
+    }
+    if plan.settings.integrator == Integrator::Implicit {
+        hasher.add("integrator", "implicit");
+    }
+    hasher
+        .add_number("transient_turns", plan.cycle.transient_turns)
+        .add_number("recorded_turns", plan.cycle.recorded_turns)
+        .add("samples_per_turn", plan.cycle.samples_per_turn.to_string())
+        .add_number("tolerance_m", plan.settings.tolerance_m)
+        .add("with_states", plan.with_states.to_string())
+        .finish()
+}
+
+/// A run that came to its end, with its files written.
+pub struct FinishedRun {
+    /// What the page shows.
+    pub record: SimulationRecord,
+    /// Why it counts as failed all the same: its energy account does not bear it out.
+    pub failure: Option<Complaint>,
+}
+
+/// Runs `mechanism` until `stop` is set, and writes what came of it into its folder; `page` makes its report. Where it comes to no end,
+/// the folder is left to whoever has taken it.
+///
+/// # Errors
+/// Why the run failed or was stopped; a measured table that does not fit; what the file system refuses.
+pub fn run_into(
+    folder: &mut ResultsFolder,
+    (mechanism, set): (&Mechanism, &SetValues),
+    plan: &Plan,
+    measured: &[MeasuredTable],
+    page: &dyn Fn(&SimulationRecord) -> String,
+    stop: &AtomicBool,
+) -> Result<FinishedRun, Complaints> {
+    let model = &mechanism.model;
+    let mut simulation =
+        simulate_until(mechanism, &set.values, plan, stop).map_err(|failure| failure.complaint(model))?;
+    for table in measured {
+        simulation.record.repeat.add_measured("--measured", table.source());
+    }
+    // A run that failed is written as it is, without what follows from it.
+    if simulation.failure.is_none() {
+        // The worst case of the unworn clearance does not hold a worn joint.
+        if simulation.record.life.is_none() {
+            check_quasi_static(mechanism, &set.values, &mut simulation.record)
+                .map_err(|error| error.complaint(model))?;
+        }
+        for table in measured {
+            lay_over(table, &mut simulation.record)?;
+        }
+    }
+    let mut write = |name: &str, text: &str| folder.write(name, text.as_bytes()).map_err(complain);
+    write(HISTORY_FILE, &history_csv(&simulation))?;
+    write(IMPACTS_FILE, &impacts_csv(&simulation.record))?;
+    if let Some(spectrum) = spectrum_csv(&simulation.record) {
+        write(SPECTRUM_FILE, &spectrum)?;
+    }
+    if let Some(wear) = wear_csv(&simulation.record.wear) {
+        write(WEAR_FILE, &wear)?;
+    }
+    if let Some(life) = &simulation.record.life {
+        write(WEAR_LIFE_FILE, &wear_life_csv(life))?;
+        write(WEAR_PROFILES_FILE, &wear_profiles_csv(life))?;
+    }
+    // The last files of a result.
+    let summary = simulation.record.to_json().map_err(|source| complain(FilesError::Json { source }))?;
+    write(SUMMARY_FILE, &summary)?;
+    write(REPORT_FILE, &page(&simulation.record))?;
+    folder.finish().map_err(complain)?;
+    let failure = simulation.failure.map(|failure| failure.complaint(model));
+    Ok(FinishedRun { record: simulation.record, failure })
+}
+
+fn complain(problem: impl Problem) -> Complaints {
+    Complaints::one(&problem, None)
+}

@@ -1,0 +1,99 @@
+//! Everything that a study was read from, to be read again where there are no files.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::file::Study;
+use loosepin_mechanics::model::Model;
+use loosepin_text::diagnostics::{Complaints, Source};
+
+/// A text, and the name that it is reported by.
+pub type NamedText = (String, String);
+
+/// The texts of a study, of its model, and of the tables that they name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StudyTexts {
+    /// The study file.
+    pub study: NamedText,
+    /// The model file.
+    pub model: NamedText,
+    /// The path of the model, as commands have it.
+    pub model_path: String,
+    /// Tables, by the path that they were read from.
+    pub tables: Vec<NamedText>,
+}
+
+impl Study {
+    /// Everything that the study was read from.
+    pub fn texts(&self) -> StudyTexts {
+        let text = |source: &Arc<Source>| (source.name().to_owned(), source.text().to_owned());
+        StudyTexts {
+            study: text(self.source()),
+            model: text(self.model.source()),
+            model_path: self.model_path.display().to_string(),
+            tables: self.tables().iter().chain(self.model.tables()).map(text).collect(),
+        }
+    }
+
+    /// The study that has these texts; no file is opened.
+    ///
+    /// # Errors
+    /// As for [`Study::from_path`]; a table that is not among the texts.
+    pub fn from_texts(texts: &StudyTexts) -> Result<Study, Complaints> {
+        let tables: Arc<[Arc<Source>]> = texts.tables.iter().map(|(name, text)| Source::new(name, text)).collect();
+        let source = |(name, text): &NamedText| Source::with_files(name, text, Arc::clone(&tables));
+        let model = Model::from_source(source(&texts.model))?;
+        Study::of_model(&source(&texts.study), model, &PathBuf::from(&texts.model_path))
+    }
+}
+
+/// The study at `path` in the repository, with texts of its files replaced; each of them is there.
+#[cfg(test)]
+pub fn study_with(path: &str, replaced: &[(&str, &str)]) -> Study {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
+    let mut texts = Study::from_path(&path).unwrap_or_else(|complaints| panic!("{complaints}")).texts();
+    for (old, new) in replaced {
+        assert!(texts.study.1.contains(old) || texts.model.1.contains(old), "{old}");
+        texts.study.1 = texts.study.1.replace(old, new);
+        texts.model.1 = texts.model.1.replace(old, new);
+    }
+    Study::from_texts(&texts).unwrap_or_else(|complaints| panic!("{complaints}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study_inputs;
+    use std::path::Path;
+
+    /// A study whose model and which itself name tables.
+    fn written(folder: &Path) -> PathBuf {
+        let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slider_crank_worn_pin/model.toml");
+        let model = std::fs::read_to_string(case).unwrap();
+        std::fs::create_dir(folder.join("measured")).unwrap();
+        std::fs::write(folder.join("model.toml"), model).unwrap();
+        let sample: String = (0..12).map(|row| format!("{}\n", 119.96 + 0.007 * f64::from(row))).collect();
+        std::fs::write(folder.join("measured/rods.csv"), format!("rod length [mm]\n{sample}")).unwrap();
+        let study = "name = \"measured rods\"\nmodel = \"model.toml\"\n[random]\n\
+            \"parameter.rod_length\" = { samples = \"measured/rods.csv\" }\n\
+            [[ask]]\noutput = \"slider\"\nof = \"total\"\nreduce = \"rms\"\nstatistics = [\"mean\"]\n";
+        std::fs::write(folder.join("study.toml"), study).unwrap();
+        folder.join("study.toml")
+    }
+
+    #[test]
+    fn identity_a_study_of_texts_is_that_of_the_files() {
+        let desk = tempfile::tempdir().unwrap();
+        let read = Study::from_path(&written(desk.path())).unwrap();
+        let texts = read.texts();
+        assert_eq!(texts.tables.len(), 1);
+        // Nothing is opened any more.
+        drop(desk);
+        let again = Study::from_texts(&texts).unwrap();
+        assert_eq!(again.texts(), texts);
+        assert_eq!(study_inputs(&again, &[], None).to_string(), study_inputs(&read, &[], None).to_string());
+        assert_eq!(again.random[0].variable.quantile(0.3), read.random[0].variable.quantile(0.3));
+        let missing = Study::from_texts(&StudyTexts { tables: Vec::new(), ..texts }).unwrap_err().to_string();
+        assert!(missing.contains("rods.csv") && missing.contains("was not given"), "{missing}");
+    }
+}
