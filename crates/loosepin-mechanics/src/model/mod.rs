@@ -73,7 +73,7 @@ pub use output::{
     Relative, Stress, Wear, relative_words,
 };
 pub use part_names::{Names, PartNames};
-pub use part_reader::PartReader;
+pub use part_reader::{Later, PartReader};
 pub use path_error::PathError;
 pub use plausible::HardlyPossible;
 pub use problem::ModelProblem;
