@@ -46,7 +46,7 @@ pub use output::{
     Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Recorded,
     Relative, Stress, Wear, relative_words,
 };
-pub use part_reader::PartReader;
+pub use part_reader::{Later, PartReader};
 pub use parts::beam::{Beam, Formulation, Lump};
 pub use parts::control::{Control, FeedForward};
 pub use parts::cycle::{CYCLE_NUMBERS, Cycle, CycleSpan};

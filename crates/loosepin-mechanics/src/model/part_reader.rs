@@ -45,6 +45,36 @@ impl<'t, R: PartReader + ?Sized> Usual<'t, R, &'static str> for QuantityId {
     }
 }
 
+/// A quantity, written or usual, that is read after others: quantities keep the order in which they are read.
+pub enum Later<'t> {
+    /// As the file has it.
+    Written(Entry<'t>),
+    /// Left out of the table under this key, with what it is then.
+    Usual(Table<'t>, &'static str, &'static str),
+}
+
+impl Later<'_> {
+    /// Reads it; `None` after a complaint.
+    pub fn quantity<R: PartReader + ?Sized>(&self, reader: &mut R) -> Option<QuantityId> {
+        match self {
+            Self::Written(entry) => reader.quantity_at(entry),
+            Self::Usual(table, key, usual) => QuantityId::usual(reader, table, key, usual),
+        }
+    }
+}
+
+impl<'t, R: ?Sized> Value<'t, R> for Later<'t> {
+    fn read(_reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
+        Some(Self::Written(entry.clone()))
+    }
+}
+
+impl<'t, R: ?Sized> Usual<'t, R, &'static str> for Later<'t> {
+    fn usual(_reader: &mut R, table: &Table<'t>, key: &'static str, usual: &'static str) -> Option<Self> {
+        Some(Self::Usual(table.clone(), key, usual))
+    }
+}
+
 impl<'t, R: PartReader + ?Sized> Value<'t, R> for PointId {
     fn read(reader: &mut R, entry: &Entry<'t>) -> Option<Self> {
         reader.point(entry)

@@ -398,17 +398,6 @@ impl Reader {
         self.refuse(&problem, entry.span)
     }
 
-    /// Meaning of the word behind a key; `default` where it is not written.
-    pub fn choice_or<T: Copy>(
-        &mut self,
-        table: &Table<'_>,
-        key: &str,
-        choices: &[(&'static str, T)],
-        default: T,
-    ) -> Option<T> {
-        table.get(key).map_or(Some(default), |entry| self.choice(&entry, choices))
-    }
-
     /// The whole number behind a key, within the limits of the table of keys; absent where it is not written.
     pub fn count(&mut self, table: &Table<'_>, key: &str) -> Option<u64> {
         self.count_of(&table.get(key)?)

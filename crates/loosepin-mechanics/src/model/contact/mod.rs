@@ -13,17 +13,15 @@ pub use lubrication::Lubrication;
 pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
-use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
 use crate::model::parts::friction::{Friction, FrictionTable, SlidingVelocity};
+use super::part_reader::Later;
 use crate::model::values::quantity::{QuantityId, Values};
+use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
 use law::LawTable;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
 use lubrication::FilmTable;
-
-/// v_min where the file gives none (our choice), m/s.
-const MINIMUM_IMPACT_SPEED_M_S: f64 = 1e-3;
 
 /// Contact between pin and hole or slot, between the corners of a slider and its guide, or between flanks.
 #[derive(Debug, Clone)]
@@ -52,7 +50,7 @@ impl Contact {
     /// Reads it from its table; `None` after a complaint.
     pub(super) fn read(name: &str, own: &ContactTable<'_>, reader: &mut dyn EntryReader) -> Option<Self> {
         let law = ContactLaw::read(&own.law, reader);
-        let minimum_impact_speed_m_s = reader.quantity_or(&own.table, "minimum_impact_speed", MINIMUM_IMPACT_SPEED_M_S);
+        let minimum_impact_speed_m_s = own.minimum_impact_speed.quantity(reader);
         let density_kg_m3 = own.density.as_ref().and_then(|entry| reader.quantity_at(entry));
         let friction = own.friction.as_ref().and_then(|entry| Friction::of_contact(entry, reader));
         let film = own.film.as_ref().map(|entry| Lubrication::read(entry, reader));
@@ -105,9 +103,9 @@ record! {
     /// contact between pin and hole: its stiffness comes from the materials, or is given, for a point-contact law with its exponent
     pub(in crate::model) struct ContactTable for EntryReader;
     include law: LawTable<'t>;
-    /// floor of the impact speed in the force law; 1 mm/s if left out
-    #[allow(dead_code)]
-    optional minimum_impact_speed: Entry<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"";
+    /// floor of the impact speed in the force law
+    // What it is if left out is our choice.
+    optional minimum_impact_speed: Later<'t> = quantity(D::VELOCITY, Rule::Positive), "\"1 mm/s\"", or "1 mm/s";
     /// density, to say which impacts are too fast for the law
     optional density: Entry<'t> = quantity(D::DENSITY, Rule::Positive), "\"7800 kg/m^3\"";
     /// friction; none if left out

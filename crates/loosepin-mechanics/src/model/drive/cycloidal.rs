@@ -3,8 +3,9 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
+use crate::model::part_reader::Later;
+use crate::model::values::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table, quantity};
 use loosepin_text::record;
@@ -95,7 +96,7 @@ impl MotionTable for Cycloidal {
         let own = CycloidalTable::of(reader, table.clone())?;
         let [from, to] = [&own.from, &own.to].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
         let duration_s = own.duration.and_then(|entry| reader.quantity_at(&entry));
-        let dwell_s = reader.quantity_or(table, "dwell", 0.0);
+        let dwell_s = own.dwell.quantity(reader);
         Some(Written::Motion(Self { from: from?, to: to?, duration_s: duration_s?, dwell_s: dwell_s? }))
     }
 }
@@ -109,7 +110,6 @@ record! {
     required to: Option<Entry<'t>> = COORDINATE, "\"90 deg\"";
     /// duration of the rise
     required duration: Option<Entry<'t>> = quantity(D::TIME, Rule::Positive), "\"0.2 s\"";
-    /// rest before the rise; none if left out
-    #[allow(dead_code)]
-    optional dwell: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"";
+    /// rest before the rise
+    optional dwell: Later<'t> = quantity(D::TIME, Rule::NonNegative), "\"0.05 s\"", or "0 s" called "none";
 }

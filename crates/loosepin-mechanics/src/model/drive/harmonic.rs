@@ -3,8 +3,9 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, Period, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
+use crate::model::part_reader::Later;
+use crate::model::values::quantity::QuantityId;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table, quantity};
 use loosepin_text::record;
@@ -87,7 +88,7 @@ impl MotionTable for Harmonic {
         let [mean, amplitude] =
             [&own.mean, &own.amplitude].map(|entry| reader.quantity_of(entry.as_ref()?, dimension, Rule::Finite));
         let frequency = own.frequency.and_then(|entry| reader.quantity_at(&entry));
-        let phase_rad = reader.quantity_or(table, "phase", 0.0);
+        let phase_rad = own.phase.quantity(reader);
         let (mean, amplitude) = (mean?, amplitude?);
         Some(Written::Motion(Self { mean, amplitude, frequency_1_s: frequency?, phase_rad: phase_rad? }))
     }
@@ -102,7 +103,6 @@ record! {
     required amplitude: Option<Entry<'t>> = COORDINATE, "\"30 deg\"";
     /// oscillations in a second
     required frequency: Option<Entry<'t>> = quantity(D::FREQUENCY, Rule::Positive), "\"2 Hz\"";
-    /// phase at time zero, 0 for the middle on the way up; 0 deg if left out
-    #[allow(dead_code)]
-    optional phase: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"";
+    /// phase at time zero, 0 for the middle on the way up
+    optional phase: Later<'t> = quantity(D::ANGLE, Rule::Finite), "\"90 deg\"", or "0 deg";
 }

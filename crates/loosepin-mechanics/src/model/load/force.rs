@@ -4,10 +4,10 @@ use super::course::Course;
 use super::kind::{ActsOn, Direction, KindOfLoad, LoadPlace, Push};
 use super::size::{JOINT, Oscillation, PointsOfLoad, SizeKeys, SizeTable};
 use crate::model::ids::PointId;
-use crate::model::part_reader::PartReader;
-use crate::model::parts::table_curve::POINTS;
-use crate::model::values::quantity::QuantityId;
 use crate::model::words::part_names::Names;
+use crate::model::part_reader::{Later, PartReader};
+use crate::model::values::quantity::QuantityId;
+use crate::model::parts::table_curve::POINTS;
 use loosepin_math::{Real, Vec2, sin_cos};
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
 use loosepin_text::units::{Dimension, Rule};
@@ -43,7 +43,7 @@ impl KindOfLoad for ForceLoad {
             direction: Direction { angle_rad, follows_body },
         });
         let ForceTable { table, force: size, joint, points, rest, area, back_pressure, .. } = own;
-        (kind, Some(SizeTable { table, size, joint, points, rest, pressures: Some([area, back_pressure]) }))
+        (kind, Some(SizeTable { table, size, joint, points, rest, pressures: Some((area, back_pressure)) }))
     }
 
     fn acts_on(&self) -> ActsOn {
@@ -108,6 +108,6 @@ record! {
     include rest: PointsOfLoad<'t>;
     /// beside points or csv: the points are pressures on this area; the force is (pressure - back_pressure) area
     optional area: Entry<'t> = quantity(Dimension::AREA, Rule::Positive), "\"50 cm^2\"";
-    /// beside area: the pressure on its other side; 0 Pa if left out
-    optional back_pressure: Entry<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"";
+    /// beside area: the pressure on its other side
+    optional back_pressure: Later<'t> = quantity(Dimension::PRESSURE, Rule::Finite), "\"1 bar\"", or "0 Pa";
 }

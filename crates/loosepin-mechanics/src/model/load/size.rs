@@ -1,9 +1,9 @@
 //! How the size of a load is written: constant, over time or the motion of a joint, or by points.
 
 use super::course::Course;
-use crate::model::part_reader::PartReader;
-use crate::model::parts::table_curve::{CSV, TableCurve};
+use crate::model::part_reader::{Later, PartReader};
 use crate::model::values::quantity::QuantityId;
+use crate::model::parts::table_curve::{CSV, TableCurve};
 use loosepin_text::document::{Entry, Key, Kind, Table, choice, optional, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};
@@ -32,7 +32,7 @@ pub struct SizeTable<'t> {
     /// What else goes with points.
     pub(in crate::model) rest: PointsOfLoad<'t>,
     /// Area and back pressure, of a kind whose points may be pressures.
-    pub pressures: Option<[Option<Entry<'t>>; 2]>,
+    pub pressures: Option<(Option<Entry<'t>>, Later<'t>)>,
 }
 
 record! {

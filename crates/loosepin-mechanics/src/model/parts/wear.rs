@@ -1,6 +1,6 @@
 //! Wear of joints by Archard's law.
 
-use crate::model::part_reader::PartReader;
+use crate::model::part_reader::{Later, PartReader};
 use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, choice, count, optional, quantity};
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
@@ -218,8 +218,8 @@ record! {
     optional geometry: ActsBack = choice::<ActsBack>(), "\"worn\"", or "fixed";
     /// equal jumps over the cycles with geometry = "worn"; chosen by the tolerance if left out
     optional jumps: usize = count(1, MOST_JUMPS as u64), "16";
-    /// error of a jump in the depth of any sector; 0.05 um if left out
-    optional tolerance: QuantityId = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"";
+    /// error of a jump in the depth of any sector
+    optional tolerance: Later<'t> = quantity(D::LENGTH, Rule::Positive), "\"0.05 um\"", or "0.05 um";
     /// the output whose largest deviation from the ideal motion ends the life of the mechanism
     optional limit_of: Entry<'t> = Kind::Reference("output"), "\"slider\"";
     /// its largest deviation, in either direction

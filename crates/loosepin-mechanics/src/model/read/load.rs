@@ -5,8 +5,8 @@ use super::reader::ModelReader;
 use crate::model::entry_reader::EntryReader;
 use crate::model::ids::{BodyId, JointId};
 use crate::model::load::{ARGUMENTS, Course, LOAD_KINDS, Load, LoadKind, PointsOfLoad, SizeKeys, SizeTable};
-use crate::model::part_reader::PartReader;
 use crate::model::parts::load_table::{LoadTable, Piston};
+use crate::model::part_reader::{Later, PartReader};
 use crate::model::problem::ModelProblem;
 use crate::model::values::function::{TIME, Variable};
 use loosepin_text::document::{Entry, Table};
@@ -122,16 +122,16 @@ impl ModelReader {
     }
 
     /// The piston of a force whose table is of pressures, by its area and back pressure; none where it is of forces.
-    fn piston(&mut self, table: &Table<'_>, [area, back]: &[Option<Entry<'_>>; 2]) -> Option<Option<Piston>> {
+    fn piston(&mut self, table: &Table<'_>, (area, back): &(Option<Entry<'_>>, Later<'_>)) -> Option<Option<Piston>> {
         let Some(area) = area else {
-            if back.is_some() {
+            if matches!(back, Later::Written(_)) {
                 self.complain_of_missing(table, "back_pressure", vec!["area"]);
                 return None;
             }
             return Some(None);
         };
         let area_m2 = self.quantity_at(area);
-        let back_pressure_pa = self.quantity_or(table, "back_pressure", 0.0);
+        let back_pressure_pa = back.quantity(self);
         Some(Some(Piston { area_m2: area_m2?, back_pressure_pa: back_pressure_pa? }))
     }
 

@@ -3,10 +3,10 @@
 use super::reader::ModelReader;
 use crate::model::entry_reader::{Column, EntryReader};
 use crate::model::ids::PointId;
-use crate::model::part_reader::PartReader;
+use crate::model::part_reader::{Later, PartReader};
+use crate::model::problem::ModelProblem;
 use crate::model::parts::spring::{Elasticity, Spring, SpringKind};
 use crate::model::parts::table_curve::{CSV, POINTS, TableCurve};
-use crate::model::problem::ModelProblem;
 use loosepin_text::document::{Entry, Keys, Kind, Table, choice, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Dimension as D, Rule};
@@ -33,9 +33,8 @@ record! {
     optional free_length: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"40 mm\"";
     /// force by speed of extension, along the spring; none if left out
     optional damping: Entry<'t> = quantity(D::DAMPING, Rule::NonNegative), "\"5 N s/m\"";
-    /// pull at the free length, below zero for a push; none if left out
-    #[allow(dead_code)]
-    optional preload: Entry<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"";
+    /// pull at the free length, below zero for a push
+    optional preload: Later<'t> = quantity(D::FORCE, Rule::Finite), "\"10 N\"", or "0 N" called "none";
     /// pairs of a length and the pull there, in place of stiffness and free length; lengths increasing, straight beyond both ends
     optional points: Entry<'t> = POINTS, "[[\"30 mm\", \"-4 N\"], [\"40 mm\", \"0 N\"], [\"55 mm\", \"12 N\"]]";
     include rest: FileAndCurve<'t>;
@@ -57,9 +56,8 @@ record! {
     optional free_angle: Entry<'t> = quantity(D::ANGLE, Rule::Finite), "\"30 deg\"";
     /// torque by angular velocity; none if left out
     optional damping: Entry<'t> = quantity(D::TORSIONAL_DAMPING, Rule::NonNegative), "\"0.01 N m s/rad\"";
-    /// torque at the free angle that turns the second body backwards; none if left out
-    #[allow(dead_code)]
-    optional preload: Entry<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"";
+    /// torque at the free angle that turns the second body backwards
+    optional preload: Later<'t> = quantity(D::TORQUE, Rule::Finite), "\"0.1 N m\"", or "0 N m" called "none";
     /// pairs of an angle and the torque there, in place of stiffness and free angle; angles increasing, straight beyond both ends
     optional points: Entry<'t> =
         POINTS, "[[\"-20 deg\", \"-0.4 N m\"], [\"0 deg\", \"0 N m\"], [\"30 deg\", \"1 N m\"]]";
@@ -75,6 +73,7 @@ struct Pull<'e, 't> {
     table: &'e Table<'t>,
     /// Stiffness, and free length or angle.
     linear: [&'e Option<Entry<'t>>; 2],
+    preload: &'e Later<'t>,
     points: &'e Option<Entry<'t>>,
     rest: &'e FileAndCurve<'t>,
     columns: [Column; 2],
@@ -95,17 +94,17 @@ impl ModelReader {
         let (kind, elasticity, damping) = if word == LinearSpring::WORD {
             let own = LinearSpring::of(self, table)?;
             let columns = [("length", Dimension::LENGTH), ("force", Dimension::FORCE)];
-            let LinearSpring { table, stiffness, free_length, points, rest, .. } = &own;
+            let LinearSpring { table, stiffness, free_length, preload, points, rest, .. } = &own;
             let linear = [stiffness, free_length];
-            let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
+            let elasticity = self.elasticity(Pull { table, linear, preload, points, rest, columns });
             let kind = own.first.zip(own.second).map(|(first, second)| SpringKind::Linear { first, second });
             (kind, elasticity, own.damping)
         } else {
             let own = TorsionalSpring::of(self, table)?;
             let columns = [("angle", Dimension::ANGLE), ("torque", Dimension::TORQUE)];
-            let TorsionalSpring { table, stiffness, free_angle, points, rest, .. } = &own;
+            let TorsionalSpring { table, stiffness, free_angle, preload, points, rest, .. } = &own;
             let linear = [stiffness, free_angle];
-            let elasticity = self.elasticity(Pull { table, linear, points, rest, columns });
+            let elasticity = self.elasticity(Pull { table, linear, preload, points, rest, columns });
             (self.torsional_spring(&own), elasticity, own.damping)
         };
         let damping = damping.and_then(|entry| self.quantity_at(&entry));
@@ -125,7 +124,7 @@ impl ModelReader {
             (None, None) => {
                 self.refuse_beside(own.table, "curve", "stiffness");
                 let [stiffness, free] = own.linear.map(|entry| self.quantity_at(entry.as_ref()?));
-                let preload = self.quantity_or(own.table, "preload", 0.0);
+                let preload = own.preload.quantity(self);
                 return Some(Elasticity::Linear { stiffness: stiffness?, free: free?, preload: preload? });
             }
         };

@@ -16,8 +16,6 @@ use loosepin_text::units::{Dimension, Op, Rule};
 /// Keys of a joint that go with the worn shape alone, and that of the unworn one.
 const FOUNDATION_KEYS: [&str; 2] = ["foundation", "foundation_stiffness"];
 const PRESSURE_KEY: &str = "pressure";
-/// Error of a jump in a depth, where the file does not say, m.
-const JUMP_TOLERANCE_M: f64 = 5e-8;
 
 impl ModelReader {
     /// Wear of a revolute joint with this table; the outer option is absent after a complaint. `clearance` is what was read of its play.
@@ -171,7 +169,7 @@ impl ModelReader {
                 return self.reader.refuse(&problem, span);
             }
         }
-        let tolerance = self.quantity_or(table, "tolerance", JUMP_TOLERANCE_M);
+        let tolerance = life.tolerance.quantity(self);
         let jumps = match life.jumps {
             Some(count) => {
                 self.refuse_beside(table, "tolerance", "jumps");

@@ -62,35 +62,35 @@ record! {
     optional lumps: Entry<'t> = Kind::Tables { keys: &LumpTable::KEYS, except: &[] }, "";
     /// floating-frame: few shapes in a frame that moves with the body, for sections that turn by less than 0.1 rad from it;
     /// absolute-nodal: elements whose nodes hold position and slope, for beams that bend far
-    optional formulation: IsNodal = choice::<IsNodal>(), "\"floating-frame\"", or "floating-frame";
+    optional formulation: Option<IsNodal> = choice::<IsNodal>(), "\"floating-frame\"", or "floating-frame";
     /// floating frame: damping ratio of every shape; none if left out
     optional damping_ratio: Entry<'t> = quantity(D::NUMBER, Rule::NonNegative), "0.005";
     /// absolute nodal coordinates: number of elements
-    optional elements: usize = count(1, MOST_ELEMENTS), "16", or 8;
+    optional elements: Option<usize> = count(1, MOST_ELEMENTS), "16", or 8;
     /// absolute nodal coordinates: points of integration in each element for stretch and bending; full: 5 and 3; reduced: 3 and 2, so that
     /// few elements are less stiff
-    optional integration: Integration = choice::<Integration>(), "\"full\"", or "full";
+    optional integration: Option<Integration> = choice::<Integration>(), "\"full\"", or "full";
     /// absolute nodal coordinates: retardation time of the material, damping ratio ωτ/2 at ω; no damping if left out
     optional retardation_time: Entry<'t> = quantity(D::TIME, Rule::NonNegative), "\"1 us\"";
     /// floating frame: secant: its x axis goes through both ends; tangent: it turns with the section at from, which a drive or a
     /// rigid joint holds
-    optional frame: FrameChoice = choice::<FrameChoice>(), "\"secant\"", or "secant";
+    optional frame: Option<FrameChoice> = choice::<FrameChoice>(), "\"secant\"", or "secant";
     /// floating frame: number of shapes in which it bends
-    optional lateral_shapes: usize = count(0, MOST_SHAPES), "2", or 2;
+    optional lateral_shapes: Option<usize> = count(0, MOST_SHAPES), "2", or 2;
     /// floating frame: number of shapes in which it stretches, 0 for none
-    optional axial_shapes: usize = count(0, MOST_SHAPES), "2", or 2;
+    optional axial_shapes: Option<usize> = count(0, MOST_SHAPES), "2", or 2;
     /// floating frame: at-points: one more shape of each kind for every point inside on which a joint, a spring, a load or a lump acts;
     /// none: the shapes of the beam without such points
-    optional static_shapes: HasStaticShapes = choice::<HasStaticShapes>(), "\"at-points\"", or "at-points";
+    optional static_shapes: Option<HasStaticShapes> = choice::<HasStaticShapes>(), "\"at-points\"", or "at-points";
     /// floating frame: frequency above which a shape is condensed: it keeps its static flexibility, and its inertia is raised until it has
     /// this frequency, so that it needs no shorter steps; no shape is, if left out
     optional condense_above: Entry<'t> = quantity(D::FREQUENCY, Rule::Positive), "\"50 kHz\"";
     /// floating frame: second-order: a beam that bends becomes shorter, so that it stiffens where it turns and may buckle; none: the
     /// linear form
-    optional foreshortening: Shortens = choice::<Shortens>(), "\"second-order\"", or "second-order";
+    optional foreshortening: Option<Shortens> = choice::<Shortens>(), "\"second-order\"", or "second-order";
     /// undeformed: straight and at rest in its frame, so that it rings; settled: bent and stretched as inertia, weight and loads hold it at
     /// the start
-    optional start: StartsSettled = choice::<StartsSettled>(), "\"undeformed\"", or "undeformed";
+    optional start: Option<StartsSettled> = choice::<StartsSettled>(), "\"undeformed\"", or "undeformed";
 }
 
 /// Keys that one formulation has and the other has not.
@@ -125,7 +125,8 @@ impl ModelReader {
         let formulation = self.formulation(own);
         let (from, to, Section { area_m2, second_moment_m4, height_m }) = (from?, to?, section?);
         let (modulus_pa, density_kg_m3, formulation) = (modulus_pa?, density_kg_m3?, formulation?);
-        let (lateral_shapes, axial_shapes) = (own.lateral_shapes, own.axial_shapes);
+        let (lateral_shapes, axial_shapes, frame) = (own.lateral_shapes?, own.axial_shapes?, own.frame?);
+        let (static_shapes, foreshortening, at_start) = (own.static_shapes?, own.foreshortening?, own.start?);
         let span_of_to = own.to.as_ref().map_or(entry.span, |entry| entry.span);
         let words = table.path.describe();
         if from == to {
@@ -188,21 +189,22 @@ impl ModelReader {
             axial_stiffness_n_m,
             bending_stiffness_n_m,
             damping_ratio,
-            frame: own.frame.0,
+            frame: frame.0,
             axial_shapes,
             lateral_shapes,
-            has_static_shapes: own.static_shapes.0,
+            has_static_shapes: static_shapes.0,
             condense_above_hz,
-            foreshortening: own.foreshortening.0,
+            foreshortening: foreshortening.0,
             formulation,
             retardation_s,
-            starts_settled: own.start.0,
+            starts_settled: at_start.0,
         })
     }
 
     /// The formulation of a beam; nothing after a complaint about a key that it has not.
     fn formulation(&mut self, own: &BeamTable<'_>) -> Option<Formulation> {
-        let (others, word) = match own.formulation {
+        let (formulation, integration, elements) = (own.formulation?, own.integration?, own.elements?);
+        let (others, word) = match formulation {
             IsNodal(true) => (&OF_FLOATING_FRAME[..], "floating-frame"),
             IsNodal(false) => (&OF_ABSOLUTE_NODAL[..], "absolute-nodal"),
         };
@@ -212,8 +214,8 @@ impl ModelReader {
             self.reader.complain(&problem, found.key_span);
             fits = false;
         }
-        let nodal = Formulation::AbsoluteNodal { elements: own.elements, rule: own.integration.0 };
-        fits.then_some(if own.formulation.0 { nodal } else { Formulation::FloatingFrame })
+        let nodal = Formulation::AbsoluteNodal { elements, rule: integration.0 };
+        fits.then_some(if formulation.0 { nodal } else { Formulation::FloatingFrame })
     }
 
     /// Index of the point that an entry names.

@@ -17,7 +17,7 @@ record! {
     /// its mass
     required mass: Option<QuantityId> = quantity(Dimension::MASS, Rule::NonNegative), "\"50 g\"";
     /// its moment of inertia about its centre of mass; none if left out
-    optional inertia: QuantityId = quantity(Dimension::INERTIA, Rule::NonNegative), "\"2e-6 kg m^2\"";
+    optional inertia: Option<QuantityId> = quantity(Dimension::INERTIA, Rule::NonNegative), "\"2e-6 kg m^2\"";
 }
 
 /// A straight line of mass.
@@ -93,7 +93,7 @@ impl ModelReader {
             self.remember(&entry);
             let Some(LumpTable { at, mass, inertia, .. }) = LumpTable::read(self, &entry) else { continue };
             if let (Some(point), Some(mass_kg)) = (at.and_then(|entry| self.end(&entry, body)), mass) {
-                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2: inertia });
+                lumps.push(Lump { name: entry.name.to_owned(), point, mass_kg, inertia_kg_m2: inertia.flatten() });
             }
         }
         lumps
