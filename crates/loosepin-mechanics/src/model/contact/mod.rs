@@ -13,10 +13,10 @@ pub use lubrication::Lubrication;
 pub use materials::Materials;
 
 use super::entry_reader::EntryReader;
-use crate::model::parts::friction::{Friction, FrictionTable, SlidingVelocity};
 use super::part_reader::Later;
-use crate::model::values::quantity::{QuantityId, Values};
 use crate::contact::{DEFAULT_LAW, PointLaw, largest_valid_impact_speed_m_s};
+use crate::model::parts::friction::{Friction, FrictionTable, SlidingVelocity};
+use crate::model::values::quantity::{QuantityId, Values};
 use law::LawTable;
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::record;

@@ -3,9 +3,9 @@
 use super::kind::{COORDINATE, KindOfDrive, MotionLaw, MotionTable, TimeDual, Written};
 use super::reading::DriveReader;
 use super::table_motion::AtTime;
-use crate::model::words::part_names::Names;
 use crate::model::part_reader::Later;
 use crate::model::values::quantity::QuantityId;
+use crate::model::words::part_names::Names;
 use loosepin_math::{Real, numbers};
 use loosepin_text::document::{Entry, Keys, Table, quantity};
 use loosepin_text::record;

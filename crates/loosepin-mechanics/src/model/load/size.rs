@@ -2,8 +2,8 @@
 
 use super::course::Course;
 use crate::model::part_reader::{Later, PartReader};
-use crate::model::values::quantity::QuantityId;
 use crate::model::parts::table_curve::{CSV, TableCurve};
+use crate::model::values::quantity::QuantityId;
 use loosepin_text::document::{Entry, Key, Kind, Table, choice, optional, quantity};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension, Rule};

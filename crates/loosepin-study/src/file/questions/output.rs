@@ -10,8 +10,7 @@ use loosepin_text::diagnostics::nearest_name;
 use loosepin_text::document::{Entry, Key, Kind, Table, optional, required};
 
 /// The output of a question or a requirement.
-pub(crate) const OUTPUT: Key =
-    required("output", Kind::Reference("output"), "\"slider\"", "an output of the model");
+pub(crate) const OUTPUT: Key = required("output", Kind::Reference("output"), "\"slider\"", "an output of the model");
 /// The component of it, where it is a path.
 pub(crate) const COMPONENT: Key = optional(
     "component",

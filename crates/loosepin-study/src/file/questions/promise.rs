@@ -31,11 +31,7 @@ impl StudyReader {
     }
 
     /// The ends of the statistics of a question that are promised.
-    pub(crate) fn promised_ends(
-        &mut self,
-        entry: Option<&Entry<'_>>,
-        entries: &[(Entry<'_>, Asked)],
-    ) -> Vec<Side> {
+    pub(crate) fn promised_ends(&mut self, entry: Option<&Entry<'_>>, entries: &[(Entry<'_>, Asked)]) -> Vec<Side> {
         let Some(entry) = entry else { return Vec::new() };
         let Some(PromisedEnds(ends)) = PromisedEnds::read(self, entry) else { return Vec::new() };
         if !self.check_promise(entry) {
@@ -67,11 +63,7 @@ impl StudyReader {
     }
 
     /// Whether a promise decides a requirement.
-    pub(crate) fn is_decided_by_promise(
-        &mut self,
-        entry: Option<&Entry<'_>>,
-        probability_at_least: f64,
-    ) -> bool {
+    pub(crate) fn is_decided_by_promise(&mut self, entry: Option<&Entry<'_>>, probability_at_least: f64) -> bool {
         let Some(entry) = entry else { return false };
         if !DecidedBy::read(self, entry).is_some_and(|by| by.0) || !self.check_promise(entry) {
             return false;

@@ -164,13 +164,7 @@ impl StudyReader {
     }
 
     /// A limit of a magnitude.
-    pub(crate) fn limit(
-        &mut self,
-        entry: &Entry<'_>,
-        limit: f64,
-        dimension: Dimension,
-        rule: Rule,
-    ) -> Option<f64> {
+    pub(crate) fn limit(&mut self, entry: &Entry<'_>, limit: f64, dimension: Dimension, rule: Rule) -> Option<f64> {
         if rule.allows(limit) {
             return Some(limit);
         }

@@ -1,7 +1,6 @@
 //! The clearance of a fit: an interval, or a distribution.
 
 use crate::file::description::AllowedFit;
-use crate::file::random_inputs::random::Stated;
 use crate::file::random_inputs::random_problem::RandomProblem;
 use crate::file::reader::StudyReader;
 use crate::iso_286::{Fit, FitError, FitLimits};
@@ -19,8 +18,7 @@ pub(crate) const FIT: Key = optional(
     "clearance of a hole and a shaft by ISO 286, on the radius or the diameter as the joint states it: hole in capital letters, then shaft; with diameter",
 );
 /// Its diameter.
-pub(crate) const DIAMETER: Key =
-    optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "nominal diameter of the fit");
+pub(crate) const DIAMETER: Key = optional("diameter", Kind::AnyQuantity, "\"20 mm\"", "nominal diameter of the fit");
 
 /// The limits of hole and shaft lie this many standard deviations from the middles of their tolerances.
 const DEVIATIONS_TO_LIMIT: f64 = 3.0;
@@ -35,18 +33,17 @@ const OTHER_DIAMETER: f64 = 0.02;
 
 impl StudyReader {
     /// The radial clearance of a fit as a distribution: hole and shaft normal about the middles of their tolerances, the limits 3
-    /// standard deviations away, c = (hole - shaft)/2.
+    /// standard deviations away, c = (hole - shaft)/2; with where it comes from, in words.
     pub(crate) fn fit_scatter(
         &mut self,
         table: &Table<'_>,
         entry: &Entry<'_>,
         quantity: QuantityId,
         path: &str,
-    ) -> Option<Stated> {
+    ) -> Option<(Distribution, String)> {
         let (limits, words, per_radial) = self.fit_limits(table, entry, quantity, path)?;
-        let distribution = scatter(&limits, per_radial);
         let origin = format!("{words}, limits of hole and shaft taken as 3 standard deviations from centred means");
-        Some(Stated { distribution, origin, mean: None })
+        Some((scatter(&limits, per_radial), origin))
     }
 
     /// Fits that are asked about, the tightest first: by the greatest clearance, of equal ones by the least.

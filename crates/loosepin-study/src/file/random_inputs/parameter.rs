@@ -126,11 +126,7 @@ impl StudyReader {
     }
 
     /// A shape of a distribution.
-    pub(crate) fn number_within(
-        &mut self,
-        entry: &Option<Entry<'_>>,
-        shapes: RangeInclusive<f64>,
-    ) -> Option<f64> {
+    pub(crate) fn number_within(&mut self, entry: &Option<Entry<'_>>, shapes: RangeInclusive<f64>) -> Option<f64> {
         let shape = match entry {
             Some(number) if !number.is_table() => self.reader.number_of(number)?,
             _ => self.parameter(entry, Dimension::NUMBER)?,
@@ -148,12 +144,7 @@ impl StudyReader {
     }
 
     /// Complains about a number of a distribution, where it is written.
-    pub(crate) fn refuse_number<T>(
-        &mut self,
-        entry: &Option<Entry<'_>>,
-        found: String,
-        rule: String,
-    ) -> Option<T> {
+    pub(crate) fn refuse_number<T>(&mut self, entry: &Option<Entry<'_>>, found: String, rule: String) -> Option<T> {
         let entry = entry.as_ref()?;
         // A value that stands nowhere in the file: the end of what is looked at of a parameter with a distribution.
         let is_family = |name| FAMILIES_OF_PARAMETER.iter().any(|family| family.key.name == name);

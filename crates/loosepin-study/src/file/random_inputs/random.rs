@@ -72,12 +72,12 @@ pub(crate) const RANDOM_KEYS: Keys = Keys {
 };
 
 /// A distribution that was not stated as such.
-pub(crate) struct Stated {
-    pub distribution: Distribution,
+struct Stated {
+    distribution: Distribution,
     /// Where it comes from, in words.
-    pub origin: String,
+    origin: String,
     /// What is known of its mean, where that is off centre by an unknown amount.
-    pub mean: Option<Interval>,
+    mean: Option<Interval>,
 }
 
 impl StudyReader {
@@ -96,7 +96,8 @@ impl StudyReader {
         } else if let Some(entry) = &table.tolerance {
             self.tolerance(table, entry, quantity)
         } else if let Some(entry) = &table.fit {
-            self.fit_scatter(&table.table, entry, quantity, path)
+            let scatter = self.fit_scatter(&table.table, entry, quantity, path);
+            scatter.map(|(distribution, origin)| Stated { distribution, origin, mean: None })
         } else {
             let (variable, parameters) = self.uncertain_distribution(entry, table, path, quantity)?;
             return Some((variable, parameters, None));
