@@ -16,8 +16,15 @@ check: format-check lint docs architecture unit
 test:
     ./test
 
-# The steps of ./test, once the tools are there.
-everything: format-check lint docs page-scripts-check studio-front-check rust-tests python-tests browser-tests
+# The steps of ./test, once the tools are there, with the seconds that each takes.
+everything:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    for step in format-check lint docs page-scripts-check studio-front-check rust-tests python-tests browser-tests; do
+        started=$SECONDS
+        just "$step"
+        echo "==> $step: $((SECONDS - started)) s" >&2
+    done
 
 # Rewrites the sources in the house format.
 format:

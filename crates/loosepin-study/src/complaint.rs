@@ -2,7 +2,7 @@
 
 use super::error::StudyError;
 use super::file::Study;
-use crate::response::response::PrepareError;
+use crate::response::study_response::PrepareError;
 use loosepin_bounds::{PlanError, SurrogatePlanError};
 use loosepin_text::diagnostics::{Code, Complaint, Place, Problem};
 use loosepin_text::document::parse_toml;

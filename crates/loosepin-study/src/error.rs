@@ -1,7 +1,7 @@
 //! Why a study has no result.
 
 use super::file::MOST_RUNS;
-use crate::response::response::PrepareError;
+use crate::response::study_response::PrepareError;
 use crate::runs::memory_at_hand::MemoryKind;
 use crate::runs::part::OpenRound;
 use crate::runs::table::RunsTable;

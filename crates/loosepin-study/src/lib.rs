@@ -40,8 +40,8 @@ pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards}
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
 pub use response::further_outputs::{FurtherOutputs, RecordedOutput};
 pub use response::outputs::Seen;
-pub use response::response::MOST_COLUMNS;
 pub use response::sampled_feature::sampled_feature;
+pub use response::study_response::MOST_COLUMNS;
 pub use run_options::RunOptions;
 pub use runs::elsewhere::{AskedRuns, RunMaker};
 pub use runs::memory_at_hand::{ARENA_BYTES, ARENAS_PART, MAX_ARENAS, MemoryKind, STATED_BYTES};

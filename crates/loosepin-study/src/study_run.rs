@@ -9,9 +9,9 @@ use crate::drafts::draft::Drafting;
 use crate::drafts::progress::{Drafts, Stage};
 use crate::planning::goals::goals;
 use crate::planning::plans::{Plans, refuse_time};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
+use crate::runs::all_runs::Runs;
 use crate::runs::part::Part;
-use crate::runs::runs::Runs;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{SampleTable, TableError};
 

@@ -14,7 +14,7 @@ use crate::mechanism::tree::beam_points::point_beyond_beam;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::mobility::{self, Mobility};
-use crate::mechanism::tree::tree::{Attachment, DrivenLoop, JointPlace, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, DrivenLoop, JointPlace, Tree};
 use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;
 

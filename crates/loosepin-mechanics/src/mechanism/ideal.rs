@@ -8,7 +8,7 @@ use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
 use crate::mechanism::tree::mobility::eliminate_free;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::mechanism::tree::ways_on::{WaysOn, ways_on};
 use crate::model::TimeDual;
 use loosepin_math::{Dual, solve_square};

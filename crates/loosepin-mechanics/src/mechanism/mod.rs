@@ -49,5 +49,5 @@ pub use tree::geometry::{BeamGeometry, Condensed, Geometry, LinkGeometry};
 pub use tree::kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
 pub use tree::nodal_beam::TreeNodalBeam;
 pub use tree::points::{numbered_point_m, point_m};
-pub use tree::tree::{Attachment, CouplingPlace, Cut, Dependence, DrivenLoop, JointPlace, Link, Tree};
+pub use tree::spanning_tree::{Attachment, CouplingPlace, Cut, Dependence, DrivenLoop, JointPlace, Link, Tree};
 pub use tree::ways_on::WaysOn;

@@ -12,7 +12,7 @@
 //! The last three terms are the Euler, Coriolis and centrifugal parts.
 
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist, acceleration_at};
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Axis, BodyId, PointId, Position};
 use loosepin_math::{Real, Vec2};
 

@@ -3,7 +3,7 @@
 use super::material::Material;
 use crate::file::Study;
 use crate::file::{EpistemicInput, EpistemicSubject};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_result::simulation::{Drawing, JournalOrbit, Trust};
 use loosepin_simulate::{Plan, simulate_poses, skeleton};
 

@@ -3,7 +3,7 @@
 use super::Material;
 use crate::file::Study;
 use crate::planning::problem::problem;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{BoundPair, Bounds, DoubleLoop, SampleTable, execute};
 use std::path::Path;
 

@@ -5,7 +5,7 @@ use crate::file::{Deviation, EpistemicInput, Reduction, Sampling, Study};
 use crate::question::Rare;
 use crate::response::columns::{ColumnPlan, Spot, StudyColumn};
 use crate::response::outputs::Seen;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};
 use loosepin_text::units::SiUnit;

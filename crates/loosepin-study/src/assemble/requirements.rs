@@ -75,7 +75,7 @@ mod tests {
     use crate::assemble::Material;
     use crate::file::Study;
     use crate::planning::problem::problem;
-    use crate::response::response::StudyResponse;
+    use crate::response::study_response::StudyResponse;
     use loosepin_bounds::{
         BoundPair, Bounds, DoubleLoop, Problem, Reading, Request, SampleTable, Sampling, Statistic, execute,
     };

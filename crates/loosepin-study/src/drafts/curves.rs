@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::file::{Ask, Where};
 use crate::response::columns::{BAND, Spot};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
 use loosepin_result::study::{CurveRange, DraftCurve};
 

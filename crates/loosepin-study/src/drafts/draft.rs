@@ -5,7 +5,7 @@ use crate::drafts::curves::draft_curves;
 use crate::drafts::progress::{Drafts, PilotRun};
 use crate::file::{Study, Where};
 use crate::response::columns::{BAND, Spot};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable, Statistic};
 use loosepin_result::study::{Draft, ResponsePoint};
 use loosepin_text::units::DisplayUnits;

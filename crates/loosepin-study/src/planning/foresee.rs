@@ -5,7 +5,7 @@ use crate::file::Study;
 use crate::planning::foreseen::Foreseen;
 use crate::planning::plans::{default_threads, planned};
 use crate::planning::problem::problem;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, RunInputs};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
@@ -155,7 +155,7 @@ fn time_variant(response: &StudyResponse, variant: usize, (runs, inputs): (usize
 #[cfg(test)]
 mod tests {
     use super::{Timing, foresee};
-    use crate::response::response::StudyResponse;
+    use crate::response::study_response::StudyResponse;
     use crate::written::texts::study_with;
     use loosepin_simulate::{Execution, RunFailure};
     use std::time::Duration;

@@ -6,7 +6,7 @@ use crate::planning::budget::{Limits, budget};
 use crate::planning::goals::goals;
 use crate::planning::problem::problem;
 use crate::question::{Basis, Question, most_surrogate_runs, questions, surrogate_plan};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use loosepin_bounds::{Refinement, SampleTable, Scratch, SurrogatePlan};
 use std::path::Path;

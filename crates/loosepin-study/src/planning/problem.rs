@@ -2,7 +2,7 @@
 
 use crate::file::Study;
 use crate::response::columns::BAND;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{CUT_STANDARD_DEVIATIONS, Problem, Sampling};
 
 /// Runs of the interval-only treatment for each uncertain input, where those are many.

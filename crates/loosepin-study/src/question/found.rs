@@ -7,7 +7,7 @@ use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::Sampling;
 use crate::planning::goals::Ended;
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use crate::runs::table::RunsTable;
 use loosepin_bounds::{Bounds, DoubleLoop};
 use loosepin_result::study::StudyResult;

@@ -5,8 +5,8 @@ use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::{QuestionSettings, Study};
 use crate::planning::foreseen::Foreseen;
-use crate::response::response::StudyResponse;
-use crate::runs::runs::Runs;
+use crate::response::study_response::StudyResponse;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{DoubleLoop, SurrogatePlan};
 use loosepin_text::document::{Entry, Key, Reader};
 

@@ -3,7 +3,7 @@
 use crate::drafts::progress::Stage;
 use crate::error::StudyError;
 use crate::planning::budget::Limits;
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 
 /// Says which runs are wanted next, given all runs so far, and in the end what the answer is.

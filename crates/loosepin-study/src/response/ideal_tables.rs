@@ -83,7 +83,7 @@ impl IdealTables {
 #[cfg(test)]
 mod tests {
     use super::IdealKey;
-    use crate::response::response::StudyResponse;
+    use crate::response::study_response::StudyResponse;
     use crate::written::texts::study_with;
     use loosepin_mechanics::mechanism::Sample;
     use loosepin_simulate::Arms;

@@ -3,7 +3,7 @@
 use crate::response::extras::{JointExtras, RunExtras};
 use crate::response::ideal_tables::{IdealKey, KnownIdeal};
 use crate::response::recorder::{Recorder, References};
-use crate::response::response::{StudyResponse, window};
+use crate::response::study_response::{StudyResponse, window};
 use loosepin_mechanics::mechanism::{Mechanism, Sample};
 use loosepin_simulate::{
     Arms, Execution, IdealCurve, IdealReference, LifePlan, Observer, PlaySummary, Queue, Run, RunFailure, RunReport,
@@ -232,7 +232,7 @@ where
 #[cfg(test)]
 mod tests {
     use crate::Study;
-    use crate::response::response::StudyResponse;
+    use crate::response::study_response::StudyResponse;
     use crate::runs::evaluate::{Work, evaluate};
     use loosepin_bounds::{Purpose, RunInputs};
     use loosepin_mechanics::model::Model;

@@ -9,5 +9,5 @@ pub(crate) mod input_limits;
 pub(crate) mod lanes;
 pub(crate) mod outputs;
 pub(crate) mod recorder;
-pub(crate) mod response;
 pub(crate) mod sampled_feature;
+pub(crate) mod study_response;

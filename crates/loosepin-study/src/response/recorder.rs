@@ -557,7 +557,7 @@ mod tests {
     use crate::Study;
     use crate::file::Reduction;
     use crate::response::columns::Spot;
-    use crate::response::response::StudyResponse;
+    use crate::response::study_response::StudyResponse;
     use crate::written::texts::study_with;
     use loosepin_result::study::PathError;
     use loosepin_simulate::{Execution, Plan, simulate};

@@ -1,6 +1,6 @@
 //! Runs on all threads of this process.
 
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Failure, RunInputs};
 use loosepin_simulate::{Execution, RunFailure};
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! Failed runs: their reasons, and how to repeat one.
 
 use crate::file::Study;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use crate::written::simulate_command::run_command;
 use loosepin_bounds::SampleTable;
 use loosepin_result::study::{ExampleRun, FailureGroup};

@@ -1,6 +1,7 @@
 //! Rows of the response and where they come from: on threads, in other processes, from the store; failed ones too.
 //! Which rows are wanted is said outside.
 
+pub(crate) mod all_runs;
 pub(crate) mod elsewhere;
 pub(crate) mod evaluate;
 pub(crate) mod failures;
@@ -8,5 +9,4 @@ pub(crate) mod keep;
 pub(crate) mod memory_at_hand;
 pub(crate) mod part;
 pub(crate) mod run_rows;
-pub(crate) mod runs;
 pub(crate) mod table;

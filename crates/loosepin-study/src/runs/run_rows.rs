@@ -3,7 +3,7 @@
 use crate::error::StudyError;
 use crate::file::Study;
 use crate::question::with_loosened;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use crate::runs::evaluate::{Row, Work, evaluate};
 use loosepin_bounds::{Failure, Purpose, RunInputs};
 use std::sync::atomic::{AtomicBool, Ordering};

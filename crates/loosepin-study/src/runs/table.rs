@@ -2,7 +2,7 @@
 
 use crate::file::{EpistemicSubject, Study, Where, named_angle_rad};
 use crate::response::columns::{ColumnPlan, Spot};
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::SampleTable;
 use loosepin_simulate::RunFailure;
 use loosepin_text::units::SiUnit;

@@ -5,7 +5,7 @@ use crate::mechanism::loops::constraints;
 use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, moved};
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Axis, InitialNumber, InitialOf, InitialValue, JointId, Model, Values};
 use loosepin_math::Vec2;
 

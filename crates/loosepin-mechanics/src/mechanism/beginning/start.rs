@@ -8,7 +8,7 @@ use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::sample::Sample;
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::mobility::RANK_TOLERANCE;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::Model;
 use loosepin_math::{Elimination, solve_square};
 

@@ -4,7 +4,7 @@ use crate::mechanism::point_rows::KeptPoints;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at, moved};
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{JointId, Model, describe_path};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_value};

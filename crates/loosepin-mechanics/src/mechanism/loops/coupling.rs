@@ -2,7 +2,7 @@
 
 use crate::mechanism::loops::coupling_geometry::CouplingGeometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
-use crate::mechanism::tree::tree::{CouplingPlace, Tree};
+use crate::mechanism::tree::spanning_tree::{CouplingPlace, Tree};
 use loosepin_math::Real;
 
 impl<T: Real> CouplingGeometry<T> {

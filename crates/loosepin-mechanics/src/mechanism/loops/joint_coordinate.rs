@@ -6,7 +6,7 @@
 
 use crate::mechanism::loops::joint_geometry::JointGeometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist, acceleration_at, moved};
-use crate::mechanism::tree::tree::{JointPlace, Tree};
+use crate::mechanism::tree::spanning_tree::{JointPlace, Tree};
 use loosepin_math::{Real, Vec2};
 
 /// Motion of the slider of a prismatic joint against its guide, in the ground's frame.

@@ -13,7 +13,7 @@ use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::joint_geometry::JointGeometry;
 use crate::mechanism::loops::tooth_geometry::ToothForce;
 use crate::mechanism::tree::kinematics::Kinematics;
-use crate::mechanism::tree::tree::{CouplingPlace, Tree};
+use crate::mechanism::tree::spanning_tree::{CouplingPlace, Tree};
 use crate::model::{Model, QuantityId, Values};
 use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_apart};

@@ -4,7 +4,7 @@ use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::joint_geometry::JointGeometry;
 use crate::mechanism::parts::load::CourseNumbers;
 use crate::mechanism::tree::geometry::Geometry;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Control, FeedForward, JointId, Model, QuantityId, Values};
 use loosepin_math::{Real, numbers};
 

@@ -1,7 +1,7 @@
 //! Where the drive is that a failure is told of.
 
 use crate::mechanism::error::DrivePlace;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{CycleSpan, Model};
 
 /// The drive that the cycle counts, or else the first one, at the `coordinates` of the tree. `None` without drives.

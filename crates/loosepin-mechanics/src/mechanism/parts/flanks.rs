@@ -3,7 +3,7 @@
 use crate::mechanism::loops::coupling_geometry::CouplingGeometry;
 use crate::mechanism::play_shape::{PlayForm, PlayFreedom};
 use crate::mechanism::tree::kinematics::Kinematics;
-use crate::mechanism::tree::tree::CouplingPlace;
+use crate::mechanism::tree::spanning_tree::CouplingPlace;
 use loosepin_math::{Real, numbers};
 
 /// Teeth between flanks, or a follower on its cam. The second joint's coordinate deviates by the length x = r (q_2 - f(q_1))

@@ -2,7 +2,7 @@
 
 use crate::mechanism::tree::beam::{BeamPlace, SAME_SECTION, share_of};
 use crate::mechanism::tree::points::point_m;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Body, BodyId, Model, PointId, QuantityId, Values};
 use loosepin_flexible::{Basis, Cuts, Frame, even_shares};
 use loosepin_math::Vec2;

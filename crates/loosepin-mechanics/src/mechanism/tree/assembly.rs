@@ -8,7 +8,7 @@ use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose};
-use crate::mechanism::tree::tree::{Attachment, Cut, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, Cut, Tree};
 use crate::model::{Model, Values};
 use loosepin_math::solve_sparse_symmetric;
 

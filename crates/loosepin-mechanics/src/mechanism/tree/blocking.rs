@@ -8,7 +8,7 @@ use crate::mechanism::loops::constraints::{self, RowOwner};
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::mobility::{RANK_TOLERANCE, Scale};
-use crate::mechanism::tree::tree::{Attachment, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
 use crate::model::{DriveId, JointId, Model};
 use loosepin_math::Elimination;
 use loosepin_text::diagnostics::{Code, problems};

@@ -6,7 +6,7 @@ use crate::mechanism::point_rows::displace;
 use crate::mechanism::tree::beam::{BeamPlace, TreeBeam};
 use crate::mechanism::tree::cut_geometry::{CutGeometry, line_angles_rad};
 use crate::mechanism::tree::points::{direction, numbered_point_m};
-use crate::mechanism::tree::tree::{Attachment, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
 use crate::model::{BodyId, JointId, Lump as BeamLump, Model, PlayId, PointId, QuantityId, Values};
 use loosepin_flexible::{Beam, HeldBeam, Lump};
 use loosepin_math::{Real, Vec2, numbers};

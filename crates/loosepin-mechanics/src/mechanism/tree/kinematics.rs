@@ -5,7 +5,7 @@
 
 use crate::mechanism::tree::beam::BeamPlace;
 use crate::mechanism::tree::geometry::{Geometry, LinkGeometry};
-use crate::mechanism::tree::tree::{Attachment, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
 use loosepin_math::{KnownAngle, Real, Vec2, sin_cos_near};
 
 /// Where a body frame is, seen from the ground.

@@ -5,7 +5,7 @@ use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::constraints::{self, RowOwner};
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
-use crate::mechanism::tree::tree::{Attachment, Cut, Tree};
+use crate::mechanism::tree::spanning_tree::{Attachment, Cut, Tree};
 use crate::model::{BodyId, Model};
 use loosepin_math::Elimination;
 

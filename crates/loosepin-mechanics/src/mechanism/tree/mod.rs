@@ -11,5 +11,5 @@ pub(in crate::mechanism) mod kinematics;
 pub(in crate::mechanism) mod mobility;
 pub(in crate::mechanism) mod nodal_beam;
 pub(in crate::mechanism) mod points;
-pub(in crate::mechanism) mod tree;
+pub(in crate::mechanism) mod spanning_tree;
 pub(in crate::mechanism) mod ways_on;

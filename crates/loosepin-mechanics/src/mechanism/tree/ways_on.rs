@@ -3,7 +3,7 @@
 use crate::mechanism::loops::constraints;
 use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
-use crate::mechanism::tree::tree::Tree;
+use crate::mechanism::tree::spanning_tree::Tree;
 use loosepin_math::Elimination;
 
 /// Loop equations that are further from singular than this share are not at a change point. One that was located to 1e-12 of a

@@ -9,7 +9,7 @@ use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::Ask;
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{RunInputs, SampleTable};
 use plan::ContributorPlan;
 

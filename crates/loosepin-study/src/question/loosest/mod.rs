@@ -10,7 +10,7 @@ use super::found::{Found, StudyRun};
 use super::kind::{Basis, Planned, Question};
 use crate::assemble::Material;
 use crate::error::StudyError;
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_result::study::{AllocationRecord, AllowanceRecord, TogetherRecord};
 use one::{allocation, allowances, most_studies, runs_of_a_study};
 use together::{most_tried_together, together};

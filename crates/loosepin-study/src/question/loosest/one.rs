@@ -7,8 +7,8 @@ use crate::assemble::{Material, requirements};
 use crate::error::StudyError;
 use crate::file::{Allowance, AllowedFit, AllowedInput, Study};
 use crate::planning::problem::problem;
-use crate::response::response::StudyResponse;
-use crate::runs::runs::Runs;
+use crate::response::study_response::StudyResponse;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{Refinement, SampleTable};
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,

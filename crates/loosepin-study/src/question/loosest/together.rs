@@ -3,7 +3,7 @@
 use super::one::{HALVINGS, described, is_met_twice, least_tried_si};
 use crate::error::StudyError;
 use crate::file::{Allowance, Study};
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_result::study::{LoosenedInput, Together, TogetherCheck, TogetherRecord};
 
 /// Values of the first input for which a frontier has the loosest value of the second.

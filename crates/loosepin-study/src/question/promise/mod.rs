@@ -10,7 +10,7 @@ use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::planning::foreseen::{Foreseen, ForeseenPromise};
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{PromisePlan, PromisedBound, RunInputs, SampleTable};
 use plan::promise_plan;
 use promised::Promised;

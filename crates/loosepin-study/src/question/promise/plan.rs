@@ -4,7 +4,7 @@ use crate::error::StudyError;
 use crate::file::Study;
 use crate::planning::problem::problem;
 use crate::response::columns::ColumnPlan;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{PromisePlan, PromiseRequest, Request};
 use loosepin_result::study::Side;
 

@@ -12,7 +12,7 @@ use super::steps::{Next, Steps, take_steps};
 use crate::assemble::Material;
 use crate::error::StudyError;
 use crate::file::{Ask, RareMethod, Study};
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::{
     Bound, BoundError, Bounds, DoubleLoop, Guarantee, Purpose, RunInputs, SampleTable, Statistic, Witness,
 };

@@ -15,7 +15,7 @@ use super::kind::{Basis, Planned, Question};
 use super::steps::take_steps;
 use crate::assemble::{Material, learned_treatments};
 use crate::error::StudyError;
-use crate::runs::runs::Runs;
+use crate::runs::all_runs::Runs;
 use loosepin_bounds::SurrogatePlan;
 
 /// What surrogates say, beside direct bounds or alone.

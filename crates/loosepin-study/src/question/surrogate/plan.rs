@@ -4,7 +4,7 @@ use crate::error::StudyError;
 use crate::file::{Study, StudySurrogate, Where};
 use crate::planning::problem::problem;
 use crate::response::columns::ColumnPlan;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{ColumnGroup, MOST_WITNESSES, SurrogatePlan, SurrogateSettings};
 
 /// The plan of the surrogates of `study`; `None` if it asks for none.

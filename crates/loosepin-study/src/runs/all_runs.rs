@@ -4,7 +4,7 @@
 use crate::drafts::progress::{Drafts, PilotRun, Stage};
 use crate::error::{StudyError, TooManyFailed};
 use crate::file::Study;
-use crate::response::response::StudyResponse;
+use crate::response::study_response::StudyResponse;
 use crate::run_options::RunOptions;
 use crate::runs::elsewhere::made_elsewhere;
 use crate::runs::evaluate::{Row, Work, evaluate};
