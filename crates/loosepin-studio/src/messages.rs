@@ -1,6 +1,9 @@
-//! What the page and the server say to each other, as JSON. `front/src/messages.ts` has the same types.
+//! What the page and the server say to each other over the live connection, as JSON. `front/src/messages.ts` has the same types, and
+//! `just studio-messages` writes them there.
 
+use loosepin::diagnostics::Severity;
 use loosepin::report::{DraftBand, LiveBand, MovingDrawing};
+use loosepin::study::result::Verdict;
 use serde::{Deserialize, Serialize};
 
 use crate::drawing::still::NamedPoses;
@@ -187,8 +190,8 @@ pub struct SeenComplaint {
     pub path: Option<String>,
     /// For `explain`.
     pub code: &'static str,
-    /// `error` or `warning`.
-    pub severity: String,
+    /// How grave it is.
+    pub severity: Severity,
     /// What is wrong.
     pub message: String,
     /// The way out.
@@ -225,6 +228,18 @@ pub struct Fix {
     pub words: String,
 }
 
+/// What is written of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum QuantityKind {
+    /// Its value in the model.
+    Number,
+    /// How it scatters.
+    Scatter,
+    /// What is unknown of it.
+    Unknown,
+}
+
 /// A number of the texts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeenQuantity {
@@ -240,8 +255,8 @@ pub struct SeenQuantity {
     pub from: usize,
     /// Behind the last UTF-16 unit.
     pub to: usize,
-    /// `number`, `scatter` or `unknown`.
-    pub kind: &'static str,
+    /// What it is.
+    pub kind: QuantityKind,
     /// Dragging leaves it as it is.
     pub is_locked: bool,
 }
@@ -292,11 +307,21 @@ pub struct SeenBody {
     pub points: Vec<SeenPoint>,
 }
 
+/// What a dimension is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DimensionKind {
+    /// Of a body.
+    Length,
+    /// Of the line of a joint.
+    Angle,
+}
+
 /// A dimension of a body or a joint.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeenDimension {
-    /// `length`, or `angle` of a line.
-    pub kind: &'static str,
+    /// What it is.
+    pub kind: DimensionKind,
     /// Name of the body, or of the joint whose line it is.
     pub of: String,
     /// Index of the body that it moves with, in the drawing.
@@ -311,11 +336,21 @@ pub struct SeenDimension {
     pub path: Option<String>,
 }
 
+/// Tables of what acts on bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ForceTable {
+    /// Springs and dampers.
+    Spring,
+    /// Forces and torques.
+    Load,
+}
+
 /// A spring or a load, with where it stands in the drawing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeenForce {
-    /// `spring` or `load`.
-    pub table: &'static str,
+    /// Which of both.
+    pub table: ForceTable,
     /// Its name.
     pub name: String,
     /// What it is, in words.
@@ -480,7 +515,7 @@ pub struct Job {
     /// Folder of its results, in the served folder.
     pub result: Option<String>,
     /// Over all requirements.
-    pub verdict: Option<&'static str>,
+    pub verdict: Option<Verdict>,
 }
 
 /// What is known of a study before it is finished.

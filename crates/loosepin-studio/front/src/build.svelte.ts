@@ -1,8 +1,7 @@
 // The tools with which a mechanism that is there already is built on: what a click begins, and what the next one ends.
-import type { Edit, End, Joined, Named } from './edits.ts';
+import type { Edit, End, Joined, Named, View } from './messages.ts';
 import type { Point } from './drag.ts';
 import type { Head } from './head.svelte.ts';
-import type { View } from './messages.ts';
 import { endAt, endsAt, type Target } from './targets.ts';
 import type { EditTool } from './toolset.ts';
 import { words } from './words.ts';

@@ -7,11 +7,11 @@ import { Annotation, EditorState } from '@codemirror/state';
 import { EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from '@codemirror/view';
 import { classHighlighter } from '@lezer/highlight';
 import type { Change } from './history.ts';
-import type { Complaint, Fix } from './messages.ts';
+import type { Fix, SeenComplaint } from './messages.ts';
 
 export interface Code {
   apply(change: Change): void;
-  complain(complaints: Complaint[], mend: (fix: Fix) => void): void;
+  complain(complaints: SeenComplaint[], mend: (fix: Fix) => void): void;
   reveal(from: number, to: number): void;
   measure(): void;
   destroy(): void;
@@ -46,7 +46,7 @@ const theme = EditorView.theme({
   '.cm-lintRange-warning': { backgroundImage: 'none', textDecoration: 'underline dotted var(--undecided) 2px', textUnderlineOffset: '3px' },
 });
 
-function diagnosticOf(complaint: Complaint, length: number, mend: (fix: Fix) => void): Diagnostic[] {
+function diagnosticOf(complaint: SeenComplaint, length: number, mend: (fix: Fix) => void): Diagnostic[] {
   if (complaint.from == null || complaint.to == null) return [];
   const from = Math.min(complaint.from, length);
   const { fix } = complaint;

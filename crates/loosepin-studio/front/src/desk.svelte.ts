@@ -1,8 +1,8 @@
 // What lies on the desk of the editor: the texts, what the server sees in them, and the play head.
 import type { Adoption } from './adoption.ts';
-import type { AdoptedAnswer } from './comparison.ts';
+import type { AdoptAnswer, AdoptRequest, Document, Edit, Fix, Held, KnowAnswer, KnowRequest, Named, NamedPoses, Reshaped, RestructureAnswer, RestructureRequest, Seen, SeenComplaint, SeenLimit, SeenQuantity, View } from './messages.ts';
 import { Build } from './build.svelte.ts';
-import type { Edit, Named, Poses, Removal, Restructured } from './edits.ts';
+import type { Removal } from './edits.ts';
 import { messageOf } from './errors.ts';
 import type { FieldOf } from './groups.ts';
 import { differences, Drag, type Point } from './drag.ts';
@@ -10,7 +10,6 @@ import { Documents } from './documents.svelte.ts';
 import type { Change, Gesture } from './history.ts';
 import { Head } from './head.svelte.ts';
 import { Looker } from './looker.ts';
-import type { Complaint, Fix, Held, Limit, Quantity, Reshaped, Rewritten, Seen, View, Which } from './messages.ts';
 import { posesAt } from './player.ts';
 import { movedRange } from './ranges.ts';
 import { session } from './session.svelte.ts';
@@ -24,12 +23,12 @@ const checkPatienceMs = 3000;
 const mostPoses = 200;
 
 export interface Reveal {
-  document: Which;
+  document: Document;
   from: number;
   to: number;
 }
 
-function moveAll<T extends { document: Which | null; from?: number | null; to?: number | null }>(list: T[], which: Which, change: Change): T[] {
+function moveAll<T extends { document: Document | null; from?: number | null; to?: number | null }>(list: T[], which: Document, change: Change): T[] {
   return list.map((item) => {
     if (item.document !== which || item.from == null || item.to == null) return item;
     return { ...item, ...movedRange({ from: item.from, to: item.to }, change) };
@@ -40,12 +39,12 @@ export class Desk {
   readonly head = new Head();
   /** The last view of texts that could be read. */
   view = $state.raw<View | null>(null);
-  complaints = $state.raw<Complaint[]>([]);
+  complaints = $state.raw<SeenComplaint[]>([]);
   /** Counts the answers: complaints come anew with each. */
   answers = $state(0);
-  quantities = $state.raw<Quantity[]>([]);
+  quantities = $state.raw<SeenQuantity[]>([]);
   /** Limits of the study, where they are in its text now. */
-  limits = $state.raw<Limit[]>([]);
+  limits = $state.raw<SeenLimit[]>([]);
   isStale = $state(false);
   /** The last look took too long and was stopped. */
   isCut = $state(false);
@@ -53,7 +52,7 @@ export class Desk {
   isSettled = $state(false);
   output = $state<string | null>(null);
   reveal = $state.raw<Reveal | null>(null);
-  changedOnDisk = $state.raw<Which[]>([]);
+  changedOnDisk = $state.raw<Document[]>([]);
   /** The joint that is looked at. */
   chosen = $state<string | null>(null);
   /** The body or output that is looked at. */
@@ -74,13 +73,13 @@ export class Desk {
   /** A drag writes. */
   private isRewriting = false;
   /** Where bodies are at the start, by name: what does not move yet is drawn there. */
-  private poses: Poses = {};
+  private poses: NamedPoses = {};
   /** The same by the text of the model. */
-  private readonly posesBy = new Map<string, Poses>();
+  private readonly posesBy = new Map<string, NamedPoses>();
   /** Version of the texts whose complaints are known, and who waits for those of a newer one. */
   private checked = -1;
   private waiting: (() => void)[] = [];
-  private confirmed: { answer: Restructured; version: number } | null = null;
+  private confirmed: { answer: RestructureAnswer; version: number } | null = null;
 
   constructor(readonly documents: Documents) {
     this.looker = new Looker(
@@ -126,7 +125,7 @@ export class Desk {
   }
 
   /** A change whose picture is wanted at once. */
-  change(document: Which, change: Change, gesture: Gesture): void {
+  change(document: Document, change: Change, gesture: Gesture): void {
     this.documents.change(document, change, gesture);
     this.looker.now();
   }
@@ -179,7 +178,7 @@ export class Desk {
     this.looker.now();
   }
 
-  private rewrite(which: Which, text: string | null, name: string): void {
+  private rewrite(which: Document, text: string | null, name: string): void {
     const now = this.documents.sheet(which)?.text;
     if (text === null || now === undefined) return;
     this.isRewriting = true;
@@ -201,7 +200,7 @@ export class Desk {
   }
 
   /** A limit of the study with another value; one name is one step to undo. */
-  changeLimit(limit: Limit, insert: string, name: string): void {
+  changeLimit(limit: SeenLimit, insert: string, name: string): void {
     const place = this.limits.indexOf(limit);
     const share = parseFloat(insert) / parseFloat(limit.written);
     this.documents.change('study', { from: limit.from, to: limit.to, insert }, { name, joins: 'always' });
@@ -221,7 +220,7 @@ export class Desk {
     this.change('study', { from: text.length, to: text.length, insert }, { name: 'add limit', joins: 'never' });
   }
 
-  textAt(quantity: Quantity): string {
+  textAt(quantity: SeenQuantity): string {
     return this.documents.sheet(quantity.document)?.text.slice(quantity.from, quantity.to) ?? '';
   }
 
@@ -238,10 +237,12 @@ export class Desk {
   async know(path: string, text: string): Promise<string | null> {
     const { documents } = this;
     const { version } = documents;
-    const body = { model: documents.textOf('model'), study: documents.textOf('study'), path, text };
-    let answer: Rewritten;
+    const model = documents.textOf('model');
+    if (!model) return words.editor.noModel;
+    const body = { model, study: documents.textOf('study'), path, text } satisfies KnowRequest;
+    let answer: KnowAnswer;
     try {
-      answer = await ask<Rewritten>('POST', '/api/know', body);
+      answer = await ask<KnowAnswer>('POST', '/api/know', body);
     } catch (error) {
       return messageOf(error);
     }
@@ -257,10 +258,12 @@ export class Desk {
   async adopt({ result, place }: Adoption): Promise<{ words: string; isDone: boolean }> {
     const { documents } = this;
     const { version } = documents;
-    const body = { model: documents.textOf('model'), study: documents.textOf('study'), path: result, place };
-    let answer: AdoptedAnswer;
+    const model = documents.textOf('model');
+    if (!model) return { words: words.editor.noModel, isDone: false };
+    const body = { model, study: documents.textOf('study'), path: result, place } satisfies AdoptRequest;
+    let answer: AdoptAnswer;
     try {
-      answer = await ask<AdoptedAnswer>('POST', '/api/adopt', body);
+      answer = await ask<AdoptAnswer>('POST', '/api/adopt', body);
     } catch (error) {
       return { words: messageOf(error), isDone: false };
     }
@@ -282,7 +285,7 @@ export class Desk {
   }
 
   /** Changes links, joints or names, as one step to undo. Says why, where that cannot be. */
-  async restructure(edit: Edit, name: string | null = null, poses: Poses = {}): Promise<string | null> {
+  async restructure(edit: Edit, name: string | null = null, poses: NamedPoses = {}): Promise<string | null> {
     const { version } = this.documents;
     const answer = await this.asked(edit, poses);
     if (typeof answer === 'string') return this.refuse(answer);
@@ -324,11 +327,13 @@ export class Desk {
     this.part = what && what.table !== 'joint' ? what : null;
   }
 
-  private async asked(edit: Edit, poses: Poses = {}): Promise<Restructured | string> {
+  private async asked(edit: Edit, poses: NamedPoses = {}): Promise<RestructureAnswer | string> {
     const { documents } = this;
-    const body = { model: documents.textOf('model'), study: documents.textOf('study'), edit, poses: { ...this.poses, ...poses } };
+    const model = documents.textOf('model');
+    if (!model) return words.editor.noModel;
+    const body = { model, study: documents.textOf('study'), edit, poses: { ...this.poses, ...poses } } satisfies RestructureRequest;
     try {
-      const answer = await ask<Restructured>('POST', '/api/restructure', body);
+      const answer = await ask<RestructureAnswer>('POST', '/api/restructure', body);
       return answer.refusal ? [answer.refusal.message, answer.refusal.hint].filter(Boolean).join(': ') : answer;
     } catch (error) {
       return messageOf(error);
@@ -340,7 +345,7 @@ export class Desk {
     return words;
   }
 
-  private takeOver(answer: Restructured, name: string): void {
+  private takeOver(answer: RestructureAnswer, name: string): void {
     this.poses = { ...this.poses, ...(answer.poses ?? {}) };
     this.apply(answer.changes ?? [], name);
     this.built = { words: answer.says ?? [], isRefused: false };
@@ -350,7 +355,7 @@ export class Desk {
   private keepPoses(view: View): void {
     const motion = view.drawing?.motion;
     const first = motion?.angle_deg[0];
-    if (!motion || first === undefined) return;
+    if (!motion || first == null) return;
     const poses = posesAt(motion, first);
     const named = view.outline.parts.flatMap(({ name }, body) => {
       const pose = poses[body];
@@ -366,7 +371,7 @@ export class Desk {
   }
 
   /** The first error of the texts as they are now; null where there is none, or where the server does not say in time. */
-  async firstError(): Promise<Complaint | null> {
+  async firstError(): Promise<SeenComplaint | null> {
     if (this.checked !== this.documents.version) {
       this.looker.now();
       await new Promise<void>((resolve) => {
@@ -385,7 +390,7 @@ export class Desk {
     this.waiting = [];
   }
 
-  show(document: Which, from: number, to: number): void {
+  show(document: Document, from: number, to: number): void {
     this.reveal = { document, from, to };
   }
 
@@ -398,7 +403,7 @@ export class Desk {
   }
 
   /** Where the bodies of a model were last; a step to undo takes them back too. */
-  private posesOf(model: string): Poses {
+  private posesOf(model: string): NamedPoses {
     return this.posesBy.get(model) ?? this.poses;
   }
 

@@ -1,6 +1,7 @@
 // The two texts: the only truth of the editor. All edits pass through here, whoever makes them.
 import { applied, History, type Change, type Gesture, type Step } from './history.ts';
-import type { DocumentText, Opened, PathAndText, Range, Which } from './messages.ts';
+import type { Range } from './place.ts';
+import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from './messages.ts';
 import { movedRange } from './ranges.ts';
 import { ask } from './wire.ts';
 
@@ -15,7 +16,7 @@ export type Listener = (step: Step, source: unknown) => void;
 
 const mostLogged = 5000;
 
-function sheetOf(document: DocumentText | null): Sheet | null {
+function sheetOf(document: OpenedText | null): Sheet | null {
   return document && { path: document.path, text: document.text, savedText: document.text, tag: document.tag };
 }
 
@@ -27,25 +28,25 @@ export class Documents {
   isUnsaved = $derived([this.model, this.study].some((sheet) => sheet !== null && sheet.text !== sheet.savedText));
   /** Counts the changes: a look remembers it, so that its places can be moved to where they are now. */
   version = 0;
-  private log: { version: number; document: Which; change: Change }[] = [];
+  private log: { version: number; document: Document; change: Change }[] = [];
   private readonly history = new History();
   private readonly listeners = new Set<Listener>();
 
-  constructor(readonly opened: string, documents: Opened) {
+  constructor(readonly opened: string, documents: OpenAnswer) {
     this.model = sheetOf(documents.model);
     this.study = sheetOf(documents.study);
   }
 
-  sheet(which: Which): Sheet | null {
+  sheet(which: Document): Sheet | null {
     return which === 'model' ? this.model : this.study;
   }
 
-  textOf(which: Which): PathAndText | null {
+  textOf(which: Document): SentText | null {
     const sheet = this.sheet(which);
     return sheet && { path: sheet.path, text: sheet.text };
   }
 
-  whichOf(path: string): Which | null {
+  whichOf(path: string): Document | null {
     if (this.model?.path === path) return 'model';
     return this.study?.path === path ? 'study' : null;
   }
@@ -55,7 +56,7 @@ export class Documents {
     return () => this.listeners.delete(listener);
   }
 
-  change(document: Which, change: Change, gesture: Gesture, source: unknown = null): void {
+  change(document: Document, change: Change, gesture: Gesture, source: unknown = null): void {
     const sheet = this.sheet(document);
     if (!sheet) return;
     const removed = sheet.text.slice(change.from, change.to);
@@ -74,7 +75,7 @@ export class Documents {
   }
 
   /** Where this range of an older version is now. */
-  moved<T extends Range>(document: Which, range: T, version: number): T {
+  moved<T extends Range>(document: Document, range: T, version: number): T {
     let place: Range = range;
     for (const entry of this.log) {
       if (entry.version > version && entry.document === document) place = movedRange(place, entry.change);
@@ -90,12 +91,12 @@ export class Documents {
   }
 
   /** Writes this text over whatever is on disk. */
-  async overwrite(which: Which): Promise<void> {
+  async overwrite(which: Document): Promise<void> {
     const onDisk = await this.onDisk(which);
     await this.put(which, onDisk?.tag ?? null);
   }
 
-  async load(which: Which): Promise<void> {
+  async load(which: Document): Promise<void> {
     const onDisk = await this.onDisk(which);
     const sheet = this.sheet(which);
     if (!onDisk || !sheet) return;
@@ -103,25 +104,25 @@ export class Documents {
     this.keep(which, { savedText: onDisk.text, tag: onDisk.tag });
   }
 
-  async isSameOnDisk(which: Which): Promise<boolean> {
+  async isSameOnDisk(which: Document): Promise<boolean> {
     return (await this.onDisk(which))?.tag === this.sheet(which)?.tag;
   }
 
-  private async onDisk(which: Which): Promise<DocumentText | null> {
+  private async onDisk(which: Document): Promise<OpenedText | null> {
     const path = this.sheet(which)?.path ?? '';
-    const opened = await ask<Opened>('GET', '/api/open?path=' + encodeURIComponent(path));
+    const opened = await ask<OpenAnswer>('GET', '/api/open?path=' + encodeURIComponent(path));
     return which === 'model' ? opened.model : opened.study;
   }
 
-  private async put(which: Which, tag: string | null): Promise<void> {
+  private async put(which: Document, tag: string | null): Promise<void> {
     const sheet = this.sheet(which);
     if (!sheet) return;
     const { path, text } = sheet;
-    const answer = await ask<{ tag: string }>('PUT', '/api/file', { path, text, tag });
+    const answer = await ask<SaveAnswer>('PUT', '/api/file', { path, text, tag } satisfies SaveRequest);
     this.keep(which, { savedText: text, tag: answer.tag });
   }
 
-  private keep(which: Which, part: Partial<Sheet>): void {
+  private keep(which: Document, part: Partial<Sheet>): void {
     const sheet = this.sheet(which);
     if (!sheet) return;
     if (which === 'model') this.model = { ...sheet, ...part };

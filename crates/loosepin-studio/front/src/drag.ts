@@ -1,7 +1,6 @@
 // Something that is dragged: the texts from which it began, where it is to be, and what the server makes of both.
 import { applied, type Change } from './history.ts';
-import type { Edit } from './edits.ts';
-import type { Grip, Held, PathAndText, Reshaped, Which } from './messages.ts';
+import type { Document, Edit, Grip, Held, Reshaped, SentText } from './messages.ts';
 
 export type Point = [number, number];
 
@@ -15,7 +14,7 @@ export class Drag {
 
   constructor(
     private readonly held: Held,
-    readonly base: { model: PathAndText; study: PathAndText | null },
+    readonly base: { model: SentText; study: SentText | null },
     private readonly poses: Grip['poses'],
     start: Point,
     private readonly stepMm: number,
@@ -35,7 +34,7 @@ export class Drag {
   }
 
   /** What a text of the drag becomes. */
-  textOf(which: Which, reshaped: Reshaped): string | null {
+  textOf(which: Document, reshaped: Reshaped): string | null {
     const text = this.base[which]?.text;
     if (text === undefined) return null;
     // From the end, so that the places before stay; what is put in at one place keeps its order.

@@ -1,12 +1,13 @@
 // One stack of undo entries over both texts. An entry is a gesture: a drag, a field, half a second of typing.
-import type { Range, Which } from './messages.ts';
+import type { Range } from './place.ts';
+import type { Document } from './messages.ts';
 
 export interface Change extends Range {
   insert: string;
 }
 
 export interface Step {
-  document: Which;
+  document: Document;
   change: Change;
   removed: string;
 }

@@ -1,5 +1,5 @@
 // Asks the server what the texts mean: one look in flight, the newest text next, never a queue.
-import type { Look, Seen } from './messages.ts';
+import type { FromPage, Look, Seen } from './messages.ts';
 
 const patienceMs = 500;
 const settledMs = 250;
@@ -32,8 +32,8 @@ export class Looker {
   private asked = 0;
 
   constructor(
-    private readonly make: () => { look: Omit<Look, 'kind' | 'seq' | 'positions'>; version: number } | null,
-    private readonly send: (look: Look) => boolean,
+    private readonly make: () => { look: Omit<Look, 'seq' | 'positions'>; version: number } | null,
+    private readonly send: (look: Extract<FromPage, { kind: 'look' }>) => boolean,
     private readonly hear: (seen: Seen, version: number, isFinest: boolean) => void,
   ) {}
 

@@ -1,7 +1,10 @@
 // Moves a drawing through its poses. Knows nothing of the page around it.
 import type { BodyMotion, Motion } from './messages.ts';
 
-function between(list: number[], index: number, share: number): number {
+/** Numbers that are not finite have no form in JSON. */
+type Numbers = (number | null)[];
+
+function between(list: Numbers, index: number, share: number): number {
   const first = list[index] ?? 0;
   const second = list[Math.min(index + 1, list.length - 1)] ?? first;
   return first + share * (second - first);
@@ -16,7 +19,7 @@ interface Pose {
 /** x, y in mm and angle in degrees; the deviation by play is drawn so many times as large. */
 function placed(body: BodyMotion | undefined, index: number, share: number, factor: number): Pose {
   if (!body) return { x: 0, y: 0, a: 0 };
-  const at = (list: number[], difference: number[]): number => between(list, index, share) + factor * between(difference, index, share);
+  const at = (list: Numbers, difference: Numbers): number => between(list, index, share) + factor * between(difference, index, share);
   return { x: at(body.x, body.dx), y: at(body.y, body.dy), a: at(body.a, body.da) };
 }
 
@@ -25,7 +28,7 @@ function transform(pose: Pose): string {
 }
 
 /** The pose, between two of the stored ones, where the drive has this angle. */
-export function poseAt(angles: number[], angle: number): number {
+export function poseAt(angles: Numbers, angle: number): number {
   const last = angles.length - 1;
   const sign = (angles[last] ?? 0) < (angles[0] ?? 0) ? -1 : 1;
   let [low, high] = [0, Math.max(last, 0)];

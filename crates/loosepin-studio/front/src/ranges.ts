@@ -1,5 +1,5 @@
 // Places in a text that stay at their words while the text is changed.
-import type { Range } from './messages.ts';
+import type { Range } from './place.ts';
 import type { Change } from './history.ts';
 
 /** A range grows with what is written at its ends: the field of an emptied number still knows where it was. */

@@ -1,10 +1,10 @@
 // The one connection of the page, and what it says to all screens.
-import type { FromServer, Hello, Job, Seen, ToServer } from './messages.ts';
+import type { FromPage, HelloAnswer, Job, Seen, ToPage } from './messages.ts';
 import { ask, Live, Refusal, type Connection } from './wire.ts';
 
 class Session {
   connection = $state.raw<Connection>({ state: 'connecting' });
-  hello = $state.raw<Hello | null>(null);
+  hello = $state.raw<HelloAnswer | null>(null);
   isRefused = $state(false);
   jobs = $state.raw<Job[]>([]);
   /** What is to be known on the next screen too. */
@@ -21,7 +21,7 @@ class Session {
     this.live.open();
   }
 
-  send(message: ToServer): boolean {
+  send(message: FromPage): boolean {
     return this.live.send(message);
   }
 
@@ -38,7 +38,7 @@ class Session {
   }
 
   private greet(): void {
-    ask<Hello>('GET', '/api/hello').then(
+    ask<HelloAnswer>('GET', '/api/hello').then(
       (hello) => {
         this.hello = hello;
         this.isRefused = false;
@@ -54,7 +54,7 @@ class Session {
     if (connection.state === 'lost') this.greet();
   }
 
-  private hear(message: FromServer): void {
+  private hear(message: ToPage): void {
     if (message.kind === 'hello') {
       this.jobs = message.jobs;
       this.openedBy.forEach((call) => call());

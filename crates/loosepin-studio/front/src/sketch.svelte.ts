@@ -1,16 +1,8 @@
 // A mechanism that is drawn from nothing: pins and links, with undo. The server makes a model of it.
-
-export type Hold = { kind: 'free' } | { kind: 'ground' } | { kind: 'slider'; angle_deg: number };
-
-export interface SketchPin {
-  /** mm; y points up. */
-  x: number;
-  y: number;
-  hold: Hold;
-}
+import type { DrawnPin } from './messages.ts';
 
 export interface Drawn {
-  pins: SketchPin[];
+  pins: DrawnPin[];
   /** The pins of each link. */
   links: number[][];
   motor: number | null;
@@ -110,7 +102,7 @@ export class Sketch {
     this.canRedo = this.future.length > 0;
   }
 
-  addPin(pin: SketchPin): number {
+  addPin(pin: DrawnPin): number {
     this.change({ ...this.drawn, pins: [...this.drawn.pins, pin] });
     return this.drawn.pins.length - 1;
   }
@@ -121,13 +113,13 @@ export class Sketch {
   }
 
   /** A link and its new end, as one step. */
-  addLinkTo(from: number, pin: SketchPin): void {
+  addLinkTo(from: number, pin: DrawnPin): void {
     const { pins, links } = this.drawn;
     if (pins[from]) this.change({ ...this.drawn, pins: [...pins, pin], links: [...links, [from, pins.length]] });
   }
 
   /** A further pin of a link, which becomes a plate. */
-  addToLink(link: number, pin: number | SketchPin): void {
+  addToLink(link: number, pin: number | DrawnPin): void {
     const { pins, links } = this.drawn;
     const index = typeof pin === 'number' ? pin : pins.length;
     if (links[link]?.includes(index)) return;
@@ -135,7 +127,7 @@ export class Sketch {
     this.change({ ...this.drawn, pins: typeof pin === 'number' ? pins : [...pins, pin], links: grown });
   }
 
-  setPin(pin: number, part: Partial<SketchPin>): void {
+  setPin(pin: number, part: Partial<DrawnPin>): void {
     this.change(this.withPin(pin, part));
   }
 
@@ -161,7 +153,7 @@ export class Sketch {
     this.change({ ...this.drawn, links: this.drawn.links.filter((_, index) => index !== link) });
   }
 
-  private withPin(pin: number, part: Partial<SketchPin>): Drawn {
+  private withPin(pin: number, part: Partial<DrawnPin>): Drawn {
     return { ...this.drawn, pins: this.drawn.pins.map((one, index) => (index === pin ? { ...one, ...part } : one)) };
   }
 }

@@ -1,7 +1,6 @@
 // What a tool can take on a drawing: places where points of bodies are, each a button with a name.
-import type { End } from './edits.ts';
+import type { End, Motion, SeenBody } from './messages.ts';
 import type { Point } from './drag.ts';
-import type { Motion, Part } from './messages.ts';
 import { element } from './element.ts';
 import { posesAt, worldOf } from './player.ts';
 
@@ -23,7 +22,7 @@ export interface Target {
 const samePlaceMm = 1e-3;
 
 /** The places of all points at an angle of the drive. */
-export function targetsOf(parts: Part[], motion: Motion, angle: number): Target[] {
+export function targetsOf(parts: SeenBody[], motion: Motion, angle: number): Target[] {
   const poses = posesAt(motion, angle);
   const targets: Target[] = [];
   parts.forEach((part, body) => {

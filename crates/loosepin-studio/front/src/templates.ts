@@ -1,4 +1,5 @@
 // Makes a folder from a template, with the first name that is free.
+import type { ImportAnswer, ImportRequest, NewAnswer, NewRequest } from './messages.ts';
 import { ask, Refusal } from './wire.ts';
 
 const mostTried = 100;
@@ -15,23 +16,16 @@ export async function firstFree<T>(name: string, make: (free: string) => Promise
 }
 
 export async function makeFrom(template: string): Promise<string> {
-  return (await firstFree(template, (folder) => ask<{ study: string }>('POST', '/api/new', { template, folder }))).study;
-}
-
-export interface Imported {
-  /** Path of the model. */
-  model: string;
-  /** What was found in the drawing, and what was left out. */
-  notes: string[];
+  return (await firstFree(template, (folder) => ask<NewAnswer>('POST', '/api/new', { template, folder } satisfies NewRequest))).study;
 }
 
 /** A folder with the skeleton of a model from a drawing. */
-export async function importDrawing(file: File, unit: string): Promise<Imported> {
+export async function importDrawing(file: File, unit: string): Promise<ImportAnswer> {
   const title = file.name.replace(/\.[^.]*$/, '');
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-+|-+$/g, '').slice(0, 50) || 'drawing';
   const drawing = await file.arrayBuffer();
   return firstFree(name, (folder) => {
-    const query = new URLSearchParams({ folder, title, unit });
-    return ask<Imported>('POST', '/api/import?' + query.toString(), drawing);
+    const query = new URLSearchParams({ folder, title, unit } satisfies ImportRequest);
+    return ask<ImportAnswer>('POST', '/api/import?' + query.toString(), drawing);
   });
 }

@@ -1,5 +1,5 @@
 // Speaks with the server: HTTP for files, a WebSocket for all that is live.
-import type { FromServer, ToServer } from './messages.ts';
+import type { FromPage, ToPage } from './messages.ts';
 
 const tokenKey = 'loosepin-token';
 
@@ -52,15 +52,15 @@ export class Live {
   private wait = 1;
   private isGreeted = false;
 
-  constructor(private readonly hear: (message: FromServer) => void, private readonly tell: (connection: Connection) => void) {}
+  constructor(private readonly hear: (message: ToPage) => void, private readonly tell: (connection: Connection) => void) {}
 
   open(): void {
     this.tell({ state: 'connecting' });
     const socket = new WebSocket(new URL('./live', location.href).href.replace(/^http/, 'ws').replace(/#.*$/, ''));
     this.socket = socket;
-    socket.onopen = () => socket.send(JSON.stringify({ kind: 'hello', token: token() } satisfies ToServer));
+    socket.onopen = () => socket.send(JSON.stringify({ kind: 'hello', token: token() } satisfies FromPage));
     socket.onmessage = (event: MessageEvent<string>) => {
-      const message = JSON.parse(event.data) as FromServer;
+      const message = JSON.parse(event.data) as ToPage;
       if (message.kind === 'hello') {
         this.isGreeted = true;
         this.wait = 1;
@@ -76,7 +76,7 @@ export class Live {
     };
   }
 
-  send(message: ToServer): boolean {
+  send(message: FromPage): boolean {
     if (!this.isGreeted || this.socket?.readyState !== WebSocket.OPEN) return false;
     this.socket.send(JSON.stringify(message));
     return true;
