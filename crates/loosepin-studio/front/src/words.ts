@@ -1,5 +1,5 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
-import type { EditTool, Tool } from './toolset.ts';
+import type { EditTool, Tool } from './editing/toolset.ts';
 import type { Document, Hold, Job, ResultKind, SeenForce, SeenJoint, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
