@@ -1,5 +1,7 @@
 //! The types of the studio's messages in TypeScript are those of the Rust sources. `just studio-messages` rewrites them.
 
+#![allow(clippy::disallowed_methods, reason = "writes a source file")]
+
 use std::path::{Path, PathBuf};
 
 use architecture::sources::{Source, read, sources_below};

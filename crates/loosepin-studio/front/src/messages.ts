@@ -414,6 +414,127 @@ export interface Doing {
   command: string;
 }
 
+/** A stretch of a text. */
+export interface Stretch {
+  /** Line, from 1. */
+  line: number;
+  /** Column in characters, from 1. */
+  column: number;
+  /** First UTF-16 unit. */
+  from: number;
+  /** Behind the last UTF-16 unit. */
+  to: number;
+}
+
+/** A second place that matters to a complaint. */
+export interface SeenLabel extends Partial<Stretch> {
+  /** The text; nothing where it is none of the two. */
+  document: Document | null;
+  /** What is said of it. */
+  text: string;
+}
+
+/** Something wrong, or worth a warning. */
+export interface SeenComplaint extends Partial<Stretch> {
+  /** The text at fault; nothing where it is none of the two. */
+  document: Document | null;
+  /** Path of the file at fault. */
+  path: string | null;
+  /** For `explain`. */
+  code: string;
+  /** How grave it is. */
+  severity: Severity;
+  /** What is wrong. */
+  message: string;
+  /** The way out. */
+  hint: string | null;
+  /** Other places. */
+  labels: SeenLabel[];
+  /** A change that mends it, where one is known. */
+  fix: Fix | null;
+}
+
+/** A change that mends a complaint. */
+export interface Fix extends Change {
+  /** What it does, in words. */
+  words: string;
+}
+
+/** How grave a complaint is. */
+export type Severity =
+  /** The file can be used. */
+  | 'warning'
+  /** The file cannot be used. */
+  | 'error';
+
+/** The state of a job. */
+export type JobState =
+  /** Others are before it. */
+  | 'waiting'
+  /** It runs. */
+  | 'running'
+  /** Its results are there. */
+  | 'done'
+  /** It came to no result. */
+  | 'failed'
+  /** Somebody stopped it; its runs are kept. */
+  | 'stopped';
+
+/** What a job runs. */
+export type JobKind =
+  /** A study. */
+  | 'study'
+  /** One mechanism by itself. */
+  | 'run';
+
+/** What is run in the background. */
+export interface Job {
+  /** Its number. */
+  id: number;
+  /** Which of both. */
+  kind: JobKind;
+  /** The study; of a single run the result that it belongs to. */
+  study: string;
+  /** Its name. */
+  title: string;
+  /** What becomes of it. */
+  state: JobState;
+  /** Finished runs. */
+  finished: number;
+  /** The runs that it may come to. */
+  most: number;
+  /** Since it began to run. */
+  seconds: number;
+  /** What came out, in sentences. */
+  words: string[];
+  /** What is known before it is finished. */
+  draft: JobDraft | null;
+  /** What is wrong, where it failed. */
+  complaints: string[];
+  /** Folder of its results, in the served folder. */
+  result: string | null;
+  /** Over all requirements. */
+  verdict: Verdict | null;
+}
+
+/** What is known of a study before it is finished. */
+export interface JobDraft {
+  /** In sentences. */
+  words: string[];
+  /** Bands over the cycle from the runs so far. */
+  bands: DraftBand[];
+}
+
+/** The band of one deviation, from the runs so far. */
+export interface DraftBand {
+  /** What is shown: `Deviation of slider`. */
+  title: string;
+  /** What the band is, and what it is not yet. */
+  words: string;
+  /** The chart as an SVG document that takes its style from the page. */
+  figure: string;
+}
+
 /** A text with the path of its file, by which complaints name it. */
 export interface SentText {
   /** Path in the served folder. */
@@ -547,74 +668,6 @@ export type ToPage =
       message: string;
     };
 
-/** What is run in the background. */
-export interface Job {
-  /** Its number. */
-  id: number;
-  /** Which of both. */
-  kind: JobKind;
-  /** The study; of a single run the result that it belongs to. */
-  study: string;
-  /** Its name. */
-  title: string;
-  /** What becomes of it. */
-  state: JobState;
-  /** Finished runs. */
-  finished: number;
-  /** The runs that it may come to. */
-  most: number;
-  /** Since it began to run. */
-  seconds: number;
-  /** What came out, in sentences. */
-  words: string[];
-  /** What is known before it is finished. */
-  draft: JobDraft | null;
-  /** What is wrong, where it failed. */
-  complaints: string[];
-  /** Folder of its results, in the served folder. */
-  result: string | null;
-  /** Over all requirements. */
-  verdict: Verdict | null;
-}
-
-/** What is known of a study before it is finished. */
-export interface JobDraft {
-  /** In sentences. */
-  words: string[];
-  /** Bands over the cycle from the runs so far. */
-  bands: DraftBand[];
-}
-
-/** The band of one deviation, from the runs so far. */
-export interface DraftBand {
-  /** What is shown: `Deviation of slider`. */
-  title: string;
-  /** What the band is, and what it is not yet. */
-  words: string;
-  /** The chart as an SVG document that takes its style from the page. */
-  figure: string;
-}
-
-/** What a job runs. */
-export type JobKind =
-  /** A study. */
-  | 'study'
-  /** One mechanism by itself. */
-  | 'run';
-
-/** The state of a job. */
-export type JobState =
-  /** Others are before it. */
-  | 'waiting'
-  /** It runs. */
-  | 'running'
-  /** Its results are there. */
-  | 'done'
-  /** It came to no result. */
-  | 'failed'
-  /** Somebody stopped it; its runs are kept. */
-  | 'stopped';
-
 /** The answer to a look. */
 export interface Seen {
   /** That of the look. */
@@ -644,59 +697,6 @@ export interface Reshaped {
   /** Why nothing can be changed. */
   refusal: string | null;
 }
-
-/** Something wrong, or worth a warning. */
-export interface SeenComplaint extends Partial<Stretch> {
-  /** The text at fault; nothing where it is none of the two. */
-  document: Document | null;
-  /** Path of the file at fault. */
-  path: string | null;
-  /** For `explain`. */
-  code: string;
-  /** How grave it is. */
-  severity: Severity;
-  /** What is wrong. */
-  message: string;
-  /** The way out. */
-  hint: string | null;
-  /** Other places. */
-  labels: SeenLabel[];
-  /** A change that mends it, where one is known. */
-  fix: Fix | null;
-}
-
-/** A change that mends a complaint. */
-export interface Fix extends Change {
-  /** What it does, in words. */
-  words: string;
-}
-
-/** A second place that matters to a complaint. */
-export interface SeenLabel extends Partial<Stretch> {
-  /** The text; nothing where it is none of the two. */
-  document: Document | null;
-  /** What is said of it. */
-  text: string;
-}
-
-/** A stretch of a text. */
-export interface Stretch {
-  /** Line, from 1. */
-  line: number;
-  /** Column in characters, from 1. */
-  column: number;
-  /** First UTF-16 unit. */
-  from: number;
-  /** Behind the last UTF-16 unit. */
-  to: number;
-}
-
-/** How grave a complaint is. */
-export type Severity =
-  /** The file can be used. */
-  | 'warning'
-  /** The file cannot be used. */
-  | 'error';
 
 /** The mechanism that was read. */
 export interface View {

@@ -1,15 +1,18 @@
 //! Where everything stands in a text that is TOML: the lines of each header and entry, each key, each value.
 //!
-//! The text was read as TOML before: what is found here is where things stand, not whether they are right.
+//! The parser of the `toml` crate gives its words and their places (`toml_parser`): `toml` itself keeps one place of a table that has
+//! several headers.
 
 use std::collections::BTreeMap;
+use std::iter::Peekable;
 use std::ops::Range;
 
-use loosepin::diagnostics::Source;
 use loosepin::document::parse_toml;
+use toml_parser::Source;
+use toml_parser::parser::{Event, EventKind, parse_document};
 
-/// Tables in tables, at most.
-const DEEPEST: usize = 80;
+/// Most keys with dots between them.
+const MAX_KEYS: usize = 80;
 
 /// A key as it is written.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,69 +113,42 @@ pub fn element(index: usize) -> String {
 
 /// The statements of a text; nothing where it is not TOML.
 pub fn scan(text: &str) -> Option<Scanned> {
-    let source = Source::new("", text);
-    parse_toml(&source).ok()?;
-    Scanner { text, at: 0 }.statements()
+    // Whatever is not right, or too deep, is found here.
+    parse_toml(&loosepin::diagnostics::Source::new("", text)).ok()?;
+    let source = Source::new(text);
+    let mut events: Vec<Event> = Vec::new();
+    parse_document(&source.lex().into_vec(), &mut events, &mut ());
+    let is_said = |event: &Event| {
+        use EventKind::{Comment, KeySep, KeyValSep, Newline, ValueSep, Whitespace};
+        !matches!(event.kind(), Comment | KeySep | KeyValSep | Newline | ValueSep | Whitespace)
+    };
+    events.retain(is_said);
+    Reader { source, events: events.into_iter().peekable() }.statements()
 }
 
-struct Scanner<'t> {
-    text: &'t str,
-    at: usize,
+/// Goes through keys, values and the brackets around them.
+struct Reader<'t> {
+    source: Source<'t>,
+    events: Peekable<std::vec::IntoIter<Event>>,
 }
 
-impl Scanner<'_> {
-    fn rest(&self) -> &str {
-        self.text.get(self.at..).unwrap_or("")
-    }
-
-    fn next(&self) -> Option<char> {
-        self.rest().chars().next()
-    }
-
-    fn take(&mut self, expected: &str) -> bool {
-        let is_there = self.rest().starts_with(expected);
-        self.at += if is_there { expected.len() } else { 0 };
-        is_there
-    }
-
-    fn skip_spaces(&mut self) {
-        self.at += self.rest().len() - self.rest().trim_start_matches([' ', '\t']).len();
-    }
-
-    /// Past spaces, line ends and comments.
-    fn skip_blank(&mut self) {
-        loop {
-            self.at += self.rest().len() - self.rest().trim_start_matches([' ', '\t', '\r', '\n']).len();
-            if self.next() != Some('#') {
-                return;
-            }
-            self.skip_line();
-        }
-    }
-
-    /// Past the end of the line.
-    fn skip_line(&mut self) {
-        self.at += self.rest().find('\n').map_or(self.rest().len(), |end| end + 1);
-    }
-
+impl Reader<'_> {
     fn statements(mut self) -> Option<Scanned> {
+        let text = self.source.input();
         let mut statements = Vec::new();
         let mut base: Vec<String> = Vec::new();
         // How many elements each list of tables has so far.
         let mut lists: BTreeMap<Vec<String>, usize> = BTreeMap::new();
-        self.take("\u{feff}");
-        loop {
-            self.skip_blank();
-            if self.rest().is_empty() {
-                return Some(Scanned { statements });
+        while let Some(first) = self.events.peek().copied() {
+            let start = text[..first.span().start()].rfind('\n').map_or(0, |end| end + 1);
+            let is_list = first.kind() == EventKind::ArrayTableOpen;
+            let is_header = is_list || first.kind() == EventKind::StdTableOpen;
+            if is_header {
+                self.events.next();
             }
-            let start = self.text[..self.at].rfind('\n').map_or(0, |end| end + 1);
-            let is_header = self.take("[");
-            let is_list = is_header && self.take("[");
-            self.skip_spaces();
             let keys = self.keys()?;
             let names = keys.iter().map(|key| key.name.clone());
-            let (path, value) = if is_header {
+            let (path, value, end) = if is_header {
                 let mut path = Vec::new();
                 let last = keys.len() - 1;
                 for (place, name) in names.enumerate() {
@@ -186,130 +162,60 @@ impl Scanner<'_> {
                     }
                 }
                 base.clone_from(&path);
-                (path, None)
+                (path, None, self.events.next()?.span().end())
             } else {
-                self.skip_spaces();
-                if !self.take("=") {
-                    return None;
-                }
-                self.skip_spaces();
-                let value = self.value(0)?;
-                (base.iter().cloned().chain(names).collect(), Some(value))
+                let value = self.value()?;
+                let end = value.span.end;
+                (base.iter().cloned().chain(names).collect(), Some(value), end)
             };
-            self.skip_line();
-            statements.push(Statement { lines: start..self.at, keys, path, value });
+            let end = text[end..].find('\n').map_or(text.len(), |line_end| end + line_end + 1);
+            statements.push(Statement { lines: start..end, keys, path, value });
         }
+        Some(Scanned { statements })
     }
 
     /// Keys with dots between them; never empty.
     fn keys(&mut self) -> Option<Vec<Key>> {
         let mut keys = Vec::new();
-        loop {
-            self.skip_spaces();
-            keys.push(self.key()?);
-            if keys.len() > DEEPEST {
-                return None;
-            }
-            let after = self.at;
-            self.skip_spaces();
-            if !self.take(".") {
-                self.at = after;
-                return Some(keys);
-            }
+        while let Some(event) = self.events.next_if(|event| event.kind() == EventKind::SimpleKey) {
+            let mut name = String::new();
+            self.source.get(event)?.decode_key(&mut name, &mut ());
+            keys.push(Key { name, span: event.span().start()..event.span().end() });
         }
+        (1..=MAX_KEYS).contains(&keys.len()).then_some(keys)
     }
 
-    fn key(&mut self) -> Option<Key> {
-        let start = self.at;
-        let name = match self.next()? {
-            '"' | '\'' => self.string()?,
-            _ => {
-                let is_bare = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
-                let length = self.rest().find(|c| !is_bare(c)).unwrap_or(self.rest().len());
-                self.at += length;
-                self.text[start..self.at].to_owned()
-            }
+    fn value(&mut self) -> Option<Value> {
+        let first = self.events.next()?;
+        let mut end = first.span().end();
+        let mut closes = |event: &Event, kind: EventKind| {
+            end = event.span().end();
+            event.kind() == kind
         };
-        (self.at > start).then_some(Key { name, span: start..self.at })
-    }
-
-    /// Past a text in quotes: its contents.
-    fn string(&mut self) -> Option<String> {
-        let start = self.at;
-        let mark = self.next()?;
-        let three: String = [mark; 3].iter().collect();
-        let is_long = self.take(&three);
-        let end = if is_long { three.as_str() } else { &three[..1] };
-        if !is_long {
-            self.at += 1;
-        }
-        loop {
-            if mark == '"' && self.take("\\") {
-                self.at += self.next()?.len_utf8();
-            } else if self.take(end) {
-                // Two more quotes may belong to the text.
-                while is_long && self.take(&three[..1]) {}
-                break;
-            } else {
-                self.at += self.next()?.len_utf8();
+        let kind = match first.kind() {
+            EventKind::Scalar if first.encoding().is_some() => {
+                let mut text = String::new();
+                _ = self.source.get(first)?.decode_scalar(&mut text, &mut ());
+                ValueKind::Text(text)
             }
-        }
-        let written = &self.text[start..self.at];
-        if !is_long && !written.contains('\\') {
-            return Some(written[1..written.len() - 1].to_owned());
-        }
-        let source = Source::new("", format!("x = {written}"));
-        let toml = parse_toml(&source).ok()?;
-        Some(toml.get_ref().get("x")?.get_ref().as_str()?.to_owned())
-    }
-
-    fn value(&mut self, depth: usize) -> Option<Value> {
-        if depth > DEEPEST {
-            return None;
-        }
-        let start = self.at;
-        let kind = match self.next()? {
-            '"' | '\'' => ValueKind::Text(self.string()?),
-            '[' => {
-                self.at += 1;
+            EventKind::Scalar => ValueKind::Other,
+            EventKind::ArrayOpen => {
                 let mut values = Vec::new();
-                loop {
-                    self.skip_blank();
-                    if self.take("]") {
-                        break ValueKind::List(values);
-                    }
-                    values.push(self.value(depth + 1)?);
-                    self.skip_blank();
-                    self.take(",");
+                while self.events.next_if(|event| closes(event, EventKind::ArrayClose)).is_none() {
+                    values.push(self.value()?);
                 }
+                ValueKind::List(values)
             }
-            '{' => {
-                self.at += 1;
+            EventKind::InlineTableOpen => {
                 let mut items = Vec::new();
-                loop {
-                    self.skip_blank();
-                    if self.take("}") {
-                        break ValueKind::Table(items);
-                    }
-                    let keys = self.keys()?;
-                    self.skip_spaces();
-                    if !self.take("=") {
-                        return None;
-                    }
-                    self.skip_spaces();
-                    items.push(Item { keys, value: self.value(depth + 1)? });
-                    self.skip_blank();
-                    self.take(",");
+                while self.events.next_if(|event| closes(event, EventKind::InlineTableClose)).is_none() {
+                    items.push(Item { keys: self.keys()?, value: self.value()? });
                 }
+                ValueKind::Table(items)
             }
-            _ => {
-                let end = self.rest().find([',', ']', '}', '#', '\n', '\r']).unwrap_or(self.rest().len());
-                let written = self.rest()[..end].trim_end().len();
-                self.at += written;
-                (written > 0).then_some(ValueKind::Other)?
-            }
+            _ => return None,
         };
-        Some(Value { span: start..self.at, kind })
+        Some(Value { span: first.span().start()..end, kind })
     }
 }
 
