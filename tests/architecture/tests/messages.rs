@@ -45,7 +45,8 @@ fn written(text: &str) -> Result<String, String> {
 fn types_are_written_as_serde_writes_their_values() {
     let text = "/// Two\n/// lines.\n#[derive(serde::Serialize)] struct A<'a> { /** One. */ one: Option<&'a str>, two: Vec<Option<f64>>, three: [String; 2],\n\
         #[serde(skip_serializing_if = \"Vec::is_empty\")] four: Vec<B>, #[serde(flatten)] c: Option<C> }\n\
-        #[derive(Deserialize)] #[serde(tag = \"kind\", rename_all = \"snake_case\")] enum B { NotMet, Of { x: Named, #[serde(default)] y: bool, z: Option<u8> }, In(Box<C>) }\n\
+        #[derive(Deserialize)] #[serde(tag = \"kind\", rename_all = \"snake_case\")] enum B { NotMet, \
+        Of { x: Named, #[serde(default)] y: bool, z: Option<u8> }, In(Box<C>) }\n\
         #[derive(Serialize)] struct C { r#type: D } #[derive(Serialize)] enum D { X, #[serde(rename = \"why not\")] Y }\n\
         type Named = BTreeMap<String, [f64; 3]>; struct Other { a: Unknown } #[cfg(test)] mod tests { #[derive(Serialize)] struct E {} }";
     let due = "\n/** Two lines. */\nexport interface A extends Partial<C> {\n  /** One. */\n  one: string | null;\n  two: (number | null)[];\n  \
