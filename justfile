@@ -73,6 +73,10 @@ page-scripts-check:
         }
     done
 
+# Writes the types of the studio's messages in TypeScript from the Rust types; a test compares them.
+studio-messages:
+    LOOSEPIN_REWRITE_PAGES=1 cargo test --locked --package architecture --test messages
+
 # Builds the front end of the studio from TypeScript and Svelte; the built files are checked in.
 studio-front: (npm "crates/loosepin-studio/front" "check" "build")
 

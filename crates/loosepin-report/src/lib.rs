@@ -40,12 +40,12 @@ mod words;
 
 pub use bands::draft_band::{DraftBand, draft_bands};
 pub use bands::draft_text::draft_text;
-pub use bands::live_band::{BandPart, LiveBand, LiveLimit, live_bands};
+pub use bands::live_band::{BandPart, LiveBand, LiveLimit, PartKind, live_bands};
 pub use cases_page::{cases_page, cases_text};
 pub use charts::figure::{Figure, figures};
 pub use compare::{
-    ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison, Weight,
-    compare_studies,
+    ChangedInput, ComparedBand, ComparedEnd, ComparedRequirement, ComparedSide, ComparedStatistic, Comparison,
+    InputPlace, Weight, compare_studies,
 };
 pub use identification::{identification_gain, identification_page, identification_text, motion_plan_text};
 pub use mechanism::figure::{Motion, MovingDrawing, mechanism_picture, moving_drawing};

@@ -16,7 +16,7 @@
 //! | gestures to changes of the texts | `edit` |
 //! | a connection: newest look first | `socket.rs`, `mailbox.rs`, `time_limit.rs` |
 //! | studies and single runs in the background | `jobs.rs`, `job.rs` |
-//! | messages | `messages.rs` |
+//! | messages, over the live connection and of plain requests | `messages`, `requests.rs` |
 //!
 //! The front end stands in `front`, written in TypeScript and Svelte; its built files in `assets` are checked in.
 

@@ -7,3 +7,4 @@ pub mod imports;
 pub mod mentions;
 pub mod scripts;
 pub mod sources;
+pub mod typescript;

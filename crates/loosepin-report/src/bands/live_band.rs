@@ -41,13 +41,23 @@ pub struct LiveBand {
     pub parts: Vec<BandPart>,
 }
 
+/// What a part of a band comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PartKind {
+    /// The play of a joint.
+    Play,
+    /// The scatter of a dimension.
+    Part,
+}
+
 /// What one joint or one dimension adds to a band.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BandPart {
     /// Joint, or path of the dimension.
     pub name: String,
-    /// `play` or `part`.
-    pub kind: &'static str,
+    /// What it is.
+    pub kind: PartKind,
     /// Share of the outer band, 0 to 1.
     pub share: f64,
     /// What it adds, with its unit.
@@ -161,19 +171,22 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
 /// Parts of the outer band at a position. Dimensions share theirs as their variances do.
 fn parts(output: &OutputMotion, position: usize, writer: &NumberWriter) -> Vec<BandPart> {
     let at = |list: &[f64]| list.get(position).copied().unwrap_or(0.0);
-    let plays =
-        output.clearance.contributors.iter().map(|joint| (joint.joint.clone(), "play", at(&joint.first_order_si)));
+    let plays = output
+        .clearance
+        .contributors
+        .iter()
+        .map(|joint| (joint.joint.clone(), PartKind::Play, at(&joint.first_order_si)));
     let dimensions = &output.dimensional_contributors;
     let variances: f64 = dimensions.iter().map(|dimension| at(&dimension.standard_deviation_si).powi(2)).sum();
     let all_si = DEVIATIONS * at(&output.dimensional_standard_deviation_si);
     let shares = dimensions.iter().map(|dimension| {
         let share = if variances > 0.0 { at(&dimension.standard_deviation_si).powi(2) / variances } else { 0.0 };
-        (dimension.path.clone(), "part", share * all_si)
+        (dimension.path.clone(), PartKind::Part, share * all_si)
     });
-    let mut parts: Vec<(String, &'static str, f64)> = plays.chain(shares).filter(|part| part.2 > 0.0).collect();
+    let mut parts: Vec<(String, PartKind, f64)> = plays.chain(shares).filter(|part| part.2 > 0.0).collect();
     parts.sort_by(|a, b| b.2.total_cmp(&a.2));
     let whole_si: f64 = parts.iter().map(|part| part.2).sum();
-    let told = |(name, kind, part_si): (String, &'static str, f64)| BandPart {
+    let told = |(name, kind, part_si): (String, PartKind, f64)| BandPart {
         name,
         kind,
         share: part_si / whole_si,

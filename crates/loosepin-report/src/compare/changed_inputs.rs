@@ -14,11 +14,27 @@ const MOST: usize = 200;
 /// Characters of an entry that are told.
 const LONGEST: usize = 300;
 
+/// Where an input of a study stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum InputPlace {
+    /// Among the uncertain inputs.
+    Uncertain,
+    /// In the model.
+    Model,
+    /// In the study.
+    Study,
+    /// In a table of numbers that the study names.
+    Table,
+    /// In the command.
+    Command,
+}
+
 /// An input that two studies have differently.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangedInput {
-    /// `uncertain`, `model`, `study`, `table` or `command`.
-    pub place: &'static str,
+    /// Where it stands.
+    pub place: InputPlace,
     /// Its path: `joint.gudgeon.radial_clearance`.
     pub path: String,
     /// The same in words.
@@ -41,7 +57,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
     }
     let mut found = uncertain(pair, model.as_ref());
     let told: Vec<String> = found.iter().map(|input| input.path.clone()).collect();
-    for (place, texts) in [("model", &model), ("study", &study)] {
+    for (place, word, texts) in [(InputPlace::Model, "model", &model), (InputPlace::Study, "study", &study)] {
         match texts.as_ref().map(|[before, after]| differences(before, after)) {
             None => {}
             Some(Ok(entries)) => {
@@ -51,7 +67,7 @@ pub fn changed(pair: [&StudyResult; 2]) -> (Vec<ChangedInput>, Vec<String>) {
                     ChangedInput { place, path, words, before: entry.before, after: entry.after }
                 }))
             }
-            Some(Err(_)) => left_out.push(format!("The text of a {place} cannot be read any more.")),
+            Some(Err(_)) => left_out.push(format!("The text of a {word} cannot be read any more.")),
         }
     }
     found.extend(tables(pair));
@@ -95,7 +111,7 @@ fn uncertain(pair: [&StudyResult; 2], model: Option<&[std::sync::Arc<Source>; 2]
         input.map(|input| input.words.clone()).or_else(|| exact(which, path))
     };
     let rows = all.map(|input| ChangedInput {
-        place: "uncertain",
+        place: InputPlace::Uncertain,
         path: input.path.clone(),
         words: describe_path(&input.path),
         before: told(0, &input.path),
@@ -123,7 +139,7 @@ fn tables(pair: [&StudyResult; 2]) -> Vec<ChangedInput> {
     let told = |which: usize, name: &str| file(which, name).map(|file| format!("{} lines", file.text.lines().count()));
     changed
         .map(|name| ChangedInput {
-            place: "table",
+            place: InputPlace::Table,
             path: name.to_owned(),
             words: format!("table {name}"),
             before: told(0, name),
@@ -141,5 +157,11 @@ fn command(pair: [&StudyResult; 2]) -> Option<ChangedInput> {
     });
     let [before, after] = arguments;
     let words = "arguments of the command".to_owned();
-    (before != after).then_some(ChangedInput { place: "command", path: "command".to_owned(), words, before, after })
+    (before != after).then_some(ChangedInput {
+        place: InputPlace::Command,
+        path: "command".to_owned(),
+        words,
+        before,
+        after,
+    })
 }

@@ -17,11 +17,10 @@ use serde::Serialize;
 
 use crate::numbers::number::NumberWriter;
 use crate::study::short_answer::study_sentences;
-use crate::words::wording::verdict_words;
-use loosepin_result::study::StudyResult;
+use loosepin_result::study::{StudyResult, Verdict};
 
 pub use band::ComparedBand;
-pub use changed_inputs::ChangedInput;
+pub use changed_inputs::{ChangedInput, InputPlace};
 pub(crate) use headline::NOTHING_IN_COMMON;
 pub use requirements::ComparedRequirement;
 pub use statistics::{ComparedEnd, ComparedStatistic, Weight};
@@ -55,7 +54,7 @@ pub struct ComparedSide {
     /// Name of the model.
     pub model: String,
     /// Over all requirements.
-    pub verdict: Option<&'static str>,
+    pub verdict: Option<Verdict>,
     /// The answer in sentences.
     pub words: Vec<String>,
 }
@@ -75,7 +74,7 @@ pub fn compare_studies(before: &StudyResult, after: &StudyResult) -> Comparison 
         sides: pair.map(|result| ComparedSide {
             name: result.name.clone(),
             model: result.model.clone(),
-            verdict: result.verdict().map(verdict_words),
+            verdict: result.verdict(),
             words: study_sentences(result),
         }),
         warnings: warnings::warnings(pair, &writer),

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::study::answer::requirement_words;
-use crate::words::wording::{deviation_of, output_unit, place_words, verdict_words};
-use loosepin_result::study::{RequirementOutcome, StudyResult};
+use crate::words::wording::{deviation_of, output_unit, place_words};
+use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 
 /// A requirement on one number, as each study has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -17,7 +17,7 @@ pub struct ComparedRequirement {
     /// The share that keeps the limits, as far as it is known.
     pub kept: [Option<String>; 2],
     /// The verdicts.
-    pub verdicts: [Option<&'static str>; 2],
+    pub verdicts: [Option<Verdict>; 2],
 }
 
 /// Requirements in the order of A, those of B alone at the end.
@@ -64,6 +64,6 @@ fn row(
         what,
         required: [0, 1].map(|which| side(which).map(required)),
         kept: [0, 1].map(|which| side(which).map(kept)),
-        verdicts: both.map(|requirement| requirement.map(|requirement| verdict_words(requirement.verdict))),
+        verdicts: both.map(|requirement| requirement.map(|requirement| requirement.verdict)),
     }
 }

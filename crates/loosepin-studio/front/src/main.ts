@@ -1,9 +1,9 @@
 import { mount } from 'svelte';
 import App from './App.svelte';
-import { router } from './route.svelte.ts';
-import { session } from './session.svelte.ts';
+import { router } from './shell/route.svelte.ts';
+import { session } from './network/session.svelte.ts';
 import './studio.css';
-import { takeToken } from './wire.ts';
+import { takeToken } from './network/wire.ts';
 
 takeToken();
 router.start(() => location.reload());

@@ -1,305 +1,1248 @@
-// What is said between the studio and its server: version 1 of the protocol.
+// What the studio and its server say to each other, from the types of the server in Rust.
+// Not written by hand: `just studio-messages` writes it, and a test of the architecture compares it.
 
-export type Which = 'model' | 'study';
-export type Verdict = 'met' | 'not met' | 'undecided' | 'promised';
+/** What holds a pin. */
+export type Hold =
+  /** Links alone. */
+  | { kind: 'free' }
+  /** The ground. */
+  | { kind: 'ground' }
+  /** A block in a guide of the ground, at an angle from the horizontal. */
+  | {
+      kind: 'slider';
+      /** Degrees. */
+      angle_deg: number;
+    };
 
-export interface BodyMotion {
-  x: number[];
-  y: number[];
-  a: number[];
-  dx: number[];
-  dy: number[];
-  da: number[];
+/** A pin. */
+export interface DrawnPin {
+  /** To the right, mm. */
+  x: number;
+  /** Upwards, mm. */
+  y: number;
+  /** What holds it. */
+  hold: Hold;
 }
 
-export interface Motion {
-  angle_deg: number[];
-  magnification: number;
-  start: number;
-  bodies: BodyMotion[];
+/** A drawing. */
+export interface Drawn {
+  /** Name of the mechanism. */
+  name: string;
+  /** Its pins. */
+  pins: DrawnPin[];
+  /** The pins of each link: two of a bar, more of a plate. */
+  links: number[][];
+  /** The pin on the ground at which the motor turns a link. */
+  motor?: number | null;
 }
 
-export interface Drawing {
+/** Something with a name: `joint.gudgeon`, `body.rod`, or the point `body.rod.points.small_end`. */
+export interface Named {
+  /** The table that it stands in: `body`, `joint`, `output`, ... */
+  table: string;
+  /** Its name there. */
+  name: string;
+  /** A point of this body. */
+  point?: string | null;
+}
+
+/** Where something begins or ends. */
+export type End =
+  /** A point of the model. */
+  | {
+      at: 'point';
+      /** The body; `ground` too. */
+      body: string;
+      /** The point. */
+      point: string;
+    }
+  /** A new point of a body. */
+  | {
+      at: 'on';
+      /** The body; `ground` too. */
+      body: string;
+      /** To the right, mm. */
+      x: number;
+      /** Upwards, mm. */
+      y: number;
+      /** In the frame of the body, not in that of the ground. */
+      is_own?: boolean;
+    }
+  /** A place that nothing holds. */
+  | {
+      at: 'free';
+      /** To the right, mm. */
+      x: number;
+      /** Upwards, mm. */
+      y: number;
+    };
+
+/** How two points are joined. */
+export type Joined =
+  /** A pin; ideal, or with play as people write it. */
+  | {
+      as: 'pin';
+      /** `0.1 mm`, `0.1..0.5 mm`; ideal where nothing is written. */
+      play?: string | null;
+    }
+  /** The second body slides along a line through the first point, and does not turn against it. */
+  | {
+      as: 'slider';
+      /** Direction of the line from the x axis of the ground, degrees. */
+      angle_deg: number;
+    }
+  /** The second point slides along a line through the first point, and turns there. */
+  | {
+      as: 'slot';
+      /** Direction of the line from the x axis of the ground, degrees. */
+      angle_deg: number;
+    }
+  /** One body of both. */
+  | { as: 'rigid' };
+
+/** An axis of the ground. */
+export type Axis =
+  /** To the right. */
+  | 'x'
+  /** Upwards. */
+  | 'y';
+
+/** What an output records. */
+export type Watched =
+  /** The path of a point. */
+  | {
+      of: 'path';
+      /** Its body. */
+      body: string;
+      /** The point. */
+      point: string;
+    }
+  /** A coordinate of a point. */
+  | {
+      of: 'position';
+      /** Its body. */
+      body: string;
+      /** The point. */
+      point: string;
+      /** Which coordinate. */
+      along: Axis;
+    }
+  /** The angle of a body. */
+  | {
+      of: 'angle';
+      /** The body. */
+      body: string;
+    }
+  /** The angular velocity of a body. */
+  | {
+      of: 'angular_velocity';
+      /** The body. */
+      body: string;
+    }
+  /** The magnitude of the force in a joint. */
+  | {
+      of: 'force';
+      /** The joint. */
+      joint: string;
+    };
+
+/** A change of a mechanism. */
+export type Edit =
+  /** A link between two places. */
+  | {
+      kind: 'add_link';
+      /** Where it begins. */
+      from: End;
+      /** Where it ends. */
+      to: End;
+    }
+  /** A further point of a body; where it is one of another body, both are joined by a pin. */
+  | {
+      kind: 'add_point';
+      /** The body. */
+      body: string;
+      /** The place. */
+      to: End;
+    }
+  /** A joint of two points. */
+  | {
+      kind: 'join';
+      /** Bearing, or guide. */
+      first: End;
+      /** Journal, or slider. */
+      second: End;
+      /** Kind of joint. */
+      by: Joined;
+    }
+  /** A block in a guide of the ground, with a pin to what is at its place. */
+  | {
+      kind: 'add_block';
+      /** The pin. */
+      on: End;
+      /** Direction of the guide, degrees. */
+      angle_deg: number;
+    }
+  /** The one drive turns or pushes this joint. */
+  | {
+      kind: 'drive';
+      /** The joint. */
+      joint: string;
+    }
+  /** An output records something from now on. */
+  | {
+      kind: 'watch';
+      /** It. */
+      what: Watched;
+    }
+  /** Something goes, with all that names it. */
+  | {
+      kind: 'remove';
+      /** It. */
+      what: Named;
+    }
+  /** Another name, wherever the old one stands. */
+  | {
+      kind: 'rename';
+      /** It. */
+      what: Named;
+      /** The new name. */
+      to: string;
+    }
+  /** Whether dragging may change a number. */
+  | {
+      kind: 'lock';
+      /** Path of the number. */
+      path: string;
+      /** It may not. */
+      is_locked: boolean;
+    };
+
+/** The changes of an edit, and what is to be known of them. */
+export interface Restructured {
+  /** In units of the texts that were sent, in their order. */
+  changes: Change[];
+  /** Degrees of freedom in words, or what is missing. */
+  says: string[];
+  /** The mechanism moves as its drives say. */
+  is_complete: boolean;
+  /** What goes, in words. */
+  gone: string[];
+  /** Name of what came. */
+  name: string | null;
+  /** Where new bodies are: x and y, mm, and the angle, degrees. */
+  poses: NamedPoses;
+}
+
+/** A stretch of a text that is replaced. */
+export interface Change {
+  /** The text. */
+  document: Document;
+  /** First UTF-16 unit that goes. */
+  from: number;
+  /** Behind the last UTF-16 unit that goes. */
+  to: number;
+  /** What comes in its place. */
+  insert: string;
+}
+
+/** Which of the two texts. */
+export type Document =
+  /** The mechanism. */
+  | 'model'
+  /** What is uncertain in it, and what is asked. */
+  | 'study';
+
+/** Poses of bodies by their names: x and y of the origin, mm, and the angle, degrees. */
+export type NamedPoses = Record<string, [number, number, number]>;
+
+/** Both texts with the values in them. */
+export interface Adopted {
+  /** The model. */
+  model: string;
+  /** The study. */
+  study: string | null;
+  /** The values, in words. */
+  words: string;
+  /** Whether the study on the page is another one than the result was made of, but for these values. */
+  has_changed: boolean;
+}
+
+/** A template as the page shows it. */
+export interface TemplateCard {
+  /** Its name, by which it is made. */
+  name: string;
+  /** What it is, in a few words. */
+  title: string;
+  /** What is to be seen in it. */
+  words: string;
+  /** The mechanism, moving. */
+  drawing: MovingDrawing | null;
+}
+
+/** A drawing of a mechanism for a page that moves it by itself. */
+export interface MovingDrawing {
+  /** The first pose, as an SVG document that takes its style from the page. Groups with `data-body` move with a body, those with `data-rides` with a point of one. */
   svg: string;
+  /** Poses of the bodies. */
   motion: Motion;
 }
 
-export interface Hello {
-  version: string;
-  folder: string;
-  limits: { text_bytes: number };
+/** Poses of a mechanism over a turn, for the script that moves its picture. */
+export interface Motion {
+  /** Angle of the drive at each pose, degrees. */
+  angle_deg: (number | null)[];
+  magnification: number;
+  /** The pose that is shown first. */
+  start: number;
+  bodies: BodyMotion[];
+  bends?: Bend[];
 }
 
-export interface Template {
-  name: string;
-  title: string;
-  words: string;
-  drawing: Drawing | null;
+/** The bent axis of a flexible body over the poses, for the script that moves it. */
+export interface Bend {
+  /** The body in whose frame it is drawn. */
+  body: number;
+  /** Places along the straight axis, mm. */
+  places: [number, number][];
+  /** Direction to the left of the way from root to tip. */
+  normal: [number, number];
+  /** Deflection of each shape at each place, mm for each rad. */
+  shapes: ((number | null)[])[];
+  /** Coordinate of each shape at each pose, rad. */
+  turns: ((number | null)[])[];
+  /** Deflections are drawn so many times as large. */
+  factor: number;
+  /** x and y of places along the axis at each pose, mm, in place of shapes. */
+  track?: ([(number | null)[], (number | null)[]])[];
 }
 
-export interface FileEntry {
+/** Ideal pose and actual minus ideal, in mm and degrees, one entry per pose. */
+export interface BodyMotion {
+  x: (number | null)[];
+  y: (number | null)[];
+  a: (number | null)[];
+  dx: (number | null)[];
+  dy: (number | null)[];
+  da: (number | null)[];
+}
+
+/** A model or a study. */
+export interface ListedFile {
+  /** Path in the served folder. */
   path: string;
-  kind: Which;
+  /** Which of both. */
+  kind: Document;
+  /** Its name; the path of one that has none. */
   title: string;
+  /** Path of the model of a study. */
   model: string | null;
-  at_ms?: number;
-}
-
-export interface ResultEntry {
-  path: string;
-  title: string;
-  kind: 'study' | 'simulation' | 'motion' | 'sweep';
-  verdict: Verdict | null;
+  /** When it was written, milliseconds since 1970. */
   at_ms: number;
 }
 
-export interface Folder {
-  files: FileEntry[];
-  results: ResultEntry[];
+/** A finished result. */
+export interface ListedResult {
+  /** Path of its folder in the served one. */
+  path: string;
+  /** Its name. */
+  title: string;
+  /** What it is the result of. */
+  kind: ResultKind;
+  /** Over all requirements of a study. */
+  verdict: Verdict | null;
+  /** When it was finished, milliseconds since 1970. */
+  at_ms: number;
+}
+
+/** A kind of result, which has a folder of its own. */
+export type ResultKind =
+  /** One dynamic run. */
+  | 'simulation'
+  /** Ideal motion and quasi-static answer. */
+  | 'motion'
+  /** An uncertainty study. */
+  | 'study'
+  /** Runs for many values of a quantity. */
+  | 'sweep'
+  /** What readings and motion of a rig say of the unknowns. */
+  | 'identification'
+  /** Neural networks of a study, for other programs. */
+  | 'networks';
+
+/** Verdict on a requirement that a share of mechanisms keeps a limit, whatever the epistemic inputs are. */
+export type Verdict =
+  /** Met for every value of the epistemic inputs, numerical error included. */
+  | 'met'
+  /** Kept in a stated share of the box of the epistemic inputs, with a stated confidence; not shown for every value. */
+  | 'promised'
+  /** Not met for at least one value, numerical error included. */
+  | 'not_met'
+  /** The numerical error reaches over the limit, or nothing is known of the share: more runs decide. */
+  | 'undecided';
+
+/** The served folder as the page shows it. */
+export interface Listing {
+  /** Models and studies, the newest first. */
+  files: ListedFile[];
+  /** Finished results, the newest first. */
+  results: ListedResult[];
+  /** Whether there is more than is told. */
   truncated: boolean;
 }
 
-export interface DocumentText {
-  path: string;
-  text: string;
-  tag: string;
+/** What can be done with a result. */
+export interface Doings {
+  /** Name of the result. */
+  title: string;
+  /** Whether it is the result of a study: of others there is nothing to be done. */
+  is_study: boolean;
+  /** Mechanisms that can be run by themselves. */
+  witnesses: Doing[];
+  /** Values that can be taken into the model, in the order of the page. */
+  known: string[][];
+  /** Paths of the studies of this name in the served folder, the newest first. */
+  studies: string[];
 }
 
-export interface Opened {
-  model: DocumentText | null;
-  study: DocumentText | null;
+/** A mechanism that can be run by itself. */
+export interface Doing {
+  /** Its unknown values. */
+  values: string[];
+  /** The requirements and bounds that it attains. */
+  attains: string[];
+  /** The command that runs it. */
+  command: string;
 }
 
-/** Offsets count UTF-16 units of the document's text. */
-export interface Range {
+/** A stretch of a text. */
+export interface Stretch {
+  /** Line, from 1. */
+  line: number;
+  /** Column in characters, from 1. */
+  column: number;
+  /** First UTF-16 unit. */
   from: number;
+  /** Behind the last UTF-16 unit. */
   to: number;
 }
 
-/** Where it has a place in a text; the server leaves the four out where it has none. */
-export interface Place {
-  line?: number | null;
-  column?: number | null;
-  from?: number | null;
-  to?: number | null;
-}
-
-export interface Label extends Place {
-  document: Which | null;
+/** A second place that matters to a complaint. */
+export interface SeenLabel extends Partial<Stretch> {
+  /** The text; nothing where it is none of the two. */
+  document: Document | null;
+  /** What is said of it. */
   text: string;
 }
 
-export interface Fix extends Range {
-  document: Which;
-  insert: string;
-  words: string;
-}
-
-export interface Complaint extends Place {
-  document: Which | null;
+/** Something wrong, or worth a warning. */
+export interface SeenComplaint extends Partial<Stretch> {
+  /** The text at fault; nothing where it is none of the two. */
+  document: Document | null;
+  /** Path of the file at fault. */
   path: string | null;
+  /** For `explain`. */
   code: string;
-  severity: 'error' | 'warning';
+  /** How grave it is. */
+  severity: Severity;
+  /** What is wrong. */
   message: string;
+  /** The way out. */
   hint: string | null;
-  labels: Label[];
-  fix?: Fix | null;
+  /** Other places. */
+  labels: SeenLabel[];
+  /** A change that mends it, where one is known. */
+  fix: Fix | null;
 }
 
-export interface Share {
-  name: string;
-  kind: 'play' | 'part';
-  share: number;
+/** A change that mends a complaint. */
+export interface Fix extends Change {
+  /** What it does, in words. */
   words: string;
 }
 
-export interface Band {
-  output: string;
-  words: string;
-  largest: string;
-  figure: string;
-  /** In the unit of the figure. */
-  largest_value: number;
-  unit: string;
-  si_per_unit: number;
-  /** Whether the band keeps its limits. */
-  kept: string[];
-  parts: Share[];
-}
+/** How grave a complaint is. */
+export type Severity =
+  /** The file can be used. */
+  | 'warning'
+  /** The file cannot be used. */
+  | 'error';
 
-/** A limit of the study, in its text. */
-export interface Limit extends Range {
-  output: string;
-  within_si: number;
-  written: string;
-}
+/** The state of a job. */
+export type JobState =
+  /** Others are before it. */
+  | 'waiting'
+  /** It runs. */
+  | 'running'
+  /** Its results are there. */
+  | 'done'
+  /** It came to no result. */
+  | 'failed'
+  /** Somebody stopped it; its runs are kept. */
+  | 'stopped';
 
-/** A pin that can be dragged: its place in the frame of a body of the drawing, mm. */
-export interface Pin {
-  body: number;
-  x: number;
-  y: number;
-}
+/** What a job runs. */
+export type JobKind =
+  /** A study. */
+  | 'study'
+  /** One mechanism by itself. */
+  | 'run';
 
-export interface JointEntry {
-  name: string;
-  kind: string;
-  play: string | null;
-  pin: Pin | null;
-  /** The two that it joins: `rod.small_end`, `slider.pin`. */
-  points: [string, string];
-}
-
-/** A body with its points, in its own frame, mm. */
-export interface Part {
-  name: string;
-  points: { name: string; x: number; y: number }[];
-}
-
-/** A dimension of a body, or of the line of a joint: from and to in the frame of a body of the drawing, mm. */
-export interface Dimension {
-  kind: 'length' | 'angle';
-  of: string;
-  body: number;
-  from: [number, number];
-  to: [number, number];
-  written: string;
-  /** The number behind it, where there is one. */
-  path: string | null;
-}
-
-/** A spring or a load; its ends are places in frames of bodies of the drawing, mm. */
-export interface Force {
-  table: 'spring' | 'load';
-  name: string;
-  kind: string;
-  ends: Pin[];
-  direction_deg: number | null;
-  /** The direction turns with the body. */
-  turns: boolean;
-}
-
-export interface Outline {
-  bodies: string[];
-  joints: JointEntry[];
-  drives: string[];
-  outputs: { name: string; words: string }[];
-  forces: Force[];
-  /** All bodies, the ground too, in the order of the drawing. */
-  parts: Part[];
-  dimensions: Dimension[];
-}
-
-export interface Quantity extends Range {
-  path: string;
-  /** The path in words, where the server has them. */
-  words?: string;
-  document: Which;
-  written: string;
-  kind: 'number' | 'scatter' | 'unknown';
-  /** Dragging leaves it as it is. */
-  is_locked: boolean;
-}
-
-export interface View {
-  title: string;
-  mobility: string;
-  /** Why it does not move yet: it is drawn where its bodies were put. */
-  incomplete: string | null;
-  sentences: string[];
-  drawing: Drawing | null;
-  bands: Band[];
-  limits: Limit[];
-  outline: Outline;
-  quantities: Quantity[];
-}
-
-/** A band over the cycle from the runs so far. */
-export interface CoarseBand {
-  title: string;
-  words: string;
-  figure: string;
-}
-
+/** What is run in the background. */
 export interface Job {
-  id: number | string;
-  /** A study, or one mechanism by itself. */
-  kind: 'study' | 'run';
+  /** Its number. */
+  id: number;
+  /** Which of both. */
+  kind: JobKind;
   /** The study; of a single run the result that it belongs to. */
   study: string;
+  /** Its name. */
   title: string;
-  state: 'waiting' | 'running' | 'done' | 'failed' | 'stopped';
+  /** What becomes of it. */
+  state: JobState;
+  /** Finished runs. */
   finished: number;
+  /** The runs that it may come to. */
   most: number;
+  /** Since it began to run. */
   seconds: number;
+  /** What came out, in sentences. */
   words: string[];
+  /** What is known before it is finished. */
+  draft: JobDraft | null;
+  /** What is wrong, where it failed. */
+  complaints: string[];
+  /** Folder of its results, in the served folder. */
   result: string | null;
+  /** Over all requirements. */
   verdict: Verdict | null;
-  draft?: { words: string[]; bands: CoarseBand[] } | null;
-  complaints?: string[];
 }
 
-export interface PathAndText {
+/** What is known of a study before it is finished. */
+export interface JobDraft {
+  /** In sentences. */
+  words: string[];
+  /** Bands over the cycle from the runs so far. */
+  bands: DraftBand[];
+}
+
+/** The band of one deviation, from the runs so far. */
+export interface DraftBand {
+  /** What is shown: `Deviation of slider`. */
+  title: string;
+  /** What the band is, and what it is not yet. */
+  words: string;
+  /** The chart as an SVG document that takes its style from the page. */
+  figure: string;
+}
+
+/** A text with the path of its file, by which complaints name it. */
+export interface SentText {
+  /** Path in the served folder. */
   path: string;
+  /** What it says. */
   text: string;
 }
 
-/** What a drag takes. */
-export type Held = { take: 'joint' | 'guide'; joint: string } | { take: 'point'; body: string; point: string };
+/** A study and its model, as the page shows them. */
+export interface Shown {
+  /** The model. */
+  model: SentText;
+  /** The study. */
+  study: SentText;
+}
 
-/** A drag; poses are x and y in mm and the angle in degrees of each body. */
+/** What the page asks to be read. */
+export interface Look {
+  /** Counts up; comes back with the answer. */
+  seq: number;
+  /** The model. */
+  model: SentText;
+  /** The study of it, where there is one. */
+  study?: SentText | null;
+  /** Positions in a turn. */
+  positions: number;
+  /** What is dragged, where anything is: what is looked at are the texts that the drag makes of these. */
+  grip?: Grip | null;
+  /** Where bodies were last: a mechanism that does not move yet is drawn there. */
+  poses?: NamedPoses | null;
+}
+
+/** A drag. */
 export interface Grip {
+  /** What is dragged. */
   held: Held;
+  /** Where a centre or point is to be, or a place on the line of a guide, mm. */
   to_mm: [number, number];
+  /** Written values are rounded to the next round step that is not below this one, mm. */
   step_mm: number;
+  /** Values are as they come: no round steps. */
   is_free: boolean;
+  /** Where each body is: x and y of its origin, mm, and its angle, degrees. */
   poses: [number, number, number][];
 }
 
-/** What a drag does to the texts of its look. */
-export interface Reshaped {
-  changes: (Range & { document: Which; insert: string })[];
-  words: string[];
-  angle_deg: number | null;
-  /** Where the bodies are that it has moved, by name. */
-  poses: Record<string, [number, number, number]>;
-  refusal: string | null;
-}
+/** What a drag takes. */
+export type Held =
+  /** The centre of a pin. */
+  | {
+      take: 'joint';
+      /** Its name. */
+      joint: string;
+    }
+  /** A point that no pin holds. */
+  | {
+      take: 'point';
+      /** Its body; `ground` too. */
+      body: string;
+      /** Its name. */
+      point: string;
+    }
+  /** The line of a guide or a slot, which turns about its point. */
+  | {
+      take: 'guide';
+      /** Name of the joint. */
+      joint: string;
+    };
 
-/** What an entry of how well a number is known does to the texts; or why it cannot be read. */
-export interface Rewritten {
-  changes: Reshaped['changes'];
-  refusal: { message: string; hint: string | null } | null;
-}
+/** What comes over the live connection from the page. */
+export type FromPage =
+  /** The first message. */
+  | {
+      kind: 'hello';
+      /** The secret of the address. */
+      token: string;
+    }
+  /** Read these texts. */
+  | ({ kind: 'look' } & Look)
+  /** Run a study that is saved. */
+  | {
+      kind: 'run';
+      /** Its path in the served folder. */
+      study: string;
+      /** The texts that the page shows: these are run, whatever is on the disk by then. */
+      shown?: Shown | null;
+    }
+  /** Run the mechanism at a witness of a finished study. */
+  | {
+      kind: 'simulate';
+      /** Path of the result in the served folder. */
+      result: string;
+      /** Place among the witnesses that it lists. */
+      witness: number;
+    }
+  /** Stop a job, or take it out of the queue. */
+  | {
+      kind: 'stop';
+      /** Its number. */
+      id: number;
+    };
 
-export interface Look {
-  kind: 'look';
-  seq: number;
-  model: PathAndText;
-  study: PathAndText | null;
-  positions: number;
-  grip: Grip | null;
-  /** Where bodies were last, by name: what does not move yet is drawn there. */
-  poses: Record<string, [number, number, number]> | null;
-}
+/** What goes over the live connection to the page. */
+export type ToPage =
+  /** The token was right. */
+  | {
+      kind: 'hello';
+      /** Version of the program. */
+      version: string;
+      /** Jobs of this server. */
+      jobs: Job[];
+    }
+  /** What was read. */
+  | ({ kind: 'seen' } & Seen)
+  /** How far a job is. */
+  | {
+      kind: 'job';
+      /** It. */
+      job: Job;
+    }
+  /** A file of the last look is not as it was. */
+  | {
+      kind: 'changed';
+      /** Its path. */
+      path: string;
+    }
+  /** A message that is not taken. */
+  | {
+      kind: 'refused';
+      /** Why. */
+      message: string;
+    };
 
+/** The answer to a look. */
 export interface Seen {
-  kind: 'seen';
+  /** That of the look. */
   seq: number;
-  complaints: Complaint[];
+  /** Everything wrong, and warnings. */
+  complaints: SeenComplaint[];
+  /** The mechanism; nothing where the model cannot be read, or does not move. */
   view: View | null;
-  /** Of a drag: complaints and view are of the texts with its changes. */
+  /** What a drag did: `complaints` and `view` are of the texts with its changes. */
   reshaped: Reshaped | null;
+  /** How long it took. */
   cost_ms: number;
   /** It took too long and was stopped: nothing is known of these texts. */
   is_cut: boolean;
 }
 
-export type ToServer = { kind: 'hello'; token: string } | Look | { kind: 'run'; study: string; shown: { model: PathAndText; study: PathAndText } } | { kind: 'simulate'; result: string; witness: number } | { kind: 'stop'; id: Job['id'] };
+/** What a drag does to the texts that were sent. */
+export interface Reshaped {
+  /** The changes, all in units of the texts that were sent, in their order. */
+  changes: Change[];
+  /** The new values, in words. */
+  words: string[];
+  /** The angle of the drive at which the joints lie where the drag left them. */
+  angle_deg: number | null;
+  /** Where the bodies are that the drag has moved, by name: so a mechanism is drawn that does not move yet. */
+  poses: NamedPoses;
+  /** Why nothing can be changed. */
+  refusal: string | null;
+}
 
-export type FromServer =
-  | { kind: 'hello'; version: string; jobs: Job[] }
-  | Seen
-  | { kind: 'job'; job: Job }
-  | { kind: 'changed'; path: string }
-  | { kind: 'refused'; message: string };
+/** The mechanism that was read. */
+export interface View {
+  /** Its name, or that of the study. */
+  title: string;
+  /** Degrees of freedom and drives, in words. */
+  mobility: string;
+  /** Why it does not move yet; what is drawn is where its bodies were put. */
+  incomplete: string | null;
+  /** What play and scatter do without dynamics, in sentences. */
+  sentences: string[];
+  /** The mechanism, moving. */
+  drawing: MovingDrawing | null;
+  /** The band of each output that has one. */
+  bands: LiveBand[];
+  /** The limits among them. */
+  limits: SeenLimit[];
+  /** What it is made of. */
+  outline: Outline;
+  /** Its numbers. */
+  quantities: SeenQuantity[];
+}
+
+/** The band of one output. */
+export interface LiveBand {
+  /** Name of the output. */
+  output: string;
+  /** What it is. */
+  words: string;
+  /** How wide the band is where it is widest, in a sentence. */
+  largest: string;
+  /** The chart as an SVG document that takes its style from the page. `data-plot` has left, top, width and height of the frame of its curves in units of the picture, `data-x` the angles at its ends, degrees, `data-y` the values at its foot and head. */
+  figure: string;
+  /** Half the width of the outer band where it is widest, in the unit of the figure. */
+  largest_value: number;
+  /** The unit of the figure, in a file. */
+  unit: string;
+  /** SI units in a unit of the figure. */
+  si_per_unit: number;
+  /** Whether the band keeps each limit of its output, in a sentence. */
+  kept: string[];
+  /** What makes the band where it is widest, the largest part first. */
+  parts: BandPart[];
+}
+
+/** What one joint or one dimension adds to a band. */
+export interface BandPart {
+  /** Joint, or path of the dimension. */
+  name: string;
+  /** What it is. */
+  kind: PartKind;
+  /** Share of the outer band, 0 to 1. */
+  share: number;
+  /** What it adds, with its unit. */
+  words: string;
+}
+
+/** What a part of a band comes from. */
+export type PartKind =
+  /** The play of a joint. */
+  | 'play'
+  /** The scatter of a dimension. */
+  | 'part';
+
+/** What the mechanism is made of. */
+export interface Outline {
+  /** Bodies that move. */
+  bodies: string[];
+  /** Joints. */
+  joints: SeenJoint[];
+  /** Drives. */
+  drives: string[];
+  /** Outputs. */
+  outputs: SeenOutput[];
+  /** Springs and loads. */
+  forces: SeenForce[];
+  /** All bodies with their points, in the order of the drawing. */
+  parts: SeenBody[];
+  /** Dimensions of bodies and joints. */
+  dimensions: SeenDimension[];
+}
+
+/** A body with its points; the ground too. */
+export interface SeenBody {
+  /** Its name. */
+  name: string;
+  /** Its points. */
+  points: SeenPoint[];
+}
+
+/** A point of a body. */
+export interface SeenPoint {
+  /** Its name. */
+  name: string;
+  /** x in the frame of its body, mm. */
+  x: number;
+  /** y in it, mm. */
+  y: number;
+}
+
+/** A dimension of a body or a joint. */
+export interface SeenDimension {
+  /** What it is. */
+  kind: DimensionKind;
+  /** Name of the body, or of the joint whose line it is. */
+  of: string;
+  /** Index of the body that it moves with, in the drawing. */
+  body: number;
+  /** Where it begins in the frame of that body, mm. */
+  from: [number, number];
+  /** Where it ends; of a line, a millimetre along it. */
+  to: [number, number];
+  /** With its unit. */
+  written: string;
+  /** The number behind it, where there is one. */
+  path: string | null;
+}
+
+/** What a dimension is. */
+export type DimensionKind =
+  /** Of a body. */
+  | 'length'
+  /** Of the line of a joint. */
+  | 'angle';
+
+/** A spring or a load, with where it stands in the drawing. */
+export interface SeenForce {
+  /** Which of both. */
+  table: ForceTable;
+  /** Its name. */
+  name: string;
+  /** What it is, in words. */
+  kind: string;
+  /** Both ends of a spring along a line; the one place of all others; nothing where no point says where. */
+  ends: SeenPin[];
+  /** Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees. */
+  direction_deg: number | null;
+  /** The direction turns with the body. */
+  turns: boolean;
+}
+
+/** Tables of what acts on bodies. */
+export type ForceTable =
+  /** Springs and dampers. */
+  | 'spring'
+  /** Forces and torques. */
+  | 'load';
+
+/** Where a pin is. */
+export interface SeenPin {
+  /** Index of a body that carries it, in the drawing. */
+  body: number;
+  /** x in the frame of that body, mm. */
+  x: number;
+  /** y in it, mm. */
+  y: number;
+}
+
+/** A joint in the outline. */
+export interface SeenJoint {
+  /** Its name. */
+  name: string;
+  /** What it is, in words. */
+  kind: string;
+  /** Its play, where it has any. */
+  play: string | null;
+  /** Its centre, where it is a pin that can be dragged. */
+  pin: SeenPin | null;
+  /** The points that it joins: `rod.small_end`, `slider.pin`. */
+  points: [string, string];
+}
+
+/** An output in the outline. */
+export interface SeenOutput {
+  /** Its name. */
+  name: string;
+  /** What it is, in words. */
+  words: string;
+}
+
+/** A limit of the study that is a line in the chart of a band. */
+export interface SeenLimit {
+  /** Name of the output. */
+  output: string;
+  /** The limit, SI. */
+  within_si: number;
+  /** As the study has it, quotes left out. */
+  written: string;
+  /** First UTF-16 unit of it. */
+  from: number;
+  /** Behind the last one. */
+  to: number;
+}
+
+/** A number of the texts. */
+export interface SeenQuantity {
+  /** Where it stands: `joint.gudgeon.radial_clearance`. */
+  path: string;
+  /** In words. */
+  words: string;
+  /** The text. */
+  document: Document;
+  /** What is written, quotes left out. */
+  written: string;
+  /** First UTF-16 unit. */
+  from: number;
+  /** Behind the last UTF-16 unit. */
+  to: number;
+  /** What it is. */
+  kind: QuantityKind;
+  /** Dragging leaves it as it is. */
+  is_locked: boolean;
+}
+
+/** What is written of a number. */
+export type QuantityKind =
+  /** Its value in the model. */
+  | 'number'
+  /** How it scatters. */
+  | 'scatter'
+  /** What is unknown of it. */
+  | 'unknown';
+
+/** Why nothing comes of a request, or of what somebody typed or drew. */
+export interface Refused {
+  /** What is wrong. */
+  message: string;
+  /** The way out, where one is known. */
+  hint: string | null;
+}
+
+/** What the server is. */
+export interface HelloAnswer {
+  /** Version of the program. */
+  version: string;
+  /** Path of the served folder. */
+  folder: string;
+  /** What it takes. */
+  limits: Limits;
+}
+
+/** What the server takes. */
+export interface Limits {
+  /** Largest text, bytes. */
+  text_bytes: number;
+}
+
+/** A file to be opened. */
+export interface OpenRequest {
+  /** Path in the served folder. */
+  path: string;
+}
+
+/** A model, or a study with its model. */
+export interface OpenAnswer {
+  /** Nothing where the model of the study cannot be read. */
+  model: OpenedText | null;
+  /** Nothing where a model was asked for. */
+  study: OpenedText | null;
+}
+
+/** A text of the served folder. */
+export interface OpenedText {
+  /** Its path. */
+  path: string;
+  /** What it says. */
+  text: string;
+  /** By which it is known to be the same when it is saved. */
+  tag: string;
+}
+
+/** A text to be saved. */
+export interface SaveRequest {
+  /** Path in the served folder. */
+  path: string;
+  /** What it says. */
+  text: string;
+  /** Of the text that it is made of; nothing of a new one. */
+  tag?: string | null;
+}
+
+/** A text was saved. */
+export interface SaveAnswer {
+  /** That of the text as it is now. */
+  tag: string;
+}
+
+/** How well a number is known, to be written into both texts. */
+export interface KnowRequest {
+  /** The model. */
+  model: SentText;
+  /** The study of it, where there is one. */
+  study?: SentText | null;
+  /** Path of the number. */
+  path: string;
+  /** As it is typed. */
+  text: string;
+}
+
+/** What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer. */
+export interface KnowAnswer {
+  /** In units of the texts that were sent, in their order. */
+  changes: Change[];
+  /** Why there are none. */
+  refusal: Refused | null;
+}
+
+/** A change of the mechanism. */
+export interface RestructureRequest {
+  /** The model. */
+  model: SentText;
+  /** The study of it, where there is one. */
+  study?: SentText | null;
+  /** What is to be done. */
+  edit: Edit;
+  /** Where the bodies are shown. */
+  poses?: NamedPoses;
+}
+
+/** What a change of the mechanism does, or why there is none. */
+export interface RestructureAnswer extends Partial<Restructured> {
+  /** Why not. */
+  refusal: Refused | null;
+}
+
+/** A template to be made a mechanism of one's own. */
+export interface NewRequest {
+  /** Its name. */
+  template: string;
+  /** Path of the new folder. */
+  folder: string;
+}
+
+/** A model and a study were written. */
+export interface NewAnswer {
+  /** Path of the model. */
+  model: string;
+  /** Path of the study. */
+  study: string;
+}
+
+/** A drawing from nothing. */
+export interface DrawRequest extends Drawn {
+  /** Path of the new folder into which model and study go; nothing where only words are asked for. */
+  folder?: string | null;
+}
+
+/** What the library says of a drawing. */
+export interface DrawAnswer {
+  /** Degrees of freedom in words, or what is missing. */
+  says: string[];
+  /** Why it is no mechanism. */
+  refusal: Refused | null;
+  /** Path of the study that was written. */
+  study: string | null;
+}
+
+/** Where a drawing in the DXF format is to go. */
+export interface ImportRequest {
+  /** Path of the new folder. */
+  folder: string;
+  /** Name of the mechanism. */
+  title: string;
+  /** Unit of the drawing, where it names none itself. */
+  unit?: string | null;
+}
+
+/** What came of a drawing in the DXF format. */
+export interface ImportAnswer {
+  /** Path of the model. */
+  model: string;
+  /** What was found in the drawing, and what was left out. */
+  notes: string[];
+}
+
+/** What a code of a complaint means. */
+export interface ExplainAnswer {
+  /** The code. */
+  code: string;
+  /** In a few words. */
+  title: string;
+  /** In whole. */
+  text: string;
+}
+
+/** A report to be shown. */
+export interface ViewRequest {
+  /** Path of the folder of the result. */
+  path: string;
+}
+
+/** Where a report is shown, once. */
+export interface ViewAnswer {
+  /** Its address. */
+  address: string;
+}
+
+/** Two studies to be shown beside each other. */
+export interface CompareRequest {
+  /** Path of the result A. */
+  before: string;
+  /** Path of the result B. */
+  after: string;
+}
+
+/** Both studies beside each other. */
+export type CompareAnswer = Comparison;
+
+/** Two studies beside each other. */
+export interface Comparison {
+  /** How much smaller or larger the main answer is in B. */
+  headline: string;
+  /** The studies, A first. */
+  sides: [ComparedSide, ComparedSide];
+  /** What makes the numbers less comparable. */
+  warnings: string[];
+  /** What is not compared, and why. */
+  left_out: string[];
+  /** Requirements with both verdicts. */
+  requirements: ComparedRequirement[];
+  /** Both bands of an output in one picture. */
+  bands: ComparedBand[];
+  /** Bounds of single statistics with their differences. */
+  statistics: ComparedStatistic[];
+  /** What differs in the inputs, uncertain ones first. */
+  inputs: ChangedInput[];
+}
+
+/** An input that two studies have differently. */
+export interface ChangedInput {
+  /** Where it stands. */
+  place: InputPlace;
+  /** Its path: `joint.gudgeon.radial_clearance`. */
+  path: string;
+  /** The same in words. */
+  words: string;
+  /** What A has, with its unit; nothing where it has no such entry. */
+  before: string | null;
+  /** What B has. */
+  after: string | null;
+}
+
+/** Where an input of a study stands. */
+export type InputPlace =
+  /** Among the uncertain inputs. */
+  | 'uncertain'
+  /** In the model. */
+  | 'model'
+  /** In the study. */
+  | 'study'
+  /** In a table of numbers that the study names. */
+  | 'table'
+  /** In the command. */
+  | 'command';
+
+/** Both bands of an output over the cycle. */
+export interface ComparedBand {
+  /** Of what: `Deviation of slider`. */
+  title: string;
+  /** How far each band reaches, in a sentence. */
+  words: string;
+  /** The chart as an SVG document that takes its style from the page. */
+  figure: string;
+  /** Angles of the chart, degrees. */
+  angle_deg: number[];
+  /** From where to where A and B reach at each of them, with units. */
+  reaches: [string, string][];
+}
+
+/** A requirement on one number, as each study has it. */
+export interface ComparedRequirement {
+  /** On what: `deviation of slider over the whole cycle`. */
+  what: string;
+  /** The limits and the share that is required in A and in B, in words; nothing where the study does not require it. */
+  required: [string | null, string | null];
+  /** The share that keeps the limits, as far as it is known. */
+  kept: [string | null, string | null];
+  /** The verdicts. */
+  verdicts: [Verdict | null, Verdict | null];
+}
+
+/** One of the two studies. */
+export interface ComparedSide {
+  /** Name of the study. */
+  name: string;
+  /** Name of the model. */
+  model: string;
+  /** Over all requirements. */
+  verdict: Verdict | null;
+  /** The answer in sentences. */
+  words: string[];
+}
+
+/** A statistic that both studies bound. */
+export interface ComparedStatistic {
+  /** Of what: `slider (x of slider.pin): deviation, largest absolute value in the cycle`. */
+  response: string;
+  /** Which one, and by which treatment where it is not the mixed one. */
+  statistic: string;
+  /** The smallest and the largest value that it may have. */
+  ends: [ComparedEnd, ComparedEnd];
+}
+
+/** One end of a bound in both studies. */
+export interface ComparedEnd {
+  /** The value found with its numerical error, in A and in B: bounds hold their errors, so a difference of them is none of the statistics. */
+  values: [string, string];
+  /** B minus A of the values found, with sign and unit. */
+  difference: string;
+  /** The same in SI. */
+  difference_si: number;
+  /** Whether it means anything. */
+  weight: Weight;
+}
+
+/** A difference against the numerical errors of what is compared. */
+export type Weight =
+  /** There is none. */
+  | 'none'
+  /** It is not larger than both errors together: it may be that of the computation alone. */
+  | 'within_errors'
+  /** It is larger. */
+  | 'beyond_errors';
+
+/** A result of which it is asked what can be done with it. */
+export interface ResultRequest {
+  /** Path of its folder. */
+  path: string;
+}
+
+/** Values of a result to be taken into the texts of the page. */
+export interface AdoptRequest {
+  /** The model. */
+  model: SentText;
+  /** The study of it, where there is one. */
+  study?: SentText | null;
+  /** Path of the folder of the result. */
+  path: string;
+  /** Place among the values that it lists. */
+  place: number;
+}
+
+/** Both texts with the values of a result in them, or why they do not take them. */
+export interface AdoptAnswer {
+  /** They. */
+  adopted: Adopted | null;
+  /** Why not. */
+  refusal: Refused | null;
+}

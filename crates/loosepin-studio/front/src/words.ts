@@ -1,7 +1,6 @@
 // All strings of the front end: whole sentences, with named holes. Words of the server are shown as they come.
-import type { Hold } from './sketch.svelte.ts';
-import type { EditTool, Tool } from './toolset.ts';
-import type { Force, Job, JointEntry, ResultEntry, Verdict, Which } from './messages.ts';
+import type { EditTool, Tool } from './editing/toolset.ts';
+import type { Document, Hold, Job, ResultKind, SeenForce, SeenJoint, Verdict } from './messages.ts';
 
 const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 const relative = new Intl.RelativeTimeFormat('en', { numeric: 'auto' });
@@ -12,7 +11,7 @@ function count(number: number, one: string, many: string): string {
 
 export const words = {
   studio: 'loosepin studio',
-  fileName: (which: Which): string => which + '.toml',
+  fileName: (which: Document): string => which + '.toml',
   percent: (share: number): string => whole.format(share * 100) + ' %',
   degrees: (angle: number): string => whole.format(((Math.round(angle) % 360) + 360) % 360) + '°',
 
@@ -26,7 +25,7 @@ export const words = {
   },
 
   verdict(verdict: Verdict): string {
-    const names: Record<Verdict, string> = { met: 'met', 'not met': 'not met', undecided: 'undecided', promised: 'promised' };
+    const names: Record<Verdict, string> = { met: 'met', not_met: 'not met', undecided: 'undecided', promised: 'promised' };
     return names[verdict];
   },
 
@@ -80,8 +79,8 @@ export const words = {
     noTemplates: 'There are no templates.',
     truncated: 'The folder holds more than is shown here. Use the search, or serve a smaller folder.',
     withModel: (path: string): string => `with ${path}`,
-    kind: { study: 'Study', model: 'Model' } as Record<Which, string>,
-    resultKind: { study: 'Study', simulation: 'Simulation', motion: 'Motion', sweep: 'Sweep' } as Record<ResultEntry['kind'], string>,
+    kind: { study: 'Study', model: 'Model' } as Record<Document, string>,
+    resultKind: { study: 'Study', simulation: 'Simulation', motion: 'Motion', sweep: 'Sweep', identification: 'Identification', networks: 'Networks' } satisfies Record<ResultKind, string>,
     openReport: 'Report',
     openReportOf: (title: string): string => `Report of ${title}`,
     olderFiles: 'Changed since this result',
@@ -140,10 +139,10 @@ export const words = {
 
   drawing: {
     heading: 'Drawing',
-    pin: (joint: JointEntry): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
+    pin: (joint: SeenJoint): string => `${joint.name}, ${joint.kind}${joint.play === null ? '' : ', ' + joint.play}. Drag it, or move it with the arrow keys.`,
     point: (name: string): string => `${name}, a point that no joint holds. Drag it, or move it with the arrow keys.`,
     guide: (joint: string, angle: string): string => `Line of ${joint}, ${angle}. Drag it to turn it in steps of 15 degrees, or use the arrow keys.`,
-    force: ({ name, kind }: Force): string => `${name}, ${kind}. Press Enter to choose it, Delete to delete it.`,
+    force: ({ name, kind }: SeenForce): string => `${name}, ${kind}. Press Enter to choose it, Delete to delete it.`,
     drop: (name: string): string => `Let go to pin it to ${name}. With Alt it only moves there.`,
     stale: 'The drawing is that of the last text that could be read.',
     cut: 'The analysis of these texts took longer than 2 s and was stopped. What is shown is of the texts before.',
@@ -331,7 +330,7 @@ export const words = {
     failed: 'The editor could not be loaded.',
     noStudy: 'This model was opened without a study. Open the study in the gallery to edit both.',
     noModel: 'There is no model to show.',
-    label: (which: Which): string => `Text of ${which}.toml`,
+    label: (which: Document): string => `Text of ${which}.toml`,
     tabs: 'Numbers and texts',
   },
 

@@ -8,7 +8,7 @@ use loosepin::units::{Dimension, format_value};
 use crate::drawing::centres::{Centres, SAME_CENTRE_M};
 use crate::drawing::still::in_body_m;
 use crate::edit::number_behind;
-use crate::messages::SeenDimension;
+use crate::messages::{DimensionKind, SeenDimension};
 
 const MM_PER_M: f64 = 1e3;
 /// Most numbers that are looked for behind lengths and angles: each is found by working out all expressions of the model. A drawing with
@@ -33,7 +33,7 @@ pub fn dimensions(model: &Model) -> Vec<SeenDimension> {
         let [x, y] = in_body_m(model, &values, point).map(|m| m * MM_PER_M);
         let (sine, cosine) = values[angle].sin_cos();
         Some(SeenDimension {
-            kind: "angle",
+            kind: DimensionKind::Angle,
             of: joint.name.clone(),
             body: point.body.0,
             from: [x, y],
@@ -69,7 +69,7 @@ fn lengths(
         let to_m = in_body_m(model, values, *point);
         let length_m = (to_m[0] - from_m[0]).hypot(to_m[1] - from_m[1]);
         SeenDimension {
-            kind: "length",
+            kind: DimensionKind::Length,
             of: model.bodies[body].name.clone(),
             body,
             from: from_m.map(|m| m * MM_PER_M),
@@ -117,11 +117,11 @@ mod tests {
         for body in ["crank", "rod"] {
             let path = format!("parameter.{body}_length");
             let length = of(body);
-            assert_eq!((length.kind, length.path.as_deref()), ("length", Some(path.as_str())));
+            assert_eq!((length.kind, length.path.as_deref()), (DimensionKind::Length, Some(path.as_str())));
             let length_m = nominal[model.quantities.id(&path).unwrap()];
             assert_eq!(length.written, format_value(length_m, Dimension::LENGTH));
         }
         let guide = model.joints.iter().find(|joint| joint.kind.line().is_some()).unwrap();
-        assert_eq!(of(&guide.name).kind, "angle");
+        assert_eq!(of(&guide.name).kind, DimensionKind::Angle);
     }
 }

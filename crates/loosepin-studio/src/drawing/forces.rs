@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use loosepin::model::{ActsOn, BodyId, Model, PointId, Values};
 
 use crate::drawing::still::in_body_m;
-use crate::messages::{SeenForce, SeenPin};
+use crate::messages::{ForceTable, SeenForce, SeenPin};
 
 const MM_PER_M: f64 = 1e3;
 
@@ -22,7 +22,14 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
                 ("torsion spring", held.between(first, second).map(pin).into_iter().collect())
             }
         };
-        SeenForce { table: "spring", name: spring.name.clone(), kind, ends, direction_deg: None, turns: false }
+        SeenForce {
+            table: ForceTable::Spring,
+            name: spring.name.clone(),
+            kind,
+            ends,
+            direction_deg: None,
+            turns: false,
+        }
     });
     let loads = model.loads.iter().map(|load| {
         let ends = match load.kind.acts_on() {
@@ -31,7 +38,7 @@ pub fn forces(model: &Model) -> Vec<SeenForce> {
         };
         let direction = load.kind.direction();
         SeenForce {
-            table: "load",
+            table: ForceTable::Load,
             name: load.name.clone(),
             kind: load.kind.word(),
             ends,
@@ -85,8 +92,8 @@ mod tests {
         let model = Model::from_text("model.toml", &text).unwrap_or_else(|found| panic!("{found}"));
         let found = forces(&model);
         let [spring, load] = &found[..] else { panic!("{found:?}") };
-        assert_eq!((spring.table, spring.kind, spring.ends.len()), ("spring", "spring", 2));
-        assert_eq!((load.table, load.kind, load.name.as_str()), ("load", "force", "work"));
+        assert_eq!((spring.table, spring.kind, spring.ends.len()), (ForceTable::Spring, "spring", 2));
+        assert_eq!((load.table, load.kind, load.name.as_str()), (ForceTable::Load, "force", "work"));
         // Upwards, at the pin of the ram.
         assert!((load.direction_deg.unwrap() - 90.0).abs() < 1e-12 && !load.turns);
         assert_eq!(load.ends, [spring.ends[1]]);

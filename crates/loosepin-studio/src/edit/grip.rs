@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use loosepin::diagnostics::{Complaints, Source};
+use loosepin::diagnostics::Source;
 use loosepin::document::parse_toml;
 use loosepin::model::{BodyId, Model, PointId, QuantityId, describe_path};
 use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
@@ -12,11 +12,12 @@ use loosepin::study::{number_and_unit, states_nominal, takes_mean_of_model};
 use super::behind::{Setting, behind};
 use super::guide::turned;
 use super::reshape::Posed;
-use super::rewritten::Rewritten;
 use super::structure::Locks;
+use super::toml::pieces::Pieces;
 use super::written::Written;
 use crate::drawing::still::{NamedPoses, Pose};
 use crate::messages::{Document, Grip, Held, Reshaped};
+use crate::network::refusal::Refusal;
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
 
@@ -187,7 +188,7 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
         return refused(format!("{} is locked: unlock it in the list of numbers", describe_path(path)));
     }
     let step_si = grip.step_mm * M_PER_MM * if grip.is_free { FREE_SHARE } else { 1.0 };
-    let mut text = Rewritten::new(&texts.model);
+    let mut text = Pieces::new(texts.model.text());
     let mut shifts: BTreeMap<String, f64> = BTreeMap::new();
     let mut words = Vec::new();
     for Setting { quantity, value_si } in settings {
@@ -209,13 +210,17 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
             Some(read) if read == written => {}
             read => {
                 shifts.extend(read.map(|read| (path.clone(), read.value_si() - written.value_si())));
-                text.replace(range, new);
+                if let Err(refusal) = text.replace(range, &new) {
+                    return refused(refusal.message);
+                }
             }
         }
     }
     for (quantity, value_si) in guesses {
-        if let Some((range, written)) = number(model, texts, *quantity) {
-            text.replace(range, written.moved_by_si(value_si - written.value_si()));
+        if let Some((range, written)) = number(model, texts, *quantity)
+            && let Err(refusal) = text.replace(range, &written.moved_by_si(value_si - written.value_si()))
+        {
+            return refused(refusal.message);
         }
     }
     let study = match &texts.study {
@@ -225,12 +230,12 @@ pub fn gripped_closing(model: &Model, texts: &Texts, grip: &Grip, guesses: &[(Qu
                 words.extend(stays.iter().map(|path| format!("{} stays as it is in the study", short(path))));
                 shifted.is_changed().then_some(shifted)
             }
-            Err(_) => return refused("the study cannot be read: mend its problems first".to_owned()),
+            Err(refusal) => return refused(refusal.message),
         },
     };
-    let mut changes = text.changes(Document::Model);
-    if let Some(shifted) = &study {
-        changes.extend(shifted.changes(Document::Study));
+    let mut changes = text.changes(Document::Model, &texts.model);
+    if let (Some(shifted), Some(source)) = (&study, &texts.study) {
+        changes.extend(shifted.changes(Document::Study, source));
     }
     let named = model.bodies.iter().zip(&poses).skip(1).map(|(body, pose)| (body.name.clone(), pose.for_page()));
     let poses_of_page = named.collect();
@@ -256,12 +261,10 @@ pub fn number(model: &Model, texts: &Texts, quantity: QuantityId) -> Option<(Ran
 
 /// The study with its distributions of moved numbers moved along, and the paths of those that are stated in another way and stay. A
 /// distribution without a nominal value of its own follows the model as it is.
-fn shifted<'a>(
-    study: &'a Arc<Source>,
-    moved: &BTreeMap<String, f64>,
-) -> Result<(Rewritten<'a>, Vec<String>), Complaints> {
-    let toml = parse_toml(study)?;
-    let mut text = Rewritten::new(study);
+fn shifted<'a>(study: &'a Arc<Source>, moved: &BTreeMap<String, f64>) -> Result<(Pieces<'a>, Vec<String>), Refusal> {
+    let unreadable = |_| Refusal::bad("the study cannot be read: mend its problems first");
+    let toml = parse_toml(study).map_err(unreadable)?;
+    let mut text = Pieces::new(study.text());
     let mut stays = Vec::new();
     let random = toml.get_ref().get("random").and_then(|random| random.get_ref().as_table());
     for (path, entry) in random.into_iter().flatten() {
@@ -289,7 +292,7 @@ fn shifted<'a>(
                     _ => None,
                 };
                 if let Some(new) = new {
-                    text.replace(range, new);
+                    text.replace(range, &new)?;
                     follows = true;
                 }
             }

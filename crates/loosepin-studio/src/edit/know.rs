@@ -8,13 +8,14 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use loosepin::diagnostics::{Complaints, Source};
-use loosepin::document::{describe_path, parse_toml};
+use loosepin::document::describe_path;
 use loosepin::model::{Model, Origin};
 use loosepin::study::{InputFile, Study, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
 use super::knowledge::{Knowledge, Piece, knowledge, piece};
-use super::rewritten::Rewritten;
+use super::toml::change::changes;
+use super::toml::lines::{Lines, owned};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};
 use crate::network::refusal::Refusal;
@@ -40,10 +41,11 @@ const FIRST_CONTACT: &str = "\n# first guess: steel on steel\n[contact.steel]\nl
 /// # Errors
 /// What cannot be read, or why this number cannot be known so.
 pub fn know(folder: &Folder, texts: &Texts, path: &str, text: &str) -> Result<Vec<Change>, Refusal> {
-    let (in_model, in_study) = written(folder, texts, path, text)?;
-    let mut changes = in_model.changes(Document::Model);
-    changes.extend(in_study.iter().flat_map(|in_study| in_study.changes(Document::Study)));
-    Ok(changes)
+    let (model, study) = known_texts(folder, texts, path, text)?;
+    let of = |document, old: &Arc<Source>, new: Option<String>| new.map(|new| changes(document, old, &new));
+    let mut all = of(Document::Model, &texts.model, model).unwrap_or_default();
+    all.extend(texts.study.iter().filter_map(|old| of(Document::Study, old, study.clone())).flatten());
+    Ok(all)
 }
 
 /// The texts that say how well a number is known: of the model and of the study, each only where it changes.
@@ -56,17 +58,6 @@ pub fn known_texts(
     path: &str,
     text: &str,
 ) -> Result<(Option<String>, Option<String>), Refusal> {
-    let (in_model, in_study) = written(folder, texts, path, text)?;
-    Ok((in_model.text(), in_study.and_then(|in_study| in_study.text())))
-}
-
-/// Both texts with what is known of a number.
-fn written<'t>(
-    folder: &Folder,
-    texts: &'t Texts,
-    path: &str,
-    text: &str,
-) -> Result<(Rewritten<'t>, Option<Rewritten<'t>>), Refusal> {
     let model = Model::from_source(Arc::clone(&texts.model)).map_err(|_| unreadable("model"))?;
     let number = match model.quantities.id(path) {
         // A clearance of zero, without a contact, is no play yet.
@@ -74,13 +65,13 @@ fn written<'t>(
         _ => Number::of_new_play(&model, path)?,
     };
     let known = knowledge(text, number.dimension, &number.unit)?;
-    let mut in_model = Rewritten::new(&texts.model);
+    let mut in_model = Lines::new(texts.model.text());
     match (&number.place, &known) {
-        (Place::There(range), Knowledge::Exact(value)) => in_model.replace(range.clone(), value.quoted()),
+        (Place::There(range), Knowledge::Exact(value)) => in_model.replace([(range.clone(), value.quoted())])?,
         // The model keeps its value: the drawn one.
         (Place::There(_), _) => {}
         (Place::NewPlay(joint), Knowledge::Exact(value) | Knowledge::Interval([value, _])) => {
-            give_play(&mut in_model, texts, &model, joint, &value.quoted())?;
+            give_play(&mut in_model, &model, joint, &value.quoted())?;
         }
         (Place::NewPlay(joint), _) => {
             return Err(Refusal::bad(format!("the joint '{joint}' has no play yet"))
@@ -90,8 +81,8 @@ fn written<'t>(
     let entry = entry(&known, &number, &model, path)?;
     let in_study = match (&texts.study, &entry) {
         (Some(study), _) => {
-            let mut in_study = Rewritten::new(study);
-            write_entry(&mut in_study, study, path, entry.as_ref())?;
+            let mut in_study = Lines::new(study.text());
+            write_entry(&mut in_study, path, entry.as_ref())?;
             Some(in_study)
         }
         (None, None) => None,
@@ -100,10 +91,12 @@ fn written<'t>(
                 .with_hint("open a study of it: there it stands under [random] or [epistemic]"));
         }
     };
-    let new_study = in_study.as_ref().and_then(Rewritten::text);
-    let new = texts.with(folder, in_model.text().as_deref(), new_study.as_deref());
+    let changed = |new: &Lines, old: &Source| (new.text() != old.text()).then(|| new.text().to_owned());
+    let new_model = changed(&in_model, &texts.model);
+    let new_study = in_study.zip(texts.study.as_ref()).and_then(|(new, old)| changed(&new, old));
+    let new = texts.with(folder, new_model.as_deref(), new_study.as_deref());
     is_as_said(texts, &new, path, entry.as_ref().map(|(table, _)| *table))?;
-    Ok((in_model, in_study))
+    Ok((new_model, new_study))
 }
 
 /// Whether the new texts can be read, and know of the same numbers as the old ones but for that at `path`.
@@ -256,46 +249,22 @@ fn around(value: &Piece, half: &Piece) -> [Piece; 2] {
 }
 
 /// Puts the entry of a number in its table, and takes other entries of it out.
-fn write_entry(
-    text: &mut Rewritten<'_>,
-    study: &Arc<Source>,
-    path: &str,
-    entry: Option<&StudyEntry>,
-) -> Result<(), Refusal> {
-    let whole = study.text();
-    let toml = parse_toml(study).map_err(|_| unreadable("study"))?;
+fn write_entry(study: &mut Lines, path: &str, entry: Option<&StudyEntry>) -> Result<(), Refusal> {
     let mut is_written = false;
     for table in [RANDOM, EPISTEMIC] {
-        let Some(entries) = toml.get_ref().get(table).and_then(|table| table.get_ref().as_table()) else { continue };
-        let found = entries.iter().find(|(key, _)| key.get_ref().as_ref() as &str == path);
-        let Some((key, value)) = found else { continue };
-        let (key_at, value_at) = (study.clamp(key.span().into()), study.clamp(value.span().into()));
-        let line = line_start(whole, key_at.start)..line_end(whole, value_at.end);
-        let own_line = whole[line.start..key_at.start].trim().is_empty()
-            && value_at.start >= key_at.end
-            && whole[key_at.end..value_at.start].trim() == "="
-            && is_end(&whole[value_at.end..line.end]);
-        if !own_line {
-            return Err(Refusal::bad(format!("'{path}' shares its line in the study, or has a table of its own"))
-                .with_hint("change it in the text of the study"));
-        }
-        match entry {
-            Some((due, new)) if *due == table => {
-                text.replace(value_at, new.clone());
+        let new = entry.filter(|(due, _)| *due == table).map(|(_, new)| new);
+        match (new, study.value_span(&[table, path])?) {
+            (Some(new), Some(span)) => {
+                study.replace([(span, new.clone())])?;
                 is_written = true;
             }
-            _ => text.replace(line, String::new()),
+            _ => study.remove(&[owned(&[table, path])])?,
         }
     }
-    let Some((table, new)) = entry.filter(|_| !is_written) else { return Ok(()) };
-    if let Some(at) = end_of_table(whole, table) {
-        text.replace(at..at, format!("{}\"{path}\" = {new}\n", break_before(whole, at)));
-        return Ok(());
+    match entry.filter(|_| !is_written) {
+        Some((table, new)) => study.add_entry(&[table], &format!("\"{path}\""), new),
+        None => Ok(()),
     }
-    // Before the questions, where they are tables: a study reads from what is known to what is asked.
-    let at = first_question(whole).unwrap_or(whole.len());
-    text.replace(at..at, format!("{}[{table}]\n\"{path}\" = {new}\n\n", break_before(whole, at)));
-    Ok(())
 }
 
 fn unreadable(which: &str) -> Refusal {
@@ -303,108 +272,35 @@ fn unreadable(which: &str) -> Refusal {
         .with_hint("mend its problems first; they are listed below the drawing")
 }
 
-/// What stands behind a value, where nothing else does.
-fn is_end(text: &str) -> bool {
-    let text = text.trim();
-    text.is_empty() || text.starts_with('#')
-}
-
-/// Behind the last line with something in it of the table with this header; nothing where there is no such header.
-fn end_of_table(whole: &str, table: &str) -> Option<usize> {
-    let mut end = None;
-    let mut at = 0;
-    for line in whole.split_inclusive('\n') {
-        at += line.len();
-        let text = line.trim();
-        let is_own = || {
-            let inside = text.strip_prefix('[').and_then(|text| text.split_once(']'));
-            inside.is_some_and(|(name, rest)| name.trim() == table && is_end(rest))
-        };
-        match end {
-            None if is_own() => end = Some(at),
-            None => {}
-            Some(_) if text.starts_with('[') && !text.starts_with("[\"") => break,
-            Some(_) if text.is_empty() || text.starts_with('#') => {}
-            Some(_) => end = Some(at),
-        }
-    }
-    end
-}
-
-/// Where the first `[[ask]]` begins, with the comment above it.
-fn first_question(whole: &str) -> Option<usize> {
-    let mut at = 0;
-    let mut comment = None;
-    for line in whole.split_inclusive('\n') {
-        let text = line.trim();
-        if text.starts_with("[[ask]]") {
-            return Some(comment.unwrap_or(at));
-        }
-        comment = if text.starts_with('#') { comment.or(Some(at)) } else { None };
-        at += line.len();
-    }
-    None
-}
-
-/// A line end, where what stands before has none.
-fn break_before(whole: &str, at: usize) -> &'static str {
-    if at == 0 || whole[..at].ends_with('\n') { "" } else { "\n" }
-}
-
-fn line_start(text: &str, at: usize) -> usize {
-    text[..at].rfind('\n').map_or(0, |end| end + 1)
-}
-
-/// Behind the end of the line that holds a byte.
-fn line_end(text: &str, at: usize) -> usize {
-    text[at..].find('\n').map_or(text.len(), |end| at + end + 1)
-}
-
 /// Gives a joint its play, with what belongs to one: the radius of the bearing and the contact.
-fn give_play(text: &mut Rewritten<'_>, texts: &Texts, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
-    let source = &texts.model;
-    let whole = source.text();
-    let toml = parse_toml(source).map_err(|_| unreadable("model"))?;
-    let table = |name: &str| toml.get_ref().get(name).and_then(|value| value.get_ref().as_table());
-    let entries = table("joint").and_then(|joints| joints.get(joint)?.get_ref().as_table());
-    let ends = entries.into_iter().flatten().map(|(_, value)| line_end(whole, source.clamp(value.span().into()).end));
-    let at = ends.max().ok_or_else(|| missing(joint))?;
-    let is_inline = entries.into_iter().flatten().next().is_some_and(|(key, _)| {
-        let start = source.clamp(key.span().into()).start;
-        !whole[line_start(whole, start)..start].trim().is_empty()
-    });
-    if is_inline {
-        return Err(Refusal::bad(format!("the joint '{joint}' is written in one line"))
-            .with_hint("give it its play in the text"));
-    }
+fn give_play(text: &mut Lines, model: &Model, joint: &str, value: &str) -> Result<(), Refusal> {
+    let table = ["joint", joint];
     let radius = model.quantities.iter().find(|(_, quantity)| {
         quantity.path.starts_with("joint.")
             && quantity.path.ends_with(".bearing_radius")
             && quantity.origin == Origin::Literal
     });
-    let radius = radius.and_then(|(_, quantity)| Some(whole[unquoted(source, quantity.span?)].to_owned()));
+    let source = model.source();
+    let radius = radius.and_then(|(_, quantity)| Some(source.text()[unquoted(source, quantity.span?)].to_owned()));
     let radius = radius.unwrap_or_else(|| FIRST_RADIUS.to_owned());
     let contact = model.contacts.first().map(|contact| contact.name.as_str());
     let name = contact.unwrap_or("steel");
+    // Nothing but its end can stand behind a comment on a line.
+    let remark = if text.value_span(&table)?.is_some() { "" } else { "  # first guess" };
     // What is there already stays; a clearance of zero is replaced.
-    let mut lines = String::new();
-    let there = |key: &str| entries.and_then(|entries| entries.get(key));
-    if there("bearing_radius").is_none() {
-        lines.push_str(&format!("bearing_radius = \"{radius}\"  # first guess\n"));
+    let place = |key| [table[0], table[1], key];
+    if text.value_span(&place("bearing_radius"))?.is_none() {
+        text.add_entry(&table, "bearing_radius", &format!("\"{radius}\"{remark}"))?;
     }
-    match there(PLAY) {
-        Some(zero) => text.replace(source.clamp(zero.span().into()), value.to_owned()),
-        None => lines.push_str(&format!("{PLAY} = {value}\n")),
+    match text.value_span(&place(PLAY))? {
+        Some(zero) => text.replace([(zero, value.to_owned())])?,
+        None => text.add_entry(&table, PLAY, value)?,
     }
-    if there("contact").is_none() {
-        lines.push_str(&format!("contact = \"{name}\"\n"));
-    }
-    if !lines.is_empty() {
-        text.replace(at..at, format!("{}{lines}", break_before(whole, at)));
+    if text.value_span(&place("contact"))?.is_none() {
+        text.add_entry(&table, "contact", &format!("\"{name}\""))?;
     }
     if contact.is_none() {
-        let before = if at == whole.len() { "" } else { break_before(whole, whole.len()) };
-        text.replace(whole.len()..whole.len(), format!("{before}{FIRST_CONTACT}"));
+        text.insert(text.text().len(), FIRST_CONTACT)?;
     }
     Ok(())
 }

@@ -10,8 +10,8 @@
 //! | the position of the new mechanism that a drag leaves on the screen; the closure of its loops | `nearest.rs`, `closure.rs` |
 //! | how well a number is known, as people write it | `knowledge.rs` |
 //! | the same in the texts: play, scatter, what is unknown | `know.rs` |
-//! | a text with pieces that are replaced; changes as the page counts them | `rewritten.rs` |
 //! | links, joints and bodies that come, go, and get other names | `structure` |
+//! | how a text is changed, all else byte for byte | `toml` |
 
 mod behind;
 mod closure;
@@ -21,8 +21,8 @@ mod know;
 mod knowledge;
 mod nearest;
 mod reshape;
-mod rewritten;
 mod structure;
+mod toml;
 mod written;
 
 pub use behind::number_behind;
@@ -30,8 +30,8 @@ pub use closure::kept_closure;
 pub use grip::{Gripped, gripped, refused_drag};
 pub use know::know;
 pub use nearest::nearest;
-pub use rewritten::applied;
 pub use structure::{Edit, Locks, Restructured, restructured, why_not};
+pub use toml::pieces::applied;
 
 #[cfg(test)]
 mod drag_tests;

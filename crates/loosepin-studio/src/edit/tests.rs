@@ -392,7 +392,7 @@ fn studies_that_are_written_otherwise_keep_all_that_they_say() {
         assert!(has("parameter.crank_length"), "{}", study(&new));
         assert_eq!(has("parameter.coupler_length"), random.contains("coupler"), "{}", study(&new));
     }
-    // All on one line: what cannot be cut out alone is refused, and nothing is lost.
+    // All on one line: an entry goes out of it, comes into it or is written anew there, and nothing else changes.
     let line = format!(
         "random = {{ \"parameter.coupler_length\" = {coupler}, \"parameter.crank_length\" = {{ tolerance = \"80 ± 0.1 mm\" }} }}\n"
     );
@@ -402,11 +402,42 @@ fn studies_that_are_written_otherwise_keep_all_that_they_say() {
     let (_, after) = rest.split_once("[epistemic]").unwrap();
     let old = texts(&folder, model, &format!("{head}{line}[cycle]{cycle}[epistemic]{after}"));
     old.read().unwrap_or_else(|found| panic!("{found}"));
-    for text in ["260", "259..261 mm"] {
-        let refusal = know(&folder, &old, "parameter.coupler_length", text).expect_err(text);
-        assert!(refusal.message.contains("shares its line"), "{}", refusal.message);
+    let with_random = |random: &str| study(&old).replace(&line, &format!("random = {{ {random} }}\n"));
+    let crank = "\"parameter.crank_length\" = { tolerance = \"80 ± 0.1 mm\" }";
+    let exact = known(&folder, &old, "parameter.coupler_length", "260");
+    assert_eq!(study(&exact), with_random(crank));
+    let unknown = known(&folder, &old, "parameter.coupler_length", "259..261 mm");
+    assert_eq!(study(&unknown).matches("coupler_length").count(), 1, "{}", study(&unknown));
+    assert!(study(&unknown).contains(crank) && study(&unknown).contains("{ interval = [\"259 mm\", \"261 mm\"] }"));
+    let more = known(&folder, &old, "parameter.rocker_length", "±0.05");
+    let coupler = format!("\"parameter.coupler_length\" = {coupler}");
+    assert_eq!(
+        study(&more),
+        with_random(&format!("{coupler}, {crank}, \"parameter.rocker_length\" = {{ tolerance = \"± 0.05 mm\" }}"))
+    );
+    for texts in [exact, unknown, more] {
+        texts.read().unwrap_or_else(|found| panic!("{found}"));
     }
-    assert!(know(&folder, &old, "parameter.rocker_length", "±0.05").is_err(), "a second table of that name is none");
+}
+
+#[test]
+fn a_joint_in_braces_gets_play_too() {
+    let (_desk, folder) = served();
+    let template = find_template("four-bar").unwrap();
+    let (before, rest) = template.model.split_once("[joint.crank_pin]").unwrap();
+    let (own, after) = rest.split_once("\n[").unwrap();
+    let entries: Vec<&str> = own.lines().filter(|line| line.contains('=')).collect();
+    // A joint on a line of its own stands below the header of all joints, which nothing else has here.
+    let model = format!("{before}[joint]\ncrank_pin = {{ {} }}\n\n[{after}", entries.join(", "));
+    let old = texts(&folder, &model, template.study);
+    old.read().unwrap_or_else(|found| panic!("{found}\n{model}"));
+    let new = known(&folder, &old, "joint.crank_pin.radial_clearance", "0.1 mm");
+    new.read().unwrap_or_else(|found| panic!("{found}"));
+    assert!(
+        new.model.text().contains("radial_clearance = \"0.1 mm\", contact = \"steel_pin\" }\n"),
+        "{}",
+        new.model.text()
+    );
 }
 
 #[test]

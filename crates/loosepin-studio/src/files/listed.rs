@@ -4,26 +4,39 @@ use std::collections::HashMap;
 use std::time::SystemTime;
 
 use loosepin::files::{FileInfo, Identity};
+use loosepin::results::ResultKind;
+use loosepin::study::result::Verdict;
 use serde::Serialize;
+
+use crate::messages::Document;
 
 /// A model or a study.
 #[derive(Debug, Clone, Serialize)]
 pub struct ListedFile {
+    /// Path in the served folder.
     pub path: String,
-    pub kind: &'static str,
+    /// Which of both.
+    pub kind: Document,
+    /// Its name; the path of one that has none.
     pub title: String,
-    /// Of a study.
+    /// Path of the model of a study.
     pub model: Option<String>,
+    /// When it was written, milliseconds since 1970.
     pub at_ms: u64,
 }
 
 /// A finished result.
 #[derive(Debug, Clone, Serialize)]
 pub struct ListedResult {
+    /// Path of its folder in the served one.
     pub path: String,
+    /// Its name.
     pub title: String,
-    pub kind: &'static str,
-    pub verdict: Option<&'static str>,
+    /// What it is the result of.
+    pub kind: ResultKind,
+    /// Over all requirements of a study.
+    pub verdict: Option<Verdict>,
+    /// When it was finished, milliseconds since 1970.
     pub at_ms: u64,
 }
 

@@ -12,7 +12,6 @@ use std::time::UNIX_EPOCH;
 
 use loosepin::diagnostics::Source;
 use loosepin::files::{self, FileInfo, FileKind};
-use loosepin::report::verdict_words;
 use loosepin::results::{MARKER_FILE, MAX_MARKER_BYTES, Marker, REPORT_FILE, ResultKind, SUMMARY_FILE};
 use loosepin::study::result::Verdict;
 use loosepin::study::says_study;
@@ -21,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::files::folder::{Folder, LARGEST_TEXT};
 use crate::files::listed::{Known, ListedFile, ListedResult, Version};
+use crate::messages::Document;
 use crate::view::texts::{model_beside, plain};
 
 /// How far below the folder it is looked.
@@ -37,7 +37,9 @@ const MAX_HEAD_BYTES: u64 = 64 << 10;
 /// The served folder as the page shows it.
 #[derive(Debug, Default, Serialize)]
 pub struct Listing {
+    /// Models and studies, the newest first.
     files: Vec<ListedFile>,
+    /// Finished results, the newest first.
     results: Vec<ListedResult>,
     /// Whether there is more than is told.
     truncated: bool,
@@ -46,7 +48,7 @@ pub struct Listing {
 impl Listing {
     /// Paths of the studies of a name, the newest first.
     pub fn studies_named(&self, name: &str) -> Vec<String> {
-        let studies = self.files.iter().filter(|file| file.kind == "study" && file.title == name);
+        let studies = self.files.iter().filter(|file| file.kind == Document::Study && file.title == name);
         studies.map(|file| file.path.clone()).collect()
     }
 }
@@ -166,8 +168,8 @@ impl Reading<'_> {
         let model = model_beside(&found.path, &text).map(|model| plain(&model));
         let is_model = text.contains("[body");
         let kind = match says_study(&source) {
-            true if model.is_some() => "study",
-            false if is_model => "model",
+            true if model.is_some() => Document::Study,
+            false if is_model => Document::Model,
             _ => return None,
         };
         let name = text.lines().find_map(|line| line.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
@@ -191,7 +193,7 @@ impl Reading<'_> {
         let is_study = marker.kind == ResultKind::Study;
         Some(ListedResult {
             title: marker.name,
-            kind: marker.kind.words(),
+            kind: marker.kind,
             verdict: if is_study { self.verdict(&found.path) } else { None },
             at_ms: found.at_ms,
             path: found.path.clone(),
@@ -199,7 +201,7 @@ impl Reading<'_> {
     }
 
     /// The verdict of a stored study. Its requirements stand at the head of its record, which is read no further.
-    fn verdict(&mut self, path: &str) -> Option<&'static str> {
+    fn verdict(&mut self, path: &str) -> Option<Verdict> {
         let (summary, _) = self.folder.opened().open_file(&Path::new(path).join(SUMMARY_FILE)).ok()?;
         let head = BufReader::new(summary.take(MAX_HEAD_BYTES));
         let mut requirements = None;
@@ -207,7 +209,7 @@ impl Reading<'_> {
         let _ = serde_json::Deserializer::from_reader(head).deserialize_map(UpToRequirements(&mut requirements));
         self.left_bytes = self.left_bytes.saturating_sub(MAX_HEAD_BYTES);
         let verdicts = requirements?.into_iter().map(|requirement| requirement.verdict);
-        Verdict::of_all(verdicts).map(verdict_words)
+        Verdict::of_all(verdicts)
     }
 }
 

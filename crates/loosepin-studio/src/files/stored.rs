@@ -71,6 +71,7 @@ pub fn study_of(result: &StudyResult) -> Result<Study, Refusal> {
 /// What can be done with a result.
 #[derive(Debug, Default, Serialize)]
 pub struct Doings {
+    /// Name of the result.
     title: String,
     /// Whether it is the result of a study: of others there is nothing to be done.
     is_study: bool,
@@ -85,8 +86,11 @@ pub struct Doings {
 /// A mechanism that can be run by itself.
 #[derive(Debug, Serialize)]
 struct Doing {
+    /// Its unknown values.
     values: Vec<String>,
+    /// The requirements and bounds that it attains.
     attains: Vec<String>,
+    /// The command that runs it.
     command: String,
 }
 

@@ -7,12 +7,12 @@ use std::time::SystemTime;
 use loosepin::diagnostics::Complaints;
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
-use loosepin::report::{simulation_page, study_page, study_sentences, verdict_words, witness_words};
+use loosepin::report::{simulation_page, study_page, study_sentences, witness_words};
 use loosepin::results::{Claim, Place, ResultKind, ResultsError};
 use loosepin::simulate::{Plan, SmallestClearance};
 use loosepin::store::{Beginning, RunStore};
 use loosepin::study::files::read_summary;
-use loosepin::study::result::StudyResult;
+use loosepin::study::result::{StudyResult, Verdict};
 use loosepin::study::{
     Begun, Concluded, Progress, RunOptions, Study, begin_in_folder, conclude, plan_runs, run_inputs, run_into,
     run_study, store_identity, study_inputs, witness_run,
@@ -36,7 +36,7 @@ pub enum Outcome {
         /// The answer in sentences.
         words: Vec<String>,
         /// Over all requirements.
-        verdict: Option<&'static str>,
+        verdict: Option<Verdict>,
     },
     /// It was stopped; its runs are kept.
     Stopped,
@@ -173,11 +173,7 @@ fn run_or_read(
 
 fn finished(folder: &Folder, results: &Path, result: &StudyResult) -> Outcome {
     let below = results.strip_prefix(folder.root()).unwrap_or(results);
-    Outcome::Finished {
-        result: below.display().to_string(),
-        words: study_sentences(result),
-        verdict: result.verdict().map(verdict_words),
-    }
+    Outcome::Finished { result: below.display().to_string(), words: study_sentences(result), verdict: result.verdict() }
 }
 
 /// As the command prints them, one by one.

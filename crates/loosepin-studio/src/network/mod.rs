@@ -6,6 +6,7 @@ pub(crate) mod guard;
 pub(crate) mod mailbox;
 pub(crate) mod page;
 pub(crate) mod refusal;
+pub(crate) mod requests;
 pub(crate) mod result_routes;
 pub(crate) mod routes;
 pub(crate) mod server;

@@ -15,10 +15,19 @@ pub struct Refusal {
     pub hint: Option<String>,
 }
 
-#[derive(Serialize)]
-struct Body<'a> {
-    message: &'a str,
-    hint: Option<&'a str>,
+/// Why nothing comes of a request, or of what somebody typed or drew.
+#[derive(Debug, Serialize)]
+pub struct Refused {
+    /// What is wrong.
+    message: String,
+    /// The way out, where one is known.
+    hint: Option<String>,
+}
+
+impl From<Refusal> for Refused {
+    fn from(Refusal { message, hint, .. }: Refusal) -> Self {
+        Self { message, hint }
+    }
 }
 
 impl Refusal {
@@ -40,8 +49,8 @@ impl Refusal {
 
 impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        let body = Body { message: &self.message, hint: self.hint.as_deref() };
-        (self.status, json(&body)).into_response()
+        let status = self.status;
+        (status, json(&Refused::from(self))).into_response()
     }
 }
 

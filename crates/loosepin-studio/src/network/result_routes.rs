@@ -6,24 +6,19 @@ use axum::body::Bytes;
 use axum::extract::State;
 use axum::response::Response;
 use loosepin::report::compare_studies;
-use serde::{Deserialize, Serialize};
 
-use crate::files::adopt::{Adopted, adopted};
+use crate::files::adopt::adopted;
 use crate::files::stored::{doings, stored_study};
-use crate::messages::{Look, SentText};
+use crate::messages::Look;
 use crate::network::refusal::{Refusal, json};
-use crate::network::routes::{Answer, Refused, in_background, parsed};
+use crate::network::requests::{AdoptAnswer, AdoptRequest, CompareAnswer, CompareRequest, ResultRequest};
+use crate::network::routes::{Answer, in_background, parsed};
 use crate::studio::Studio;
 use crate::view::texts::Texts;
 
 /// Two studies beside each other.
 pub async fn compare(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Both {
-        before: String,
-        after: String,
-    }
-    let Both { before, after } = parsed(&body)?;
+    let CompareRequest { before, after } = parsed(&body)?;
     let folder = studio.folder.clone();
     let comparison = in_background(move || {
         if Path::new(&before).components().eq(Path::new(&after).components()) {
@@ -31,41 +26,25 @@ pub async fn compare(State(studio): State<Studio>, body: Bytes) -> Answer {
         }
         Ok(compare_studies(&stored_study(&folder, &before)?, &stored_study(&folder, &after)?))
     });
-    Ok(json(&comparison.await?))
+    Ok(json(&CompareAnswer(comparison.await?)))
 }
 
 /// What can be done with a result.
 pub async fn result(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Asked {
-        path: String,
-    }
-    let Asked { path } = parsed(&body)?;
+    let ResultRequest { path } = parsed(&body)?;
     let folder = studio.folder.clone();
     Ok(json(&in_background(move || doings(&folder, &path)).await?))
 }
 
 /// Values of a result in the texts of the page. What these texts do not take is no fault of the page: a refusal is an answer.
 pub async fn adopt(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Asked {
-        model: SentText,
-        study: Option<SentText>,
-        path: String,
-        place: usize,
-    }
-    #[derive(Serialize)]
-    struct Said {
-        adopted: Option<Adopted>,
-        refusal: Option<Refused>,
-    }
-    let Asked { model, study, path, place } = parsed(&body)?;
+    let AdoptRequest { model, study, path, place } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
         Ok(match adopted(&folder, &texts, &path, place) {
-            Ok(adopted) => Said { adopted: Some(adopted), refusal: None },
-            Err(refusal) => Said { adopted: None, refusal: Some(refusal.into()) },
+            Ok(adopted) => AdoptAnswer { adopted: Some(adopted), refusal: None },
+            Err(refusal) => AdoptAnswer { adopted: None, refusal: Some(refusal.into()) },
         })
     });
     let said: Result<Response, Refusal> = said.await.map(|said| json(&said));

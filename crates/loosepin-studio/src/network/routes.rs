@@ -10,17 +10,19 @@ use loosepin::import::{ImportError, ImportOptions, import_dxf};
 use loosepin::results::REPORT_FILE;
 use loosepin::templates::find_template;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
-use crate::drawing::drawn::Drawn;
-use crate::drawing::still::NamedPoses;
-use crate::edit::{self, Edit, Restructured};
+use crate::edit;
 use crate::files::folder::{LARGEST_TEXT, StoredText};
 use crate::files::gallery::cards;
 use crate::files::listing::listing;
-use crate::messages::{Change, Look, SentText};
+use crate::messages::Look;
 use crate::network::page;
 use crate::network::refusal::{Refusal, json};
+use crate::network::requests::{
+    DrawAnswer, DrawRequest, ExplainAnswer, HelloAnswer, ImportAnswer, ImportRequest, KnowAnswer, KnowRequest, Limits,
+    NewAnswer, NewRequest, OpenAnswer, OpenRequest, OpenedText, RestructureAnswer, RestructureRequest, SaveAnswer,
+    SaveRequest, ViewAnswer, ViewRequest,
+};
 use crate::studio::Studio;
 use crate::view::texts::{Texts, model_beside, plain};
 
@@ -35,19 +37,6 @@ const LARGEST_REPORT: usize = 64 << 20;
 /// What comes of a request.
 pub type Answer = Result<Response, Refusal>;
 
-/// Why nothing comes of what somebody typed or drew.
-#[derive(Serialize)]
-pub struct Refused {
-    message: String,
-    hint: Option<String>,
-}
-
-impl From<Refusal> for Refused {
-    fn from(Refusal { message, hint, .. }: Refusal) -> Self {
-        Self { message, hint }
-    }
-}
-
 pub async fn index(headers: HeaderMap) -> Response {
     // The guard has seen that there is one, and that it is this machine.
     page::index(headers.get("host").and_then(|host| host.to_str().ok()).unwrap_or("127.0.0.1"))
@@ -58,18 +47,8 @@ pub async fn asset(Path(name): Path<String>) -> Response {
 }
 
 pub async fn hello(State(studio): State<Studio>) -> Response {
-    #[derive(Serialize)]
-    struct Limits {
-        text_bytes: usize,
-    }
-    #[derive(Serialize)]
-    struct Hello {
-        version: &'static str,
-        folder: String,
-        limits: Limits,
-    }
     let folder = studio.folder.root().display().to_string();
-    json(&Hello { version: VERSION, folder, limits: Limits { text_bytes: LARGEST_TEXT } })
+    json(&HelloAnswer { version: VERSION, folder, limits: Limits { text_bytes: LARGEST_TEXT } })
 }
 
 pub async fn templates(State(studio): State<Studio>) -> Answer {
@@ -84,37 +63,20 @@ pub async fn folder(State(studio): State<Studio>) -> Answer {
     Ok(json(&listing))
 }
 
-#[derive(Deserialize)]
-pub struct Opened {
-    path: String,
-}
-
-#[derive(Serialize)]
-struct OpenedText {
-    path: String,
-    text: String,
-    tag: String,
-}
-
 pub async fn open(
     State(studio): State<Studio>,
-    query: Result<Query<Opened>, axum::extract::rejection::QueryRejection>,
+    query: Result<Query<OpenRequest>, axum::extract::rejection::QueryRejection>,
 ) -> Answer {
-    #[derive(Serialize)]
-    struct Both {
-        model: Option<OpenedText>,
-        study: Option<OpenedText>,
-    }
-    let Query(Opened { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
+    let Query(OpenRequest { path }) = query.map_err(|_| Refusal::bad("say which file: /api/open?path=model.toml"))?;
     let opened = |path: String, StoredText { text, tag }| OpenedText { path, text, tag };
     let both = in_background(move || {
         let first = studio.folder.read(&path)?;
         Ok(match model_beside(&path, &first.text) {
-            None => Both { model: Some(opened(path, first)), study: None },
+            None => OpenAnswer { model: Some(opened(path, first)), study: None },
             Some(model_path) => {
                 let model_path = plain(&model_path);
                 let model = studio.folder.read(&model_path).ok().map(|found| opened(model_path, found));
-                Both { model, study: Some(opened(path, first)) }
+                OpenAnswer { model, study: Some(opened(path, first)) }
             }
         })
     });
@@ -122,43 +84,20 @@ pub async fn open(
 }
 
 pub async fn save(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Saved {
-        path: String,
-        text: String,
-        tag: Option<String>,
-    }
-    #[derive(Serialize)]
-    struct Tag {
-        tag: String,
-    }
-    let Saved { path, text, tag } = parsed(&body)?;
+    let SaveRequest { path, text, tag } = parsed(&body)?;
     let tag = in_background(move || studio.folder.write(&path, &text, tag.as_deref())).await?;
-    Ok(json(&Tag { tag }))
+    Ok(json(&SaveAnswer { tag }))
 }
 
 /// How well a number is known, written into the texts of the page.
 pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Known {
-        model: SentText,
-        study: Option<SentText>,
-        path: String,
-        text: String,
-    }
-    /// What somebody types is no fault of the page: a refusal is an answer.
-    #[derive(Serialize)]
-    struct Changes {
-        changes: Vec<Change>,
-        refusal: Option<Refused>,
-    }
-    let Known { model, study, path, text } = parsed(&body)?;
+    let KnowRequest { model, study, path, text } = parsed(&body)?;
     let folder = studio.folder.clone();
     let changes = in_background(move || {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
         Ok(match edit::know(&folder, &texts, &path, &text) {
-            Ok(changes) => Changes { changes, refusal: None },
-            Err(refusal) => Changes { changes: Vec::new(), refusal: Some(refusal.into()) },
+            Ok(changes) => KnowAnswer { changes, refusal: None },
+            Err(refusal) => KnowAnswer { changes: Vec::new(), refusal: Some(refusal.into()) },
         })
     });
     Ok(json(&changes.await?))
@@ -166,48 +105,24 @@ pub async fn know(State(studio): State<Studio>, body: Bytes) -> Answer {
 
 /// Links, joints and bodies that come, go or get other names, in the texts of the page.
 pub async fn restructure(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Wished {
-        model: SentText,
-        study: Option<SentText>,
-        edit: Edit,
-        #[serde(default)]
-        poses: NamedPoses,
-    }
-    #[derive(Serialize)]
-    struct Done {
-        #[serde(flatten)]
-        done: Option<Restructured>,
-        refusal: Option<Refused>,
-    }
-    let Wished { model, study, edit, poses } = parsed(&body)?;
+    let RestructureRequest { model, study, edit, poses } = parsed(&body)?;
     let folder = studio.folder.clone();
     let done = in_background(move || {
         let texts = Texts::sent(&folder, &Look { seq: 0, model, study, positions: 0, grip: None, poses: None });
         Ok(match edit::restructured(&folder, &texts, &edit, &poses) {
-            Ok(done) => Done { done: Some(done), refusal: None },
-            Err(refusal) => Done { done: None, refusal: Some(refusal.into()) },
+            Ok(done) => RestructureAnswer { done: Some(done), refusal: None },
+            Err(refusal) => RestructureAnswer { done: None, refusal: Some(refusal.into()) },
         })
     });
     Ok(json(&done.await?))
 }
 
 pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct New {
-        template: String,
-        folder: String,
-    }
-    #[derive(Serialize)]
-    struct Written {
-        model: String,
-        study: String,
-    }
-    let New { template, folder } = parsed(&body)?;
+    let NewRequest { template, folder } = parsed(&body)?;
     let template = find_template(&template).ok_or_else(|| {
         Refusal::new(StatusCode::NOT_FOUND, "there is no such template").with_hint("GET /api/templates lists them")
     })?;
-    let written = Written { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
+    let written = NewAnswer { model: format!("{folder}/model.toml"), study: format!("{folder}/study.toml") };
     let texts = [("model.toml", template.model), ("study.toml", template.study)];
     in_background(move || studio.folder.write_new_folder(&folder, &texts)).await?;
     Ok(json(&written))
@@ -215,22 +130,10 @@ pub async fn new(State(studio): State<Studio>, body: Bytes) -> Answer {
 
 /// What the library says of a drawing; where a folder is named and it moves, model and study are written there.
 pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Sent {
-        #[serde(flatten)]
-        drawn: Drawn,
-        folder: Option<String>,
-    }
-    #[derive(Serialize)]
-    struct Said {
-        says: Vec<String>,
-        refusal: Option<Refused>,
-        study: Option<String>,
-    }
-    let Sent { drawn, folder: name } = parsed(&body)?;
+    let DrawRequest { drawn, folder: name } = parsed(&body)?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
-        let wrong = |refusal: Refusal| Said { says: Vec::new(), refusal: Some(refusal.into()), study: None };
+        let wrong = |refusal: Refusal| DrawAnswer { says: Vec::new(), refusal: Some(refusal.into()), study: None };
         let texts = match drawn.texts() {
             Ok(texts) => texts,
             Err(refusal) => return Ok(wrong(refusal)),
@@ -239,9 +142,9 @@ pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
             Ok(says) => says,
             Err(found) => return Ok(wrong(Refusal::bad(found.join("\n")))),
         };
-        let Some(name) = name else { return Ok(Said { says, refusal: None, study: None }) };
+        let Some(name) = name else { return Ok(DrawAnswer { says, refusal: None, study: None }) };
         folder.write_new_folder(&name, &[("model.toml", &texts.model), ("study.toml", &texts.study)])?;
-        Ok(Said { says, refusal: None, study: Some(format!("{name}/study.toml")) })
+        Ok(DrawAnswer { says, refusal: None, study: Some(format!("{name}/study.toml")) })
     });
     Ok(json(&said.await?))
 }
@@ -249,15 +152,10 @@ pub async fn draw(State(studio): State<Studio>, body: Bytes) -> Answer {
 /// A drawing in the DXF format becomes the skeleton of a model, in a new folder.
 pub async fn import(
     State(studio): State<Studio>,
-    query: Result<Query<Imported>, axum::extract::rejection::QueryRejection>,
+    query: Result<Query<ImportRequest>, axum::extract::rejection::QueryRejection>,
     drawing: Bytes,
 ) -> Answer {
-    #[derive(Serialize)]
-    struct Said {
-        model: String,
-        notes: Vec<String>,
-    }
-    let Query(Imported { folder: name, title, unit }) =
+    let Query(ImportRequest { folder: name, title, unit }) =
         query.map_err(|_| Refusal::bad("say where to: /api/import?folder=press&title=press"))?;
     let folder = studio.folder.clone();
     let said = in_background(move || {
@@ -273,48 +171,27 @@ pub async fn import(
             Refusal { hint, ..Refusal::bad(error.to_string()) }
         })?;
         folder.write_new_folder(&name, &[("model.toml", &imported.model)])?;
-        Ok(Said { model: format!("{name}/model.toml"), notes: imported.notes })
+        Ok(ImportAnswer { model: format!("{name}/model.toml"), notes: imported.notes })
     });
     Ok(json(&said.await?))
 }
 
-#[derive(Deserialize)]
-pub struct Imported {
-    folder: String,
-    title: String,
-    unit: Option<String>,
-}
-
 pub async fn explain(Path(code): Path<String>) -> Answer {
-    #[derive(Serialize)]
-    struct Explained {
-        code: &'static str,
-        title: &'static str,
-        text: &'static str,
-    }
     let code: Code =
         code.parse().map_err(|_| Refusal::new(StatusCode::NOT_FOUND, "there is no such code of a complaint"))?;
     let entry = code.entry();
-    Ok(json(&Explained { code: entry.text, title: entry.title, text: entry.explanation }))
+    Ok(json(&ExplainAnswer { code: entry.text, title: entry.title, text: entry.explanation }))
 }
 
 pub async fn view(State(studio): State<Studio>, body: Bytes) -> Answer {
-    #[derive(Deserialize)]
-    struct Viewed {
-        path: String,
-    }
-    #[derive(Serialize)]
-    struct Address {
-        address: String,
-    }
-    let Viewed { path } = parsed(&body)?;
+    let ViewRequest { path } = parsed(&body)?;
     let report = format!("{}/{REPORT_FILE}", path.trim_end_matches('/'));
     studio.folder.info(&report)?;
     let ticket = studio
         .tickets
         .issue(report)
         .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))?;
-    Ok(json(&Address { address: format!("/view/{ticket}") }))
+    Ok(json(&ViewAnswer { address: format!("/view/{ticket}") }))
 }
 
 pub async fn report(State(studio): State<Studio>, Path(ticket): Path<String>) -> Answer {

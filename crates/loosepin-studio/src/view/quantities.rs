@@ -6,12 +6,12 @@ use loosepin::model::Model;
 use std::sync::Arc;
 
 use crate::edit::Locks;
-use crate::messages::{Document, SeenQuantity};
+use crate::messages::{Document, QuantityKind, SeenQuantity};
 use crate::view::places::unquoted;
 use crate::view::texts::Texts;
 
 /// Tables of a study whose entries say what is known of a number, and how the page calls them.
-const KNOWN: [(&str, &str); 2] = [("random", "scatter"), ("epistemic", "unknown")];
+const KNOWN: [(&str, QuantityKind); 2] = [("random", QuantityKind::Scatter), ("epistemic", QuantityKind::Unknown)];
 
 /// Numbers of the model in the order of its text, then what the study says of them.
 pub fn quantities(model: &Model, texts: &Texts) -> Vec<SeenQuantity> {
@@ -21,7 +21,7 @@ pub fn quantities(model: &Model, texts: &Texts) -> Vec<SeenQuantity> {
         .iter()
         .filter_map(|(_, quantity)| {
             let span = quantity.span?;
-            let entry = entry(&texts.model, Document::Model, &quantity.path, span, "number");
+            let entry = entry(&texts.model, Document::Model, &quantity.path, span, QuantityKind::Number);
             Some(SeenQuantity { is_locked: locks.hold(span.start), ..entry })
         })
         .collect();
@@ -41,7 +41,7 @@ fn of_study(study: &Arc<Source>) -> Vec<SeenQuantity> {
     found
 }
 
-fn entry(source: &Source, document: Document, path: &str, span: Span, kind: &'static str) -> SeenQuantity {
+fn entry(source: &Source, document: Document, path: &str, span: Span, kind: QuantityKind) -> SeenQuantity {
     let range = unquoted(source, span);
     SeenQuantity {
         path: path.to_owned(),

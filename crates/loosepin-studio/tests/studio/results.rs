@@ -84,7 +84,7 @@ fn two_studies_are_compared_and_odd_pairs_say_why_not() {
         figure.starts_with("<svg xmlns=") && figure.matches("class=\"fill ").count() == 4,
         "two bands and two signs"
     );
-    assert_eq!(found["sides"][0]["verdict"], "not met");
+    assert_eq!(found["sides"][0]["verdict"], "not_met");
     assert!(!found["statistics"].as_array().unwrap().is_empty());
     // Other outputs: nothing is compared, and that is said.
     let (status, found) = compared(&server, &before, &unlike);

@@ -3,6 +3,8 @@
 use std::collections::HashSet;
 use std::fmt::{self, Display};
 
+use serde::Serialize;
+
 use super::visible::visible;
 use super::{Code, Place};
 
@@ -17,7 +19,8 @@ pub trait Problem: Display {
 }
 
 /// How grave a complaint is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Severity {
     /// The file can be used.
     Warning,

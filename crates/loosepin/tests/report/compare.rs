@@ -1,6 +1,6 @@
 //! Two studies compared: what is asserted here is put in by hand, so that every number is known beforehand.
 
-use loosepin::report::{Comparison, Weight, compare_studies};
+use loosepin::report::{Comparison, InputPlace, Weight, compare_studies};
 use loosepin::result::repeat::InputRole;
 use loosepin::study::result::{Deviation, Reading, StudyResult, Verdict};
 use loosepin::units::SiUnit;
@@ -124,7 +124,7 @@ fn inputs_are_told_in_words_and_units() {
         }
         after.repeat.command += " --accuracy 0.01";
     });
-    let told: Vec<(&str, &str, Option<&str>, Option<&str>)> = found
+    let told: Vec<(InputPlace, &str, Option<&str>, Option<&str>)> = found
         .inputs
         .iter()
         .map(|input| (input.place, input.path.as_str(), input.before.as_deref(), input.after.as_deref()))
@@ -133,21 +133,21 @@ fn inputs_are_told_in_words_and_units() {
         told,
         [
             (
-                "uncertain",
+                InputPlace::Uncertain,
                 "parameter.rod_length",
                 Some("normal, mean 120 mm, standard deviation 0.03 mm"),
                 Some("exactly 120 mm")
             ),
             (
-                "uncertain",
+                InputPlace::Uncertain,
                 "joint.gudgeon.radial_clearance",
                 Some("anywhere between 0.1 mm and 0.5 mm"),
                 Some("anywhere between 0.1 mm and 0.15 mm")
             ),
-            ("model", "parameter.rod_length", None, Some("120 mm")),
-            ("study", "sampling.inner", None, Some("512")),
-            ("table", "parts/rod.csv", Some("4 lines"), Some("5 lines")),
-            ("command", "command", None, Some("--accuracy 0.01")),
+            (InputPlace::Model, "parameter.rod_length", None, Some("120 mm")),
+            (InputPlace::Study, "sampling.inner", None, Some("512")),
+            (InputPlace::Table, "parts/rod.csv", Some("4 lines"), Some("5 lines")),
+            (InputPlace::Command, "command", None, Some("--accuracy 0.01")),
         ]
     );
     assert_eq!(found.inputs[1].words, "joint 'gudgeon': radial clearance");
@@ -169,7 +169,7 @@ fn requirements_stand_beside_each_other_with_their_own_limits() {
     });
     let rows = &found.requirements;
     assert_eq!(rows.len(), worn_pin().requirements.len());
-    assert_eq!(rows[0].verdicts[1], Some("undecided"));
+    assert_eq!(rows[0].verdicts[1], Some(Verdict::Undecided));
     assert_ne!(rows[0].required[0], rows[0].required[1]);
     for row in &rows[1..] {
         assert!(row.verdicts[0].is_some() && row.verdicts[1].is_none() && row.required[1].is_none());

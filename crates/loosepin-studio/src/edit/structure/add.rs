@@ -6,9 +6,9 @@ use loosepin::model::{Model, PointId, Values};
 use loosepin::units::format_number;
 
 use super::edit::{End, Joined, Watched};
-use super::lines::Lines;
 use super::watch::output;
 use crate::drawing::still::{NamedPoses, Pose, in_body_m};
+use crate::edit::toml::lines::Lines;
 use crate::network::refusal::Refusal;
 
 const MM_PER_M: f64 = 1e3;
@@ -301,10 +301,9 @@ impl<'m> Draft<'m> {
             )?;
             return Ok(name);
         };
-        let path = |key: &str| vec!["drive".to_owned(), drive.name.clone(), key.to_owned()];
-        self.set(&path("joint"), &format!("\"{joint}\""))?;
+        self.set(&["drive", &drive.name, "joint"], &format!("\"{joint}\""))?;
         if self.model.quantities.id(&format!("drive.{}.start_angle", drive.name)).is_some() {
-            self.set(&path("start_angle"), &start)?;
+            self.set(&["drive", &drive.name, "start_angle"], &start)?;
         }
         self.added.insert(format!("drive.{}", drive.name));
         Ok(drive.name.clone())
@@ -321,11 +320,10 @@ impl<'m> Draft<'m> {
         Ok(name)
     }
 
-    fn set(&mut self, path: &[String], value: &str) -> Result<(), Refusal> {
-        let span = self.lines.scanned()?.value_at(path).map(|value| value.span.clone());
+    fn set(&mut self, path: &[&str], value: &str) -> Result<(), Refusal> {
+        let span = self.lines.value_span(path)?;
         let span = span.ok_or_else(|| Refusal::bad("the drive is written in a way that is changed in the text"))?;
-        self.lines.replace(vec![(span, value.to_owned())]);
-        Ok(())
+        self.lines.replace([(span, value.to_owned())])
     }
 
     /// The point at an end, made where it is new.

@@ -9,9 +9,9 @@ use loosepin::study::{InputFile, Study};
 use loosepin::units::counted;
 
 use super::edit::Named;
-use super::lines::Stems;
 use super::names::mentions;
-use super::scan::scan;
+use crate::edit::toml::Stems;
+use crate::edit::toml::scan::scan;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 use crate::view::texts::Texts;

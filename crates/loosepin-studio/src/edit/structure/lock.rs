@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-use super::lines::Lines;
-use super::scan::{Scanned, Statement, scan};
+use crate::edit::toml::lines::Lines;
+use crate::edit::toml::scan::{Scanned, Statement, scan};
 use crate::network::refusal::Refusal;
 
 const LOCKED: &str = "locked";
@@ -70,7 +70,7 @@ pub fn locked(lines: &Lines, byte: usize, is_locked: bool) -> Result<Lines, Refu
                     (at..at, format!("{LOCKED_AND} "))
                 }
             };
-            new.replace(vec![piece]);
+            new.replace([piece])?;
         }
         (Some(comment), false) => {
             let words = text[comment.clone()].trim_start_matches(['#', ' ', '\t']);
@@ -85,7 +85,7 @@ pub fn locked(lines: &Lines, byte: usize, is_locked: bool) -> Result<Lines, Refu
                 let rest = words.strip_prefix(LOCKED_AND).unwrap_or(words);
                 from..comment.end - rest.strip_prefix(' ').unwrap_or(rest).len()
             };
-            new.replace(vec![(piece, String::new())]);
+            new.replace([(piece, String::new())])?;
         }
     }
     Ok(new)

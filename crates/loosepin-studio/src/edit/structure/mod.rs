@@ -3,27 +3,23 @@
 //! | What | File |
 //! |---|---|
 //! | what can be wished | `edit.rs` |
-//! | where everything stands in a text | `scan.rs` |
 //! | which places name a body, a point, a joint, ... | `names.rs` |
-//! | lines and entries that come in and go out, all else byte for byte | `lines.rs` |
 //! | what comes: links, points, joints, blocks, outputs | `add.rs` |
 //! | what an output records | `watch.rs` |
 //! | what goes with something that goes | `remove.rs` |
 //! | another name | `rename.rs` |
 //! | numbers that dragging leaves as they are | `lock.rs` |
 //! | whether the new texts say what they are to say | `checked.rs` |
-//! | the change as the page makes it | `change.rs` |
+//!
+//! The texts are changed by `edit/toml`.
 
 mod add;
-mod change;
 mod checked;
 mod edit;
-mod lines;
 mod lock;
 mod names;
 mod remove;
 mod rename;
-mod scan;
 mod watch;
 
 use std::sync::Arc;
@@ -33,14 +29,14 @@ use loosepin::model::{Model, Origin};
 use serde::Serialize;
 
 use add::Draft;
-use change::changes;
 use checked::{Due, check, said, unreadable};
 use edit::Joined;
-use lines::Lines;
 use remove::removed;
 use rename::renamed;
 
 use super::know::known_texts;
+use super::toml::change::changes;
+use super::toml::lines::Lines;
 use crate::drawing::still::{NamedPoses, placed};
 use crate::files::folder::Folder;
 use crate::messages::{Change, Document};

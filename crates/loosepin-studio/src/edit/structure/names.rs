@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::edit::Named;
-use super::scan::{Key, Scanned, Value, ValueKind, element};
+use crate::edit::toml::scan::{Key, Scanned, Value, ValueKind, element};
 use crate::messages::Document;
 
 /// Tables of a study whose keys are paths of numbers.
@@ -188,8 +188,8 @@ fn named_in_model(path: &[&str], text: &str) -> Option<Named> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scan::scan;
     use super::*;
+    use crate::edit::toml::scan::scan;
 
     fn found(document: Document, text: &str) -> Vec<(String, String)> {
         let scanned = scan(text).unwrap();

@@ -7,8 +7,8 @@ use loosepin::document::describe_path;
 use loosepin::model::Model;
 
 use super::edit::Named;
-use super::lines::Lines;
 use super::names::{Mention, mentions};
+use crate::edit::toml::lines::Lines;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 

@@ -1,8 +1,8 @@
 //! Another name for something, wherever its name stands in both texts.
 
 use super::edit::Named;
-use super::lines::Lines;
 use super::names::mentions;
+use crate::edit::toml::lines::Lines;
 use crate::messages::Document;
 use crate::network::refusal::Refusal;
 
@@ -55,7 +55,7 @@ pub fn renamed(
             }
         }
         let mut new = lines.clone();
-        new.replace(pieces);
+        new.replace(pieces)?;
         Ok(new)
     };
     Ok((of(model, Document::Model)?, study.map(|study| of(study, Document::Study)).transpose()?))

@@ -1,0 +1,48 @@
+// The play head: one angle of the drive for the drawing and the band.
+import { advanced, eachFrame, isMotionWelcome } from '../shell/clock.ts';
+import type { Motion } from '../messages.ts';
+
+export class Head {
+  angle = $state(0);
+  first = $state(0);
+  last = $state(360);
+  isRunning = $state(false);
+  private isPlaced = false;
+  private stopTicks: (() => void) | null = null;
+
+  /** Takes over the range of a motion; the angle stays where it is, as far as it is in it. */
+  follow(motion: Motion): void {
+    const angles = motion.angle_deg;
+    this.first = angles[0] ?? 0;
+    this.last = angles.at(-1) ?? 0;
+    if (this.isPlaced) return this.set(this.angle);
+    this.isPlaced = true;
+    this.angle = angles[motion.start] ?? this.first;
+    if (isMotionWelcome()) this.run(true);
+  }
+
+  set(angle: number): void {
+    const [low, high] = [Math.min(this.first, this.last), Math.max(this.first, this.last)];
+    this.angle = Math.min(Math.max(angle, low), high);
+  }
+
+  /** Turns by whole degrees; past the end of a full turn it begins again. */
+  step(degrees: number): void {
+    this.run(false);
+    const [low, high] = [Math.min(this.first, this.last), Math.max(this.first, this.last)];
+    const next = Math.round(this.angle) + degrees;
+    const isFull = high - low >= 359;
+    this.set(isFull && next > high ? next - 360 : isFull && next < low ? next + 360 : next);
+  }
+
+  run(isRunning: boolean): void {
+    this.stopTicks?.();
+    this.stopTicks = null;
+    this.isRunning = isRunning && this.first !== this.last;
+    if (this.isRunning) {
+      this.stopTicks = eachFrame((seconds) => {
+        this.angle = advanced(this.angle, this.first, this.last, seconds);
+      });
+    }
+  }
+}

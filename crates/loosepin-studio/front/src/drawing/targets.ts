@@ -1,0 +1,104 @@
+// What a tool can take on a drawing: places where points of bodies are, each a button with a name.
+import type { End, Motion, SeenBody } from '../messages.ts';
+import type { Point } from '../editing/drag.ts';
+import { element } from './element.ts';
+import { posesAt, worldOf } from './player.ts';
+
+export interface PointName {
+  body: string;
+  point: string;
+}
+
+export interface Target {
+  /** Points of different bodies at one place. */
+  points: PointName[];
+  /** Index of the body that carries the first of them, and where it is in its frame, mm. */
+  body: number;
+  own: Point;
+  /** Where it is now, mm. */
+  at: Point;
+}
+
+const samePlaceMm = 1e-3;
+
+/** The places of all points at an angle of the drive. */
+export function targetsOf(parts: SeenBody[], motion: Motion, angle: number): Target[] {
+  const poses = posesAt(motion, angle);
+  const targets: Target[] = [];
+  parts.forEach((part, body) => {
+    const pose = poses[body];
+    if (!pose) return;
+    for (const { name, x, y } of part.points) {
+      const at = worldOf(pose, x, y);
+      const known = targets.find((one) => Math.hypot(one.at[0] - at[0], one.at[1] - at[1]) < samePlaceMm);
+      if (known) known.points.push({ body: part.name, point: name });
+      else targets.push({ points: [{ body: part.name, point: name }], body, own: [x, y], at });
+    }
+  });
+  return targets;
+}
+
+/** Adds a button for each of them; the player of the drawing moves them with their bodies. */
+export function addTargets(svg: SVGSVGElement, targets: Target[], nameOf: (target: Target) => string): void {
+  const upright = element('g', { transform: 'scale(1 -1)', class: 'targets' });
+  targets.forEach((target, index) => {
+    const [x, y] = target.own;
+    const button = element('g', { 'data-rides': String(target.body), 'data-x': String(x), 'data-y': String(y), 'data-target': String(index) });
+    button.classList.add('grip', 'target');
+    button.setAttribute('tabindex', '0');
+    button.setAttribute('role', 'button');
+    button.setAttribute('aria-label', nameOf(target));
+    button.append(element('path', { d: 'M0 0h0', class: 'disc' }), element('path', { d: 'M0 0h0', class: 'dot' }));
+    upright.append(button);
+  });
+  svg.append(upright);
+}
+
+/** An end at a target: of a body other than `not`, where there is one. */
+export function endAt(target: { points: PointName[]; at: Point }, not: string | null = null): End {
+  const found = target.points.find(({ body }) => body !== not) ?? target.points[0];
+  return found ? { at: 'point', ...found } : { at: 'free', x: target.at[0], y: target.at[1] };
+}
+
+/** Ends at two targets, of two bodies where that can be. */
+export function endsAt(first: { points: PointName[]; at: Point }, second: { points: PointName[]; at: Point }): [End, End] {
+  for (const one of first.points) {
+    const other = second.points.find(({ body }) => body !== one.body);
+    if (other) return [{ at: 'point', ...one }, { at: 'point', ...other }];
+  }
+  return [endAt(first), endAt(second)];
+}
+
+/** The next of 1, 2, 5 times a power of ten that is not below `least`. */
+export function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return ([1, 2, 5, 10].find((first) => first * power >= least * (1 - 1e-9)) ?? 10) * power;
+}
+
+export interface Snapped {
+  at: Point;
+  /** Index of the target that holds it, where one does. */
+  target: number | null;
+  /** What holds it: another target on the same horizontal or vertical. */
+  along: ('x' | 'y')[];
+}
+
+/** A place, held by a target near it, else by the horizontals and verticals of targets, else by round numbers. */
+export function snapped(place: Point, targets: Target[], mmPerPx: number, isFree: boolean): Snapped {
+  const [nearPx, alignedPx, stepPx] = [12, 5, 4];
+  const near = targets
+    .map((target, index) => ({ index, far: Math.hypot(target.at[0] - place[0], target.at[1] - place[1]) }))
+    .filter(({ far }) => far < nearPx * mmPerPx)
+    .sort((a, b) => a.far - b.far)[0];
+  const held = near && targets[near.index];
+  if (near && held) return { at: held.at, target: near.index, along: [] };
+  if (isFree) return { at: place, target: null, along: [] };
+  const step = roundStep(stepPx * mmPerPx);
+  const along: Snapped['along'] = [];
+  const at = ([0, 1] as const).map((axis) => {
+    const line = targets.map((target) => target.at[axis]).find((value) => Math.abs(value - place[axis]) < alignedPx * mmPerPx);
+    if (line !== undefined) along.push(axis === 0 ? 'x' : 'y');
+    return line ?? Math.round(place[axis] / step) * step;
+  }) as Point;
+  return { at, target: null, along };
+}

@@ -1,0 +1,143 @@
+// The two texts: the only truth of the editor. All edits pass through here, whoever makes them.
+import { applied, History, type Change, type Gesture, type Step } from './history.ts';
+import type { Range } from './place.ts';
+import type { Document, OpenAnswer, OpenedText, SaveAnswer, SaveRequest, SentText } from '../messages.ts';
+import { movedRange } from './ranges.ts';
+import { ask } from '../network/wire.ts';
+
+export interface Sheet {
+  path: string;
+  text: string;
+  savedText: string;
+  tag: string;
+}
+
+export type Listener = (step: Step, source: unknown) => void;
+
+const mostLogged = 5000;
+
+function sheetOf(document: OpenedText | null): Sheet | null {
+  return document && { path: document.path, text: document.text, savedText: document.text, tag: document.tag };
+}
+
+export class Documents {
+  model = $state.raw<Sheet | null>(null);
+  study = $state.raw<Sheet | null>(null);
+  canUndo = $state(false);
+  canRedo = $state(false);
+  isUnsaved = $derived([this.model, this.study].some((sheet) => sheet !== null && sheet.text !== sheet.savedText));
+  /** Counts the changes: a look remembers it, so that its places can be moved to where they are now. */
+  version = 0;
+  private log: { version: number; document: Document; change: Change }[] = [];
+  private readonly history = new History();
+  private readonly listeners = new Set<Listener>();
+
+  constructor(readonly opened: string, documents: OpenAnswer) {
+    this.model = sheetOf(documents.model);
+    this.study = sheetOf(documents.study);
+  }
+
+  sheet(which: Document): Sheet | null {
+    return which === 'model' ? this.model : this.study;
+  }
+
+  textOf(which: Document): SentText | null {
+    const sheet = this.sheet(which);
+    return sheet && { path: sheet.path, text: sheet.text };
+  }
+
+  whichOf(path: string): Document | null {
+    if (this.model?.path === path) return 'model';
+    return this.study?.path === path ? 'study' : null;
+  }
+
+  listen(listener: Listener): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  change(document: Document, change: Change, gesture: Gesture, source: unknown = null): void {
+    const sheet = this.sheet(document);
+    if (!sheet) return;
+    const removed = sheet.text.slice(change.from, change.to);
+    if (removed === change.insert) return;
+    const step: Step = { document, change, removed };
+    this.history.record(step, gesture, performance.now());
+    this.apply(step, source);
+  }
+
+  undo(): void {
+    this.history.undo().forEach((step) => this.apply(step, null));
+  }
+
+  redo(): void {
+    this.history.redo().forEach((step) => this.apply(step, null));
+  }
+
+  /** Where this range of an older version is now. */
+  moved<T extends Range>(document: Document, range: T, version: number): T {
+    let place: Range = range;
+    for (const entry of this.log) {
+      if (entry.version > version && entry.document === document) place = movedRange(place, entry.change);
+    }
+    return { ...range, from: place.from, to: place.to };
+  }
+
+  async save(): Promise<void> {
+    for (const which of ['model', 'study'] as const) {
+      const sheet = this.sheet(which);
+      if (sheet && sheet.text !== sheet.savedText) await this.put(which, sheet.tag);
+    }
+  }
+
+  /** Writes this text over whatever is on disk. */
+  async overwrite(which: Document): Promise<void> {
+    const onDisk = await this.onDisk(which);
+    await this.put(which, onDisk?.tag ?? null);
+  }
+
+  async load(which: Document): Promise<void> {
+    const onDisk = await this.onDisk(which);
+    const sheet = this.sheet(which);
+    if (!onDisk || !sheet) return;
+    this.change(which, { from: 0, to: sheet.text.length, insert: onDisk.text }, { name: 'load', joins: 'never' });
+    this.keep(which, { savedText: onDisk.text, tag: onDisk.tag });
+  }
+
+  async isSameOnDisk(which: Document): Promise<boolean> {
+    return (await this.onDisk(which))?.tag === this.sheet(which)?.tag;
+  }
+
+  private async onDisk(which: Document): Promise<OpenedText | null> {
+    const path = this.sheet(which)?.path ?? '';
+    const opened = await ask<OpenAnswer>('GET', '/api/open?path=' + encodeURIComponent(path));
+    return which === 'model' ? opened.model : opened.study;
+  }
+
+  private async put(which: Document, tag: string | null): Promise<void> {
+    const sheet = this.sheet(which);
+    if (!sheet) return;
+    const { path, text } = sheet;
+    const answer = await ask<SaveAnswer>('PUT', '/api/file', { path, text, tag } satisfies SaveRequest);
+    this.keep(which, { savedText: text, tag: answer.tag });
+  }
+
+  private keep(which: Document, part: Partial<Sheet>): void {
+    const sheet = this.sheet(which);
+    if (!sheet) return;
+    if (which === 'model') this.model = { ...sheet, ...part };
+    else this.study = { ...sheet, ...part };
+  }
+
+  private apply(step: Step, source: unknown): void {
+    const sheet = this.sheet(step.document);
+    if (!sheet) return;
+    this.version += 1;
+    this.log.push({ version: this.version, document: step.document, change: step.change });
+    if (this.log.length > mostLogged) this.log.splice(0, mostLogged / 2);
+    this.keep(step.document, { text: applied(sheet.text, step.change) });
+    this.canUndo = this.history.canUndo;
+    this.canRedo = this.history.canRedo;
+    this.listeners.forEach((listener) => listener(step, source));
+  }
+}

@@ -1,0 +1,178 @@
+//! What goes over the live connection.
+
+use serde::{Deserialize, Serialize};
+
+use super::complaints::{Change, SeenComplaint};
+use super::jobs::Job;
+use super::view::View;
+use crate::drawing::still::NamedPoses;
+
+/// A text with the path of its file, by which complaints name it.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct SentText {
+    /// Path in the served folder.
+    pub path: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// A study and its model, as the page shows them.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+pub struct Shown {
+    /// The model.
+    pub model: SentText,
+    /// The study.
+    pub study: SentText,
+}
+
+/// What the page asks to be read.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Look {
+    /// Counts up; comes back with the answer.
+    pub seq: u64,
+    /// The model.
+    pub model: SentText,
+    /// The study of it, where there is one.
+    pub study: Option<SentText>,
+    /// Positions in a turn.
+    pub positions: usize,
+    /// What is dragged, where anything is: what is looked at are the texts that the drag makes of these.
+    #[serde(default)]
+    pub grip: Option<Grip>,
+    /// Where bodies were last: a mechanism that does not move yet is drawn there.
+    #[serde(default)]
+    pub poses: Option<NamedPoses>,
+}
+
+/// What a drag takes.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(tag = "take", rename_all = "snake_case")]
+pub enum Held {
+    /// The centre of a pin.
+    Joint {
+        /// Its name.
+        joint: String,
+    },
+    /// A point that no pin holds.
+    Point {
+        /// Its body; `ground` too.
+        body: String,
+        /// Its name.
+        point: String,
+    },
+    /// The line of a guide or a slot, which turns about its point.
+    Guide {
+        /// Name of the joint.
+        joint: String,
+    },
+}
+
+/// A drag.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Grip {
+    /// What is dragged.
+    pub held: Held,
+    /// Where a centre or point is to be, or a place on the line of a guide, mm.
+    pub to_mm: [f64; 2],
+    /// Written values are rounded to the next round step that is not below this one, mm.
+    pub step_mm: f64,
+    /// Values are as they come: no round steps.
+    pub is_free: bool,
+    /// Where each body is: x and y of its origin, mm, and its angle, degrees.
+    pub poses: Vec<[f64; 3]>,
+}
+
+/// What comes over the live connection from the page.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum FromPage {
+    /// The first message.
+    Hello {
+        /// The secret of the address.
+        token: String,
+    },
+    /// Read these texts.
+    Look(Box<Look>),
+    /// Run a study that is saved.
+    Run {
+        /// Its path in the served folder.
+        study: String,
+        /// The texts that the page shows: these are run, whatever is on the disk by then.
+        #[serde(default)]
+        shown: Option<Box<Shown>>,
+    },
+    /// Run the mechanism at a witness of a finished study.
+    Simulate {
+        /// Path of the result in the served folder.
+        result: String,
+        /// Place among the witnesses that it lists.
+        witness: usize,
+    },
+    /// Stop a job, or take it out of the queue.
+    Stop {
+        /// Its number.
+        id: u64,
+    },
+}
+
+/// What goes over the live connection to the page.
+#[derive(Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum ToPage<'a> {
+    /// The token was right.
+    Hello {
+        /// Version of the program.
+        version: &'a str,
+        /// Jobs of this server.
+        jobs: Vec<Job>,
+    },
+    /// What was read.
+    Seen(&'a Seen),
+    /// How far a job is.
+    Job {
+        /// It.
+        job: &'a Job,
+    },
+    /// A file of the last look is not as it was.
+    Changed {
+        /// Its path.
+        path: &'a str,
+    },
+    /// A message that is not taken.
+    Refused {
+        /// Why.
+        message: &'a str,
+    },
+}
+
+/// What a drag does to the texts that were sent.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Reshaped {
+    /// The changes, all in units of the texts that were sent, in their order.
+    pub changes: Vec<Change>,
+    /// The new values, in words.
+    pub words: Vec<String>,
+    /// The angle of the drive at which the joints lie where the drag left them.
+    pub angle_deg: Option<f64>,
+    /// Where the bodies are that the drag has moved, by name: so a mechanism is drawn that does not move yet.
+    pub poses: NamedPoses,
+    /// Why nothing can be changed.
+    pub refusal: Option<String>,
+}
+
+/// The answer to a look.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Seen {
+    /// That of the look.
+    pub seq: u64,
+    /// Everything wrong, and warnings.
+    pub complaints: Vec<SeenComplaint>,
+    /// The mechanism; nothing where the model cannot be read, or does not move.
+    pub view: Option<View>,
+    /// What a drag did: `complaints` and `view` are of the texts with its changes.
+    pub reshaped: Option<Reshaped>,
+    /// How long it took.
+    pub cost_ms: f64,
+    /// It took too long and was stopped: nothing is known of these texts.
+    pub is_cut: bool,
+}

@@ -1,0 +1,207 @@
+//! The mechanism as the page shows it.
+
+use loosepin::report::{LiveBand, MovingDrawing};
+use serde::Serialize;
+
+use super::complaints::Document;
+
+/// What is written of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum QuantityKind {
+    /// Its value in the model.
+    Number,
+    /// How it scatters.
+    Scatter,
+    /// What is unknown of it.
+    Unknown,
+}
+
+/// A number of the texts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenQuantity {
+    /// Where it stands: `joint.gudgeon.radial_clearance`.
+    pub path: String,
+    /// In words.
+    pub words: String,
+    /// The text.
+    pub document: Document,
+    /// What is written, quotes left out.
+    pub written: String,
+    /// First UTF-16 unit.
+    pub from: usize,
+    /// Behind the last UTF-16 unit.
+    pub to: usize,
+    /// What it is.
+    pub kind: QuantityKind,
+    /// Dragging leaves it as it is.
+    pub is_locked: bool,
+}
+
+/// Where a pin is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SeenPin {
+    /// Index of a body that carries it, in the drawing.
+    pub body: usize,
+    /// x in the frame of that body, mm.
+    pub x: f64,
+    /// y in it, mm.
+    pub y: f64,
+}
+
+/// A joint in the outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenJoint {
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub kind: &'static str,
+    /// Its play, where it has any.
+    pub play: Option<String>,
+    /// Its centre, where it is a pin that can be dragged.
+    pub pin: Option<SeenPin>,
+    /// The points that it joins: `rod.small_end`, `slider.pin`.
+    pub points: [String; 2],
+}
+
+/// A point of a body.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenPoint {
+    /// Its name.
+    pub name: String,
+    /// x in the frame of its body, mm.
+    pub x: f64,
+    /// y in it, mm.
+    pub y: f64,
+}
+
+/// A body with its points; the ground too.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenBody {
+    /// Its name.
+    pub name: String,
+    /// Its points.
+    pub points: Vec<SeenPoint>,
+}
+
+/// What a dimension is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DimensionKind {
+    /// Of a body.
+    Length,
+    /// Of the line of a joint.
+    Angle,
+}
+
+/// A dimension of a body or a joint.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenDimension {
+    /// What it is.
+    pub kind: DimensionKind,
+    /// Name of the body, or of the joint whose line it is.
+    pub of: String,
+    /// Index of the body that it moves with, in the drawing.
+    pub body: usize,
+    /// Where it begins in the frame of that body, mm.
+    pub from: [f64; 2],
+    /// Where it ends; of a line, a millimetre along it.
+    pub to: [f64; 2],
+    /// With its unit.
+    pub written: String,
+    /// The number behind it, where there is one.
+    pub path: Option<String>,
+}
+
+/// Tables of what acts on bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ForceTable {
+    /// Springs and dampers.
+    Spring,
+    /// Forces and torques.
+    Load,
+}
+
+/// A spring or a load, with where it stands in the drawing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenForce {
+    /// Which of both.
+    pub table: ForceTable,
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub kind: &'static str,
+    /// Both ends of a spring along a line; the one place of all others; nothing where no point says where.
+    pub ends: Vec<SeenPin>,
+    /// Direction of a force from the x axis of the body at `ends`, or from that of the ground, degrees.
+    pub direction_deg: Option<f64>,
+    /// The direction turns with the body.
+    pub turns: bool,
+}
+
+/// An output in the outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenOutput {
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub words: String,
+}
+
+/// What the mechanism is made of.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Outline {
+    /// Bodies that move.
+    pub bodies: Vec<String>,
+    /// Joints.
+    pub joints: Vec<SeenJoint>,
+    /// Drives.
+    pub drives: Vec<String>,
+    /// Outputs.
+    pub outputs: Vec<SeenOutput>,
+    /// Springs and loads.
+    pub forces: Vec<SeenForce>,
+    /// All bodies with their points, in the order of the drawing.
+    pub parts: Vec<SeenBody>,
+    /// Dimensions of bodies and joints.
+    pub dimensions: Vec<SeenDimension>,
+}
+
+/// A limit of the study that is a line in the chart of a band.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SeenLimit {
+    /// Name of the output.
+    pub output: String,
+    /// The limit, SI.
+    pub within_si: f64,
+    /// As the study has it, quotes left out.
+    pub written: String,
+    /// First UTF-16 unit of it.
+    pub from: usize,
+    /// Behind the last one.
+    pub to: usize,
+}
+
+/// The mechanism that was read.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct View {
+    /// Its name, or that of the study.
+    pub title: String,
+    /// Degrees of freedom and drives, in words.
+    pub mobility: String,
+    /// Why it does not move yet; what is drawn is where its bodies were put.
+    pub incomplete: Option<String>,
+    /// What play and scatter do without dynamics, in sentences.
+    pub sentences: Vec<String>,
+    /// The mechanism, moving.
+    pub drawing: Option<MovingDrawing>,
+    /// The band of each output that has one.
+    pub bands: Vec<LiveBand>,
+    /// The limits among them.
+    pub limits: Vec<SeenLimit>,
+    /// What it is made of.
+    pub outline: Outline,
+    /// Its numbers.
+    pub quantities: Vec<SeenQuantity>,
+}

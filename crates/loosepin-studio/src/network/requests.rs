@@ -1,0 +1,247 @@
+//! What plain requests hold, and what they are answered with, as JSON. `front/src/messages.ts` has the same types, and
+//! `just studio-messages` writes them there.
+
+use loosepin::report::Comparison;
+use serde::{Deserialize, Serialize};
+
+use crate::drawing::drawn::Drawn;
+use crate::drawing::still::NamedPoses;
+use crate::edit::{Edit, Restructured};
+use crate::files::adopt::Adopted;
+use crate::messages::{Change, SentText};
+use crate::network::refusal::Refused;
+
+/// What the server is.
+#[derive(Serialize)]
+pub struct HelloAnswer {
+    /// Version of the program.
+    pub version: &'static str,
+    /// Path of the served folder.
+    pub folder: String,
+    /// What it takes.
+    pub limits: Limits,
+}
+
+/// What the server takes.
+#[derive(Serialize)]
+pub struct Limits {
+    /// Largest text, bytes.
+    pub text_bytes: usize,
+}
+
+/// A file to be opened.
+#[derive(Deserialize)]
+pub struct OpenRequest {
+    /// Path in the served folder.
+    pub path: String,
+}
+
+/// A model, or a study with its model.
+#[derive(Serialize)]
+pub struct OpenAnswer {
+    /// Nothing where the model of the study cannot be read.
+    pub model: Option<OpenedText>,
+    /// Nothing where a model was asked for.
+    pub study: Option<OpenedText>,
+}
+
+/// A text of the served folder.
+#[derive(Serialize)]
+pub struct OpenedText {
+    /// Its path.
+    pub path: String,
+    /// What it says.
+    pub text: String,
+    /// By which it is known to be the same when it is saved.
+    pub tag: String,
+}
+
+/// A text to be saved.
+#[derive(Deserialize)]
+pub struct SaveRequest {
+    /// Path in the served folder.
+    pub path: String,
+    /// What it says.
+    pub text: String,
+    /// Of the text that it is made of; nothing of a new one.
+    pub tag: Option<String>,
+}
+
+/// A text was saved.
+#[derive(Serialize)]
+pub struct SaveAnswer {
+    /// That of the text as it is now.
+    pub tag: String,
+}
+
+/// How well a number is known, to be written into both texts.
+#[derive(Deserialize)]
+pub struct KnowRequest {
+    /// The model.
+    pub model: SentText,
+    /// The study of it, where there is one.
+    pub study: Option<SentText>,
+    /// Path of the number.
+    pub path: String,
+    /// As it is typed.
+    pub text: String,
+}
+
+/// What an entry of how well a number is known does to the texts. What somebody types is no fault of the page: a refusal is an answer.
+#[derive(Serialize)]
+pub struct KnowAnswer {
+    /// In units of the texts that were sent, in their order.
+    pub changes: Vec<Change>,
+    /// Why there are none.
+    pub refusal: Option<Refused>,
+}
+
+/// A change of the mechanism.
+#[derive(Deserialize)]
+pub struct RestructureRequest {
+    /// The model.
+    pub model: SentText,
+    /// The study of it, where there is one.
+    pub study: Option<SentText>,
+    /// What is to be done.
+    pub edit: Edit,
+    /// Where the bodies are shown.
+    #[serde(default)]
+    pub poses: NamedPoses,
+}
+
+/// What a change of the mechanism does, or why there is none.
+#[derive(Serialize)]
+pub struct RestructureAnswer {
+    /// It.
+    #[serde(flatten)]
+    pub done: Option<Restructured>,
+    /// Why not.
+    pub refusal: Option<Refused>,
+}
+
+/// A template to be made a mechanism of one's own.
+#[derive(Deserialize)]
+pub struct NewRequest {
+    /// Its name.
+    pub template: String,
+    /// Path of the new folder.
+    pub folder: String,
+}
+
+/// A model and a study were written.
+#[derive(Serialize)]
+pub struct NewAnswer {
+    /// Path of the model.
+    pub model: String,
+    /// Path of the study.
+    pub study: String,
+}
+
+/// A drawing from nothing.
+#[derive(Deserialize)]
+pub struct DrawRequest {
+    /// It.
+    #[serde(flatten)]
+    pub drawn: Drawn,
+    /// Path of the new folder into which model and study go; nothing where only words are asked for.
+    pub folder: Option<String>,
+}
+
+/// What the library says of a drawing.
+#[derive(Serialize)]
+pub struct DrawAnswer {
+    /// Degrees of freedom in words, or what is missing.
+    pub says: Vec<String>,
+    /// Why it is no mechanism.
+    pub refusal: Option<Refused>,
+    /// Path of the study that was written.
+    pub study: Option<String>,
+}
+
+/// Where a drawing in the DXF format is to go.
+#[derive(Deserialize)]
+pub struct ImportRequest {
+    /// Path of the new folder.
+    pub folder: String,
+    /// Name of the mechanism.
+    pub title: String,
+    /// Unit of the drawing, where it names none itself.
+    pub unit: Option<String>,
+}
+
+/// What came of a drawing in the DXF format.
+#[derive(Serialize)]
+pub struct ImportAnswer {
+    /// Path of the model.
+    pub model: String,
+    /// What was found in the drawing, and what was left out.
+    pub notes: Vec<String>,
+}
+
+/// What a code of a complaint means.
+#[derive(Serialize)]
+pub struct ExplainAnswer {
+    /// The code.
+    pub code: &'static str,
+    /// In a few words.
+    pub title: &'static str,
+    /// In whole.
+    pub text: &'static str,
+}
+
+/// A report to be shown.
+#[derive(Deserialize)]
+pub struct ViewRequest {
+    /// Path of the folder of the result.
+    pub path: String,
+}
+
+/// Where a report is shown, once.
+#[derive(Serialize)]
+pub struct ViewAnswer {
+    /// Its address.
+    pub address: String,
+}
+
+/// Two studies to be shown beside each other.
+#[derive(Deserialize)]
+pub struct CompareRequest {
+    /// Path of the result A.
+    pub before: String,
+    /// Path of the result B.
+    pub after: String,
+}
+
+/// Both studies beside each other.
+#[derive(Serialize)]
+pub struct CompareAnswer(pub Comparison);
+
+/// A result of which it is asked what can be done with it.
+#[derive(Deserialize)]
+pub struct ResultRequest {
+    /// Path of its folder.
+    pub path: String,
+}
+
+/// Values of a result to be taken into the texts of the page.
+#[derive(Deserialize)]
+pub struct AdoptRequest {
+    /// The model.
+    pub model: SentText,
+    /// The study of it, where there is one.
+    pub study: Option<SentText>,
+    /// Path of the folder of the result.
+    pub path: String,
+    /// Place among the values that it lists.
+    pub place: usize,
+}
+
+/// Both texts with the values of a result in them, or why they do not take them.
+#[derive(Serialize)]
+pub struct AdoptAnswer {
+    /// They.
+    pub adopted: Option<Adopted>,
+    /// Why not.
+    pub refusal: Option<Refused>,
+}
