@@ -32,7 +32,7 @@ const LEAST_FREE_SHARE: f64 = 0.1;
 /// or thousand evaluations and counted in proportion to how far it came. No samples but these are drawn.
 ///
 /// # Errors
-/// As for [`super::plan_runs`], or all timed runs failed.
+/// As for [`crate::plan_runs`], or all timed runs failed.
 pub fn foresee(study: &Study) -> Result<Foreseen, StudyError> {
     let mut response = StudyResponse::new(study)?;
     let plans = planned(study, &response, default_threads())?;

@@ -5,7 +5,7 @@ use loosepin_bounds::PromisePlan;
 /// What a study will come to.
 #[derive(Debug, Clone, Copy)]
 pub struct Foreseen {
-    /// As [`super::plan_runs`].
+    /// As [`crate::plan_runs`].
     pub most_runs: usize,
     /// Processor time of a run on the lanes of one thread, s; none where the first steps do not tell.
     pub run_s: Option<f64>,

@@ -6,7 +6,7 @@ use crate::model::{Model, PlayId};
 /// A place where the two bodies of a joint with play may touch: a contact, with a state, forces and events of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ContactPlace {
-    /// Index of the joint in [`super::Mechanism::plays`].
+    /// Index of the joint in [`crate::mechanism::Mechanism::plays`].
     pub play: usize,
     /// Which of the joint's places, from 0.
     pub place: usize,

@@ -76,7 +76,7 @@ pub enum Jumps {
 /// A largest deviation of an output from its ideal motion, in either direction, that a mechanism may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LifeLimit {
-    /// Index in [`super::Model::outputs`].
+    /// Index in [`crate::model::Model::outputs`].
     pub output: usize,
     /// The limit, SI.
     pub limit: QuantityId,

@@ -133,7 +133,7 @@ impl Model {
     }
 
     /// Reads a setting `path=value` and checks it by itself: path, unit, rule of the value. Rules between several
-    /// values are checked by [`super::QuantityTable::evaluate`] once all settings are known.
+    /// values are checked by [`crate::model::QuantityTable::evaluate`] once all settings are known.
     ///
     /// # Errors
     /// A complaint whose place is in the text of the setting.

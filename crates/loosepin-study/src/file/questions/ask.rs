@@ -83,7 +83,7 @@ const STATISTIC_KEYS: Keys = Keys::new("a statistic with a number", &OF_STATISTI
 /// A question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ask {
-    /// Index in [`Study::outputs`](super::Study::outputs).
+    /// Index in [`Study::outputs`](crate::file::Study::outputs).
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,

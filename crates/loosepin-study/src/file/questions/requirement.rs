@@ -54,7 +54,7 @@ impl Limit {
 /// A requirement: P(the limit is kept) >= probability for every value of the epistemic inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
-    /// Index in [`Study::outputs`](super::Study::outputs).
+    /// Index in [`Study::outputs`](crate::file::Study::outputs).
     pub output: usize,
     /// Which deviation of it.
     pub deviation: Deviation,

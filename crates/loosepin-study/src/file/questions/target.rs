@@ -11,7 +11,7 @@ use loosepin_text::units::Dimension;
 pub struct AccuracyTarget {
     /// Whether it comes from the command line.
     pub is_argument: bool,
-    /// The question it stands in, by its place in [`Study::asks`](super::Study::asks).
+    /// The question it stands in, by its place in [`Study::asks`](crate::file::Study::asks).
     pub ask: Option<usize>,
     /// The output, by its place in the model.
     pub output: Option<usize>,
