@@ -179,6 +179,30 @@ fn variants_of_what_is_one_place_are_named_there_alone() {
     );
 }
 
+/// Entries of a folder, at most: its list is to read as a table of contents.
+const MOST_ENTRIES: usize = 25;
+
+#[test]
+fn no_folder_is_long_and_each_says_what_stands_in_it() {
+    let mut found = Vec::new();
+    let fronts = [repository().join("crates/loosepin-studio/front/src")];
+    let mut open: Vec<PathBuf> = packages().iter().map(|package| package.join("src")).chain(fronts).collect();
+    while let Some(folder) = open.pop() {
+        let entries = std::fs::read_dir(&folder).expect("a folder can be read");
+        let paths: Vec<PathBuf> = entries.map(|entry| entry.expect("a folder entry can be read").path()).collect();
+        if paths.len() > MOST_ENTRIES {
+            found.push(format!("{} has {} entries", folder.display(), paths.len()));
+        }
+        if let Some(head) = paths.iter().find(|path| path.ends_with("mod.rs"))
+            && !read(head).starts_with("//!")
+        {
+            found.push(format!("{} does not say what stands in its folder", head.display()));
+        }
+        open.extend(paths.into_iter().filter(|path| path.is_dir()));
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
 #[test]
 fn no_file_is_long_and_no_name_is_empty() {
     let page = read(&repository().join("docs/architecture.md"));

@@ -1,4 +1,5 @@
 //! Problems whose bounds are known in closed form or by quadrature.
+//! Each problem is a file with its test. The measured campaigns stand in `tests/`.
 
 mod any_statistic;
 mod correlated;

@@ -1,4 +1,5 @@
 //! Questions, runs and answers: what all other floors speak of.
+//! Plain types: a problem, its table of runs, its bounds. Nothing here estimates or searches.
 
 mod beside;
 pub(crate) mod bound;

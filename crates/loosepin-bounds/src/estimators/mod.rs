@@ -1,4 +1,5 @@
 //! Statistics at one u, with their errors, from the runs made there.
+//! Counts, moments, order statistics, polynomials, with the error that runs show. What varies with u is not seen here.
 
 pub(crate) mod basis;
 pub(crate) mod estimate;

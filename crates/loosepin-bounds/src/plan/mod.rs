@@ -1,4 +1,5 @@
 //! Which runs are made, and what is made of them.
+//! Rounds of the double loop, their points and their growth. Estimates stand in `estimators`, models over u in `search`.
 
 pub(crate) mod check;
 pub(crate) mod double_loop;

@@ -1,4 +1,5 @@
 //! The search for extremes over the box of the epistemic inputs: models of statistics, what they leave open, and the next points.
+//! It sees values with errors at points of a unit box, and knows neither runs nor statistics.
 
 mod climb;
 pub(crate) mod design;

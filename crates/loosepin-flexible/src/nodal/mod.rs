@@ -1,4 +1,5 @@
 //! A beam in absolute nodal coordinates: chains of elements whose nodes hold position and slope, for links that bend far.
+//! Elements, their forces and their mass. The floating frame stands outside of this folder.
 
 mod beam;
 mod element;

@@ -1,4 +1,5 @@
 //! From features of a measured motion to the values of the unknowns that are consistent with them.
+//! Tests of values against features, where they are made, what they leave. Readings of a backlash test stand outside.
 
 mod agreement;
 mod bank;

@@ -1,4 +1,5 @@
 //! Functions that are the same bits everywhere, and curves through points.
+//! Elementary functions and splines. Linear systems stand in `solve`, steps through time in `integrate`.
 
 pub(crate) mod angle;
 pub(crate) mod arctangent;

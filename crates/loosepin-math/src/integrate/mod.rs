@@ -1,4 +1,5 @@
 //! Embedded Runge-Kutta pairs with error control and dense output.
+//! They know a right-hand side and tolerances, and nothing of what moves.
 
 mod dop853;
 mod dormand_prince;

@@ -1,4 +1,5 @@
 //! What a study leaves behind: every bound, and what the report draws. Plain data in SI; `summary.json` is this type.
+//! No computation, and no words for people.
 
 pub(crate) mod accuracy;
 mod allowances;

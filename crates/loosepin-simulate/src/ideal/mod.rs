@@ -1,4 +1,5 @@
 //! The ideal mechanism beside a run: what deviations are measured against, and the outputs as columns of numbers. It knows no contact.
+//! Worst cases and scatter of the ideal mechanism stand in `accuracy`.
 
 pub(crate) mod column;
 pub(crate) mod curve;

@@ -1,4 +1,5 @@
 //! Whether a motion repeats itself and how long its positions can be trusted: sections once a turn, periods, exponents, second runs.
+//! Wear over many cycles stands in `wear`.
 
 pub(crate) mod lyapunov;
 pub(crate) mod period;

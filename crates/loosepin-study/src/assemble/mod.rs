@@ -1,4 +1,5 @@
 //! From the runs and bounds of a study to its result: names, units, curves, boxes, pictures. What a question adds is written in `question`.
+//! Nothing here makes a run.
 
 mod accuracy;
 mod bounds;

@@ -1,4 +1,5 @@
 //! What is told of a study while it runs.
+//! Bounds of pilots and quantiles of the runs so far, without the errors of the final ones.
 
 pub(crate) mod curves;
 pub(crate) mod draft;

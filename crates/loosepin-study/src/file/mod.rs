@@ -1,4 +1,5 @@
 //! From the text of a study file to a study, with all its complaints at once.
+//! A file for each table. What a study then does stands outside of this folder.
 
 mod check;
 mod description;

@@ -1,4 +1,5 @@
 //! Before anything runs: the plans of all questions, goals and budget, what a study will cost.
+//! No run is made here but those that are timed.
 
 pub(crate) mod budget;
 pub(crate) mod foresee;

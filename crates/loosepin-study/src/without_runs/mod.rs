@@ -1,4 +1,5 @@
 //! What is answered without dynamics: the ideal motion, worst cases, requirements judged by them.
+//! `loosepin motion` and the studio's band show it.
 
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;

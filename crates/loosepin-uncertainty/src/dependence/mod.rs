@@ -1,4 +1,5 @@
 //! How random inputs go together.
+//! Copulas and what turns one measure of correlation into another. A single variable stands in `variables`.
 
 pub(crate) mod copula;
 pub(crate) mod correlation;

@@ -1,4 +1,5 @@
 //! Families of distributions: what a distribution must be able to do, one family per file.
+//! A checked variable that can be sampled stands in `variables`.
 
 mod beta;
 mod discrete;

@@ -1,4 +1,5 @@
 //! Line-contact laws of a cylinder in a cylinder: the list, and one law a file.
+//! The form of a force stands in `normal`.
 
 mod bai_zhao;
 mod dubowsky_freudenstein;

@@ -1,4 +1,5 @@
 //! Linear laws, `F_N = K δ + D δ̇`: the list, and one law a file.
+//! The form of the force stands in `normal`.
 
 mod anagnostopoulos;
 #[cfg(test)]

@@ -1,4 +1,5 @@
 //! Contacts of joints and couplings with play: the normal force law ([`ContactLaw`], `law.rs`), friction and a film of oil.
+//! Keys, how they are read, and the numbers of a run. The forces stand in `contact` of the crate.
 
 mod description;
 mod law;

@@ -1,4 +1,5 @@
 //! From the text of a model file to a model, with all its complaints at once.
+//! A file for each part, with its table. Kinds of joints, couplings, loads, drives and outputs read their own tables in their folders.
 
 mod beams;
 mod body;

@@ -1,4 +1,5 @@
 //! Numbers of a model: the one table of quantities, expressions, and how they are set from outside.
+//! Every number of a model has its place, unit and rule here. Text with units is read in `loosepin-text`.
 
 pub(in crate::model) mod function;
 pub(in crate::model) mod law_choice;

@@ -1,4 +1,5 @@
 //! The page of a study: the answer, the bounds, the curves, the treatments, the mechanism, and how it was computed.
+//! What a terminal shows too stands in `sections`.
 
 mod curves;
 mod provenance;

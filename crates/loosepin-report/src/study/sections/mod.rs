@@ -1,4 +1,5 @@
 //! The sections that a page and a terminal show of a study, each made once.
+//! Figures of a page alone stand in `page`.
 
 mod accuracy;
 mod allowed;

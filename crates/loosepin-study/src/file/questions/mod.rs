@@ -1,4 +1,5 @@
 //! What is asked and required of outputs, and how near the answers are to be.
+//! How they are answered stands in `question` of the crate.
 
 pub(crate) mod accuracy;
 pub(crate) mod allow;

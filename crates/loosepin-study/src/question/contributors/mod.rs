@@ -1,4 +1,5 @@
 //! What contributes to an answer: the runs that tell shares of the variance.
+//! The indices are computed in `loosepin-uncertainty`.
 
 mod plan;
 mod record;

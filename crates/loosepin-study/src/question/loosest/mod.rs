@@ -1,4 +1,5 @@
 //! The inverse question: how loose inputs may be, one at a time, together, or at the least cost.
+//! Requirements as such are judged with the bounds.
 
 mod loosened;
 mod one;

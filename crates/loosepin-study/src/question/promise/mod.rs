@@ -1,4 +1,5 @@
 //! Promises for a share of the box: all runs at once, fixed beforehand.
+//! The limits of a share are those of `loosepin-bounds`.
 
 mod plan;
 mod promised;

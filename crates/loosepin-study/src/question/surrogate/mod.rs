@@ -1,4 +1,5 @@
 //! Surrogates: runs to learn from, direct runs at the witnesses, and what both say.
+//! The functions themselves are learnt in `loosepin-surrogate`.
 
 mod plan;
 mod record;

@@ -1,4 +1,5 @@
 //! Beams and what they hang by.
+//! Section, mass, lumps and the joints at a beam. What a beam does stands in `dynamics`.
 
 pub(in crate::model) mod beam;
 pub(in crate::model) mod beam_joints;
